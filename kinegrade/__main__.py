@@ -1,0 +1,5 @@
+"""`python -m kinegrade` is `kinegrade`."""
+
+from kinegrade.cli import main
+
+main()

@@ -1,0 +1,75 @@
+"""Fast arithmetic: doubles, one or thousands at a time (numpy arrays of instances along the last axis)."""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from typing import Any
+
+import numpy as np
+
+from kinegrade.exact.surd import Surd
+
+
+class Floats:
+    """The arithmetic of doubles and arrays of doubles. Never the reference: held against exact values by tests."""
+
+    exact = False
+    certified = False
+
+    def fork(self) -> Floats:
+        """Floats need no field of their own."""
+        return self
+
+    def context(self) -> AbstractContextManager[Any]:
+        """Divisions by zero give infinities, to be sorted out by the caller."""
+        return np.errstate(all="ignore")
+
+    def number(self, rational: Any) -> Any:
+        """A rational or exact number as a double; arrays stay arrays."""
+        if isinstance(rational, (np.ndarray, int, float)):
+            return rational
+        return float(rational) if isinstance(rational, Surd) else int(rational.p) / int(rational.q)
+
+    def turns(self, half_turns: Any) -> Any:
+        """The angle of `half_turns` times pi, in radians."""
+        return self.number(half_turns) * np.pi
+
+    def is_zero(self, number: Any) -> bool:
+        """Whether a number is zero to within rounding, in every instance."""
+        return bool(np.all(np.abs(number) < 1e-12))
+
+    def sign(self, number: Any) -> Any:
+        """-1, 0 or 1, elementwise; values within rounding of zero count as zero."""
+        return np.where(np.abs(number) < 1e-12, 0.0, np.sign(number))
+
+    def choose(self, condition: Any, yes: Any, no: Any) -> Any:
+        """`yes` where the condition holds, else `no`, elementwise."""
+        return np.where(condition, yes, no)
+
+    def sqrt(self, number: Any) -> Any:
+        """The positive square root, elementwise; not a number below zero (but zero within rounding of zero)."""
+        return np.sqrt(np.where((number < 0) & (number > -1e-12), 0.0, number))
+
+    def cos(self, angle: Any) -> Any:
+        """Cosine of an angle in radians, elementwise."""
+        return np.cos(angle)
+
+    def sin(self, angle: Any) -> Any:
+        """Sine of an angle in radians, elementwise."""
+        return np.sin(angle)
+
+    def arctangent(self, y: Any, x: Any) -> Any:
+        """The angle from +x to the vector (x, y) in radians, elementwise."""
+        return np.arctan2(y, x)
+
+    def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
+        """The unknowns of rows * unknowns = right for every instance; surplus rows by least squares."""
+        shape = np.broadcast_shapes(*(np.shape(entry) for row in rows for entry in row), *map(np.shape, right))
+        matrix = np.moveaxis(np.array([[np.broadcast_to(e, shape) for e in row] for row in rows]), (0, 1), (-2, -1))
+        vector = np.moveaxis(np.array([np.broadcast_to(e, shape) for e in right]), 0, -1)
+        finite = np.isfinite(matrix).all(axis=(-2, -1))[..., None, None]
+        solution = np.linalg.pinv(np.where(finite, matrix, 0.0)) @ vector[..., None]
+        return list(np.moveaxis(solution[..., 0], -1, 0))
+
+    def require_zero(self, number: Any) -> None:
+        """Nothing: whether surplus equations agree is decided by the exact arithmetics."""

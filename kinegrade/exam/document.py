@@ -1,0 +1,124 @@
+"""What stands on the pages of an exam and of its key, free of any typesetter.
+
+The exam's setting fills these values; a press (`kinegrade.exam.typst`) lays them out. Three kinds of text:
+
+* plain: printed as it is, whatever characters it holds (names, course, codes, units such as "m/s^2");
+* prose: Markdown with `$...$` LaTeX math (statements, titles of questions, meanings, rules);
+* math: LaTeX math without dollar signs (symbols, exact values).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from kinegrade.figure.scene import Scene
+
+Language = Literal["en", "zh"]
+PaperSize = Literal["a4", "letter"]
+
+
+@dataclass(frozen=True)
+class AnswerRow:
+    """One box to be filled: the quantity asked for, its unit and which sense counts positive."""
+
+    symbol: str  # math: v_B
+    meaning: str  # prose
+    unit: str  # plain: "m/s^2", "deg"; "1" for a pure number
+    sign: str  # prose, "counter-clockwise positive"; "" where no sign is to be agreed on
+    points: Fraction
+
+
+@dataclass(frozen=True)
+class QuestionSheet:
+    """One question as a student sees it, with that student's numbers and figure."""
+
+    number: int
+    identifier: str  # "q1", as in the answer sheet's columns
+    title: str  # prose, one line
+    points: Fraction
+    statement: str  # prose
+    figure: Scene | None
+    rows: tuple[AnswerRow, ...]
+    source: str = ""  # plain, where the problem was published; "" prints nothing
+
+
+@dataclass(frozen=True)
+class Paper:
+    """One student's whole paper."""
+
+    language: Language
+    course: str  # plain, as are title, date, student, name and code
+    title: str
+    date: str
+    student: str
+    name: str
+    code: str
+    rules: tuple[str, ...]  # prose, one sentence or two each
+    questions: tuple[QuestionSheet, ...]
+
+    @property
+    def points(self) -> Fraction:
+        """The total of all questions."""
+        return sum((question.points for question in self.questions), Fraction(0))
+
+
+@dataclass(frozen=True)
+class KeyParameter:
+    """A number drawn for one student, as the question states it."""
+
+    symbol: str  # math
+    exact: str | None  # math, without unit; None where only a decimal is known
+    decimal: str  # plain
+    unit: str  # plain
+
+
+@dataclass(frozen=True)
+class KeyAnswer:
+    """A right answer, and the closed interval of what is marked right."""
+
+    symbol: str  # math
+    exact: str | None  # math, without unit; None where the answer is a certified enclosure
+    decimal: str  # plain, six significant digits
+    unit: str  # plain
+    interval: str  # plain, "[1.143, 1.166]"
+    points: Fraction
+
+
+@dataclass(frozen=True)
+class KeyEntry:
+    """The key of one question of one paper."""
+
+    identifier: str
+    title: str  # prose
+    parameters: tuple[KeyParameter, ...]
+    answers: tuple[KeyAnswer, ...]
+
+
+@dataclass(frozen=True)
+class KeyPaper:
+    """The key of one student's paper."""
+
+    student: str  # plain, as are name and code
+    name: str
+    code: str
+    entries: tuple[KeyEntry, ...]
+
+
+@dataclass(frozen=True)
+class KeyBook:
+    """The instructor's book of all keys; `warning` is printed on every page."""
+
+    language: Language
+    course: str
+    title: str
+    warning: str
+    papers: tuple[KeyPaper, ...]
+
+    def chunks(self, size: int) -> Iterator[KeyBook]:
+        """The same book in parts of `size` papers; an empty book is one empty part."""
+        for start in range(0, max(len(self.papers), 1), size):
+            part = self.papers[start : start + size]
+            yield KeyBook(self.language, self.course, self.title, self.warning, part)

@@ -1,0 +1,130 @@
+"""LaTeX math into Typst math: the formulas of statements, symbols and exact values.
+
+tylax converts. It passes unknown commands on as letters and `\\text{...}` on as Typst code; therefore what it
+may see is listed here, and text is taken out before and put back as string literals. Nothing a formula holds
+can become Typst code. `kinegrade.exam.markup` is the next storey up.
+"""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+from functools import lru_cache
+from unicodedata import category
+
+import tylax
+
+from kinegrade.errors import TypesetError
+
+_GREEK = """
+    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho varrho
+    sigma tau upsilon phi varphi chi psi omega
+    Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
+"""
+_LETTERING = """
+    mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace overrightarrow widehat
+"""
+_STRUCTURE = "frac dfrac tfrac sqrt left right quad qquad"
+_SYMBOLS = """
+    cdot times div pm mp le leq ge geq ne neq approx equiv sim propto perp parallel angle triangle circ prime
+    infty ldots cdots to rightarrow leftarrow Rightarrow leftrightarrow uparrow downarrow implies partial int
+    sum mid in
+"""
+_FUNCTIONS = "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min max"
+COMMANDS = frozenset(" ".join((_GREEK, _LETTERING, _STRUCTURE, _SYMBOLS, _FUNCTIONS, "begin end")).split())
+ENVIRONMENTS = frozenset({"cases", "aligned"})
+
+_COMMAND = re.compile(r"\\([A-Za-z]+|.|$)", re.DOTALL)
+_SPACING = frozenset(",;:! ")
+_ESCAPED = frozenset("{}%|\\")
+_TEXT = re.compile(r"\\(?:text|unit)\s*\{([^{}]*)\}|\{(,)\}")  # {,} is LaTeX's decimal comma
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{([^{}]*)\}")
+_FORBIDDEN = re.compile(r'[#"$@`~]|//|/\*|[^\x00-\x7f]')  # beyond ASCII, tylax may lose its place
+_LEFTOVER = re.compile(r'[#"$]|/\*|//')  # code, or the comment in which tylax reports a fault
+_RAISED = re.compile(r"\^\{?([-\u2212]?\d+)\}?")
+_SUPERSCRIPTS = str.maketrans("-\u22120123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_OPTIONS = tylax.L2TOptions(frac_to_slash=False)
+_CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
+_PLACE = "@"  # stands for a text during the conversion
+_PLACED = re.compile(rf"\s*{_PLACE}\s*")  # a blank beside a string literal would be printed
+
+
+def literal(text: str) -> str:
+    """`text` as a Typst string literal, whatever it contains; control characters become spaces.
+
+    >>> print(literal('a "b" #read(1)'))
+    "a \\"b\\" #read(1)"
+    """
+    clean = "".join(" " if category(character) in _CONTROLS else character for character in text)
+    return '"' + clean.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def unit_text(unit: str) -> str:
+    """A unit as it is printed: exponents raised, a degree sign, a thin dash for a pure number.
+
+    >>> unit_text("rad/s^2"), unit_text("deg"), unit_text("1")
+    ('rad/s²', '°', '–')
+    """
+    raised = _RAISED.sub(lambda match: match[1].translate(_SUPERSCRIPTS), unit)
+    return {"deg": "°", "1": "–"}.get(unit, raised.replace("*", "·"))
+
+
+@lru_cache(maxsize=4096)
+def formula(latex: str, where: str) -> str:
+    """Typst math (to stand between dollar signs) for `latex`, LaTeX math without dollar signs.
+
+    Raises TypesetError naming `where` and every unknown command, environment and stray character.
+
+    >>> formula(r"v_B = \\frac{2\\sqrt{3}}{3}\\,\\mathrm{m/s}", "q1")
+    'v_(B) = frac(2 sqrt(3), 3)thin upright(m slash s)'
+    """
+    problems = _problems(latex, where)
+    if problems:
+        raise TypesetError(*problems)
+    texts = ["".join(groups) for groups in _TEXT.findall(latex)]
+    converted = tylax.latex_to_typst(_TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
+    if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
+        raise TypesetError(f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it")
+    following = iter(texts)
+    placed = _PLACED.sub(lambda _: literal(unit_text(next(following))), converted)
+    return placed.replace("^(circle.small)", "degree").strip()
+
+
+def _problems(latex: str, where: str) -> list[str]:
+    shown = f"{where}: formula ${latex}$"
+    outside = _TEXT.sub("", latex)
+    found = [
+        f"{shown}: unknown command \\{name}; expected plain LaTeX math; {_nearest(name)}"
+        for name in _COMMAND.findall(outside)
+        if not _known(name)
+    ]
+    found += [
+        f"{shown}: unknown environment {name}; expected {' or '.join(sorted(ENVIRONMENTS))}; use one of these"
+        for name in _ENVIRONMENT.findall(outside)
+        if name not in ENVIRONMENTS
+    ]
+    found += [
+        f"{shown}: expected no {stray} in math; put it into \\text{{...}} or outside the formula"
+        for stray in _FORBIDDEN.findall(outside)
+    ]
+    if not _balanced(outside):
+        found.append(f"{shown}: braces do not match; expected a }} for every {{; count them")
+    return found
+
+
+def _nearest(command: str) -> str:
+    near = get_close_matches(command, COMMANDS, n=1)
+    return f"did you mean \\{near[0]}?" if near else "write it with other commands"
+
+
+def _known(command: str) -> bool:
+    return command in COMMANDS or command in _SPACING or command in _ESCAPED
+
+
+def _balanced(latex: str) -> bool:
+    depth = 0
+    for brace in re.findall(r"(?<!\\)[{}]", latex):
+        depth += 1 if brace == "{" else -1
+        if depth < 0:
+            return False
+    return depth == 0

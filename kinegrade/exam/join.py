@@ -1,0 +1,38 @@
+"""PDF files put one behind the other, by pikepdf (qpdf)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from io import BytesIO
+from pathlib import Path
+
+import pikepdf
+
+
+def join(pdfs: Iterable[Path], target: Path) -> None:
+    """Write to `target` the pages of all `pdfs` in order; same input, same bytes."""
+    with pikepdf.new() as whole:
+        for pdf in pdfs:
+            _append(whole, pdf)
+        whole.save(target, deterministic_id=True)
+
+
+def joined(pdfs: Iterable[bytes]) -> bytes:
+    """The pages of all `pdfs` in order as one PDF; same input, same bytes."""
+    whole_bytes = BytesIO()
+    with pikepdf.new() as whole:
+        for pdf in pdfs:
+            _append(whole, BytesIO(pdf))
+        whole.save(whole_bytes, deterministic_id=True)
+    return whole_bytes.getvalue()
+
+
+def page_count(pdf: bytes) -> int:
+    """The number of pages of a PDF."""
+    with pikepdf.open(BytesIO(pdf)) as document:
+        return len(document.pages)
+
+
+def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
+    with pikepdf.open(pdf) as part:
+        whole.pages.extend(part.pages)

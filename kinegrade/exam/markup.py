@@ -1,0 +1,134 @@
+"""Prose into Typst: Markdown with `$...$` LaTeX math becomes a Typst code block that yields content.
+
+Text leaves here only as string literals and formulas only through `kinegrade.exam.formula`, so nothing in a
+statement or title can become Typst code. Paragraphs, emphasis, lists and math are what an exam needs; any
+other thing is refused by name. `kinegrade.exam.typst_source` puts the pieces of a paper together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from unicodedata import east_asian_width
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.formula import formula, literal
+
+BRACKETS = {
+    "paragraph_open": "",
+    "paragraph_close": "parbreak()",
+    "strong_open": "strong({",
+    "strong_close": "})",
+    "em_open": "emph({",
+    "em_close": "})",
+    "bullet_list_open": "list(",
+    "bullet_list_close": ")",
+    "ordered_list_close": ")",
+    "list_item_open": "{",
+    "list_item_close": "},",
+    "hardbreak": "linebreak()",
+}
+REFUSED = {
+    "image": "an image",
+    "html_inline": "raw HTML",
+    "html_block": "raw HTML",
+    "link_open": "a link",
+    "heading_open": "a heading",
+    "blockquote_open": "a quotation",
+    "code_inline": "code",
+    "code_block": "code (a line indented by four blanks)",
+    "fence": "code",
+    "hr": "a rule across the page",
+    "math_block_label": "a labelled formula",
+}
+EXPECTED = "expected text, **bold**, *emphasis*, lists and $math$"
+
+
+def prose(markdown: str, where: str) -> str:
+    """Typst code (an expression yielding content) for several paragraphs of Markdown.
+
+    Raises TypesetError with every fault of the text, each naming `where`.
+
+    >>> print(prose("The crank $OA$ turns.", "q1"))
+    {"The crank ";$O A$;" turns.";}
+    """
+    tokens = _reader().parse(markdown)
+    _refuse_faults(tokens, where)
+    return "{" + _join(tokens, where).removesuffix("parbreak();") + "}"
+
+
+def line(markdown: str, where: str) -> str:
+    """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
+
+    >>> print(line("speed of $B$", "q1"))
+    {"speed of ";$B$;}
+    """
+    tokens = _reader().parseInline(markdown)
+    _refuse_faults(tokens, where)
+    return "{" + _join(tokens, where) + "}"
+
+
+@lru_cache(maxsize=1)
+def _reader() -> MarkdownIt:
+    reader = MarkdownIt("commonmark", {"typographer": True}).enable("smartquotes")
+    return reader.use(dollarmath_plugin, double_inline=True)
+
+
+def _refuse_faults(tokens: Sequence[Token], where: str) -> None:
+    problems = [problem for token in _leaves(tokens) for problem in _faults(token, where)]
+    if problems:
+        raise TypesetError(*problems)
+
+
+def _leaves(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens in the order of the text, inline ones instead of their container."""
+    groups = (token.children or [] if token.type == "inline" else [token] for token in tokens)
+    return [leaf for group in groups for leaf in group]
+
+
+def _faults(token: Token, where: str) -> tuple[str, ...]:
+    if token.type in REFUSED:
+        shown = f" ({token.content.strip()})" if token.content.strip() else ""
+        return (f"{where}: {REFUSED[token.type]}{shown} cannot be printed; {EXPECTED}; take it out",)
+    if token.type.startswith("math_"):
+        try:
+            formula(token.content.strip(), where)
+        except TypesetError as error:
+            return error.problems
+    return ()
+
+
+def _join(tokens: Sequence[Token], where: str) -> str:
+    """One Typst statement after another; semicolons keep them apart on one line."""
+    leaves = _leaves(tokens)
+    return "".join(_statement(leaves, index, where) for index in range(len(leaves)))
+
+
+def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
+    token = leaves[index]
+    match token.type:
+        case "text" | "text_special":
+            return f"{literal(token.content)};" if token.content else ""
+        case "softbreak":
+            return "" if _between_wide(leaves, index) else '" ";'
+        case "math_inline":
+            return f"${formula(token.content.strip(), where)}$;"
+        case "math_inline_double" | "math_block":
+            return f"$ {formula(token.content.strip(), where)} $;"
+        case "ordered_list_open":
+            return f"enum(start: {int(token.attrs.get('start', 1))}, "
+        case "paragraph_close" if token.hidden:
+            return ""
+    code = BRACKETS[token.type]
+    return code if not code or code[-1] in "({," else f"{code};"
+
+
+def _between_wide(leaves: Sequence[Token], index: int) -> bool:
+    """Whether a line end stands between two Chinese characters, where it must not print a blank."""
+    before = leaves[index - 1].content[-1:] if index else ""
+    after = leaves[index + 1].content[:1] if index + 1 < len(leaves) else ""
+    return all(character and east_asian_width(character) in "WF" for character in (before, after))

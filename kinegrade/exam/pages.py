@@ -1,0 +1,89 @@
+"""From a set paper to what stands on its pages and in the instructor's key."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from kinegrade.exam.bank import Bank
+from kinegrade.exam.document import (
+    AnswerRow,
+    KeyAnswer,
+    KeyBook,
+    KeyEntry,
+    KeyPaper,
+    KeyParameter,
+    Paper,
+    QuestionSheet,
+)
+from kinegrade.exam.rules import rules
+from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.statement import statement
+from kinegrade.problem.template import Language
+
+WARNING = {
+    "en": "For the instructor only: this key shows every answer.",
+    "zh": "仅供教师使用：本册含全部答案。",
+}
+
+
+def paper_pages(bank: Bank, paper: SetPaper, language: Language) -> Paper:
+    """The pages of one student."""
+    sheets = tuple(question_sheet(number, question, language)
+                   for number, question in enumerate(paper.questions, start=1))
+    return Paper(language, bank.course.in_language(language), bank.title.in_language(language), bank.date,
+                 paper.student.student, paper.student.name, paper.code, rules(bank, language), sheets)
+
+
+def question_sheet(number: int, question: SetQuestion, language: Language) -> QuestionSheet:
+    """A question with its statement, figure to scale and answer table."""
+    template, solution = question.question.template, question.drawn.solution
+    rows = tuple(AnswerRow(template.asks[entry.ask.name].symbol,
+                           template.asks[entry.ask.name].means.in_language(language),
+                           template.asks[entry.ask.name].unit.text,
+                           template.asks[entry.ask.name].sign.in_language(language), entry.ask.points)
+                 for entry in question.asks)
+    return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
+                         question.question.points, statement(template, solution.parameters, language),
+                         sketch(drawable_mechanism(solution.motion.frames.mechanism), template.figure), rows, template.source)
+
+
+def key_book(bank: Bank, papers: Sequence[KeyPaper], language: Language) -> KeyBook:
+    """The instructor's book."""
+    return KeyBook(language, bank.course.in_language(language), bank.title.in_language(language),
+                   WARNING[language], tuple(papers))
+
+
+def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
+    """The key of one paper."""
+    entries = tuple(key_entry(question, language) for question in paper.questions)
+    return KeyPaper(paper.student.student, paper.student.name, paper.code, entries)
+
+
+def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
+    """The key of one question."""
+    template, solution = question.question.template, question.drawn.solution
+    parameters = tuple(KeyParameter(template.parameters[name].symbol, quantity.latex, quantity.decimal(6),
+                                    quantity.unit.text)
+                       for name, quantity in solution.parameters.items())
+    answers = tuple(KeyAnswer(template.asks[entry.ask.name].symbol, entry.answer.latex, entry.answer.decimal(6),
+                              entry.answer.unit.text, interval(entry), entry.ask.points)
+                    for entry in question.asks)
+    return KeyEntry(question.question.identifier, template.title.in_language(language), parameters, answers)
+
+
+def interval(entry: SetAsk) -> str:
+    """The closed interval of what is marked right, rounded to six figures for the reader."""
+    value = decimal_fraction(entry.answer)
+    room = max(entry.tolerance.relative * abs(value), entry.tolerance.absolute)
+    return f"[{float(value - room):.6g}, {float(value + room):.6g}]"
+
+
+def decimal_fraction(quantity: Quantity) -> Fraction:
+    """The value to 40 digits as a fraction."""
+    return Fraction(quantity.decimal(40))
+
+

@@ -1,0 +1,175 @@
+"""The class: who gets a paper.
+
+`read_roster` is called by `generate`. Columns `student` and `name`, optionally `email`, by any of their usual
+names, in any order; other columns are ignored. Ids are texts: leading zeros and case are kept.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from unicodedata import normalize
+from urllib.parse import quote
+
+from kinegrade.errors import TableError
+from kinegrade.tables import Complaint, Row, Table, header_key, parse_table, read_table, shortened, trimmed
+
+COLUMN_NAMES: Mapping[str, tuple[str, ...]] = {
+    "student": ("student", "id", "id number", "student id", "student number", "学号", "學號"),
+    "name": ("name", "full name", "student name", "姓名"),
+    "email": ("email", "e-mail", "email address", "e-mail address", "邮箱", "電子郵件"),
+}
+_REQUIRED = ("student", "name")
+_LONGEST_STEM = 100
+_RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Student:
+    """One student; `file_name` is a stem safe on every system and different from all others of the roster."""
+
+    student: str
+    name: str
+    email: str
+    file_name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Roster:
+    """The students in the order of the file, and what a person should look at."""
+
+    students: tuple[Student, ...]
+    complaints: tuple[Complaint, ...]
+
+
+def read_roster(path: Path) -> Roster:
+    """Reads a roster file; raises TableError with all its faults at once."""
+    return _roster(read_table(path))
+
+
+def parse_roster(content: bytes, file: str) -> Roster:
+    """Reads the bytes of a roster; `file` is its name in messages. Raises TableError.
+
+    >>> parse_roster(b"name,ID\\nAnn,007\\n", "roster.csv").students[0].student
+    '007'
+    """
+    return _roster(parse_table(content, file))
+
+
+def student_key(student: str) -> str:
+    """An id as it is compared: surrounding blanks and full-width forms do not count, zeros and case do.
+
+    >>> student_key("\\uff10\\uff10\\uff17 ")
+    '007'
+    """
+    return trimmed(normalize("NFKC", student))
+
+
+def file_names(students: Iterable[str]) -> dict[str, str]:
+    """A file stem for each id: the id itself where it is plain, percent-encoded where it is not.
+
+    No two stems are equal, not even where the file system takes upper and lower case for the same.
+
+    >>> file_names(["007", "a/b", "CON"])
+    {'007': '007', 'a/b': 'a%2Fb', 'CON': '%43ON'}
+    """
+    stems = {student: _stem(student) for student in students}
+    alike = Counter(stem.lower() for stem in stems.values())
+    return {
+        student: _cut(student, _capitals_encoded(stem) if alike[stem.lower()] > 1 else stem)
+        for student, stem in stems.items()
+    }
+
+
+def _stem(student: str) -> str:
+    stem = quote(student, safe="", errors="surrogatepass").replace("~", "%7E")
+    if stem.startswith(".") or _RESERVED.match(stem):
+        return f"%{ord(stem[0]):02X}{stem[1:]}"
+    return stem
+
+
+def _capitals_encoded(stem: str) -> str:
+    return re.sub(r"(%..)|([A-Z])", lambda found: found[1] or f"%{ord(found[2]):02X}", stem)
+
+
+def _cut(student: str, stem: str) -> str:
+    """No file system takes more than 255 bytes; `%-` never comes out of the encoding, so it stays unique."""
+    if len(stem) <= _LONGEST_STEM:
+        return stem
+    digest = sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:32]
+    return f"{stem[:40]}%-{digest}"
+
+
+def _roster(table: Table) -> Roster:
+    columns = _columns(table)
+    faults = [*_empty_ids(table, columns), *_repeated_ids(table, columns)]
+    if not table.rows:
+        faults.append(f"{table.file}: has no students - expected a line for each - add them")
+    if faults:
+        raise TableError(*faults)
+    stems = file_names(trimmed(row.cell(columns["student"])) for row in table.rows)
+    students = tuple(_student(row, columns, stems) for row in table.rows)
+    return Roster(students, (*table.complaints, *_nameless(table, columns)))
+
+
+def _columns(table: Table) -> dict[str, int]:
+    """Where each column stands; of several names for one column the one first in COLUMN_NAMES counts."""
+    header = [header_key(cell) for cell in table.header]
+    found = {
+        column: header.index(next(name for name in names if name in header))
+        for column, names in COLUMN_NAMES.items()
+        if not set(names).isdisjoint(header)
+    }
+    shown = ", ".join(shortened(cell) for cell in table.header)
+    missing = [
+        f'{table.file}: no column "{column}" - the columns here are: {shown} - name one of them '
+        + " or ".join(f'"{name}"' for name in COLUMN_NAMES[column])
+        for column in _REQUIRED
+        if column not in found
+    ]
+    if missing:
+        raise TableError(*missing)
+    return found
+
+
+def _empty_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+    for row in table.rows:
+        if not trimmed(row.cell(columns["student"])):
+            name = shortened(trimmed(row.cell(columns["name"])))
+            yield f'{table.file}:{row.line}: no student id ("{name}") - expected one on every line - add it'
+
+
+def _repeated_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+    lines: dict[str, list[int]] = defaultdict(list)
+    for row in table.rows:
+        lines[student_key(row.cell(columns["student"]))].append(row.line)
+    for student, places in lines.items():
+        if student and len(places) > 1:
+            where = " and ".join(map(str, places))
+            yield (
+                f'{table.file}: student id "{shortened(student)}" stands on lines {where} '
+                "- expected each id once - correct or delete one"
+            )
+
+
+def _student(row: Row, columns: Mapping[str, int], stems: Mapping[str, str]) -> Student:
+    student = trimmed(row.cell(columns["student"]))
+    email = trimmed(row.cell(columns["email"])) if "email" in columns else ""
+    return Student(student, _name(row, columns), email, stems[student])
+
+
+def _name(row: Row, columns: Mapping[str, int]) -> str:
+    return " ".join(trimmed(row.cell(columns["name"])).split())
+
+
+def _nameless(table: Table, columns: Mapping[str, int]) -> Iterator[Complaint]:
+    for row in table.rows:
+        if not _name(row, columns):
+            student = trimmed(row.cell(columns["student"]))
+            yield Complaint(
+                table.file, row.line, "name", student, "no name", "the paper carries the id alone"
+            )

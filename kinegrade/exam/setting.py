@@ -1,0 +1,111 @@
+"""Setting an exam: for each student of the roster every question is drawn and solved.
+
+`set_exam` gives the papers one after the other, so that memory does not grow with the class.
+"""
+
+from __future__ import annotations
+
+from base64 import b32encode
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import floor, log10
+
+from kinegrade.errors import DrawError
+from kinegrade.exam.bank import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.problem.drawing import Deck, Drawn, address
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.scale import scale
+
+
+@dataclass(frozen=True)
+class SetAsk:
+    """An ask of one paper with its answer and the tolerance that holds for it."""
+
+    ask: BankAsk
+    answer: Quantity
+    tolerance: Tolerance
+
+
+@dataclass(frozen=True)
+class SetQuestion:
+    """A question of one paper: what was drawn and what is right."""
+
+    question: BankQuestion
+    drawn: Drawn
+    asks: tuple[SetAsk, ...]
+
+
+@dataclass(frozen=True)
+class SetPaper:
+    """One student's paper; `code` is printed on it and kept in the key."""
+
+    student: Student
+    code: str
+    questions: tuple[SetQuestion, ...]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A bank, a class and a secret, ready to be drawn from."""
+
+    bank: Bank
+    roster: Roster
+    secret: str
+    decks: Mapping[str, Deck]
+
+    def papers(self) -> Iterator[SetPaper]:
+        """The papers in roster order. Raises DrawError when a template has too few instances for the class."""
+        for student in self.roster.students:
+            questions = tuple(set_question(question, self.decks[question.identifier], student.student)
+                              for question in self.bank.questions)
+            yield SetPaper(student, paper_code(self.secret, student.student), questions)
+
+    def refusals(self) -> dict[str, dict[str, int]]:
+        """For each question how often a draw was refused, by reason."""
+        return {name: dict(sorted(deck.refused.items())) for name, deck in self.decks.items()}
+
+
+def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
+    """A setting. Raises DrawError for every question with fewer combinations than there are students."""
+    decks = {question.identifier: Deck(question.template, tuple(ask.name for ask in question.asks), secret,
+                                       question.identifier, question.domains)
+             for question in bank.questions}
+    few = [f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for "
+           f"{len(roster.students)} students: widen the domains"
+           for name, deck in decks.items() if deck.combinations() < len(roster.students)]
+    if few:
+        raise DrawError(*few)
+    return Setting(bank, roster, secret, decks)
+
+
+def set_question(question: BankQuestion, deck: Deck, student: str) -> SetQuestion:
+    """A question drawn for a student."""
+    drawn = deck.draw(student)
+    asks = tuple(SetAsk(ask, drawn.solution[ask.name], effective(ask, drawn)) for ask in question.asks)
+    return SetQuestion(question, drawn, asks)
+
+
+def effective(ask: BankAsk, drawn: Drawn) -> Tolerance:
+    """The tolerance of an ask; an answer that is exactly zero gets room from the mechanism's own scale."""
+    answer = drawn.solution[ask.name]
+    if not answer.is_zero:
+        return ask.tolerance
+    room = ask.tolerance.relative * two_figures(scale(drawn.solution.motion, answer.unit))
+    return Tolerance(ask.tolerance.relative, max(ask.tolerance.absolute, room))
+
+
+def two_figures(size: float) -> Fraction:
+    """A size rounded to two significant figures, exactly."""
+    if size <= 0:
+        return Fraction(0)
+    step = Fraction(10) ** (floor(log10(size)) - 1)
+    return round(Fraction(size) / step) * step
+
+
+def paper_code(secret: str, student: str) -> str:
+    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret and the student's id."""
+    bits = address(secret, "paper", student) % (1 << 40)
+    text = b32encode(bits.to_bytes(5, "big")).decode()
+    return f"{text[:4]}-{text[4:]}"

@@ -1,0 +1,90 @@
+"""The fixed words of papers and keys, one table per language."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Words:
+    """What a layout prints besides the exam's own texts; `{}` takes a number or a text."""
+
+    name: str
+    student: str
+    paper: str
+    total: str
+    rules: str
+    question: str
+    point: str  # takes the number one
+    points: str  # takes any other number
+    symbol: str
+    meaning: str
+    answer: str
+    unit: str
+    sign: str
+    point_column: str
+    source: str
+    page: str  # takes the page's number and the number of pages
+    key_page: str  # takes the page's number
+    given: str
+    exact: str
+    decimal: str
+    interval: str
+
+
+ENGLISH = Words(
+    name="Name",
+    student="Student",
+    paper="Paper",
+    total="Total",
+    rules="How to answer, and how answers are marked",
+    question="Question {}",
+    point="{} point",
+    points="{} points",
+    symbol="Quantity",
+    meaning="Meaning",
+    answer="Your answer",
+    unit="Unit",
+    sign="Positive sense",
+    point_column="Points",
+    source="Source: {}",
+    page="page {} of {}",
+    key_page="page {}",
+    given="Given: ",
+    exact="Exact",
+    decimal="Decimal",
+    interval="Marked right",
+)
+
+CHINESE = Words(
+    name="姓名",
+    student="学号",
+    paper="试卷编号",
+    total="总分",
+    rules="作答与评分说明",
+    question="第 {} 题",
+    point="{} 分",
+    points="{} 分",
+    symbol="物理量",
+    meaning="含义",
+    answer="答案",
+    unit="单位",
+    sign="正向规定",
+    point_column="分值",
+    source="来源：{}",
+    page="第 {} 页，共 {} 页",
+    key_page="第 {} 页",
+    given="已知：",
+    exact="精确值",
+    decimal="小数值",
+    interval="判为正确的范围",
+)
+
+
+def words_of(language: str) -> Words:
+    """The words of "en" or "zh".
+
+    >>> words_of("zh").student
+    '学号'
+    """
+    return {"en": ENGLISH, "zh": CHINESE}[language]

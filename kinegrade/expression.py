@@ -1,0 +1,305 @@
+"""Safe reading of arithmetic: a small grammar of our own, bounded in size and power, never Python's `eval`.
+
+    sum     = product (("+" | "-") product)*
+    product = signed (("*" | "/") signed)*
+    signed  = ("+" | "-") signed | power
+    power   = atom ["**" signed]
+    atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")"
+
+`read` gives a tree, `evaluate` works it out in any arithmetic (`Field`, `Balls`, `Floats`). Templates, the command
+line and the key are read with it; points and constructions are names and calls like any other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq
+
+from kinegrade.errors import ExpressionError, did_you_mean
+
+MAX_LENGTH = 400
+MAX_DEPTH = 40
+MAX_DIGITS = 60
+MAX_POWER = 16
+TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
+    re.ASCII)
+ANGLES = frozenset({"asin", "acos", "atan", "atan2"})
+
+
+@dataclass(frozen=True)
+class Number:
+    """A rational literal."""
+
+    value: Any
+
+
+@dataclass(frozen=True)
+class Name:
+    """A parameter, a point, a body or `pi`."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Operation:
+    """left sign right; sign is one of + - * / **."""
+
+    sign: str
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True)
+class Call:
+    """A function or construction applied to its arguments; the pair (x, y) is the call of ""."""
+
+    function: str
+    arguments: tuple[Expression, ...]
+
+
+Expression = Number | Name | Operation | Call
+
+
+def read(text: str) -> Expression:
+    """The tree of an expression. Raises ExpressionError naming the place and what was expected there.
+
+    >>> read("2*(x - 1)").sign
+    '*'
+    """
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"an expression of {len(text)} characters: at most {MAX_LENGTH} are read")
+    reader = Reader(text)
+    tree = reader.sum(0)
+    reader.finish()
+    return tree
+
+
+class Reader:
+    """Recursive descent over one text; `place` is where the next token begins."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.place = text, 0
+        self.kind, self.token, self.start = "", "", 0
+        self.advance()
+
+    def advance(self) -> None:
+        """Go to the next token; an unknown character is an error."""
+        match = TOKEN.match(self.text, self.place)
+        if match is None:
+            self.start = len(self.text) - len(self.text[self.place:].lstrip())
+            self.kind, self.token = ("end", "") if self.start == len(self.text) else ("odd", self.text[self.start])
+            return
+        self.kind, self.token = str(match.lastgroup), str(match.group(str(match.lastgroup)))
+        self.start, self.place = match.start(str(match.lastgroup)), match.end()
+
+    def fail(self, expected: str) -> ExpressionError:
+        """The error at this place."""
+        found = f'"{self.token}"' if self.token else "the end"
+        return ExpressionError(f'"{self.text}", character {self.start + 1}: found {found}, expected {expected}')
+
+    def take(self, *marks: str) -> str | None:
+        """The mark just here if it is one of `marks`, gone past; else None."""
+        if self.kind == "mark" and self.token in marks:
+            mark = self.token
+            self.advance()
+            return mark
+        return None
+
+    def finish(self) -> None:
+        """Nothing may follow."""
+        if self.kind != "end":
+            raise self.fail("an operator or the end")
+
+    def sum(self, depth: int) -> Expression:
+        """sum = product (("+" | "-") product)*"""
+        if depth > MAX_DEPTH:
+            raise ExpressionError(f'"{self.text}": nested deeper than {MAX_DEPTH}: write it more simply')
+        tree = self.product(depth)
+        while mark := self.take("+", "-"):
+            tree = Operation(mark, tree, self.product(depth))
+        return tree
+
+    def product(self, depth: int) -> Expression:
+        """product = signed (("*" | "/") signed)*"""
+        tree = self.signed(depth)
+        while mark := self.take("*", "/"):
+            tree = Operation(mark, tree, self.signed(depth))
+        return tree
+
+    def signed(self, depth: int) -> Expression:
+        """signed = ("+" | "-") signed | power"""
+        negative = False
+        while mark := self.take("+", "-"):
+            negative ^= mark == "-"
+        tree = self.power(depth)
+        return Operation("-", Number(fmpq(0)), tree) if negative else tree
+
+    def power(self, depth: int) -> Expression:
+        """power = atom ["**" signed]"""
+        base = self.atom(depth)
+        return Operation("**", base, self.signed(depth + 1)) if self.take("**") else base
+
+    def atom(self, depth: int) -> Expression:
+        """A number, a name, a call, or a pair or sum in brackets."""
+        kind, token = self.kind, self.token
+        if kind == "number":
+            self.advance()
+            return Number(rational(token))
+        if kind == "name":
+            self.advance()
+            return Call(token, self.arguments(depth)) if self.take("(") else Name(token)
+        if self.take("("):
+            parts = self.arguments(depth)
+            if len(parts) not in (1, 2):
+                raise self.fail("one value or a pair (x, y) in the brackets before")
+            return parts[0] if len(parts) == 1 else Call("", parts)
+        raise self.fail("a number, a name or a bracket")
+
+    def arguments(self, depth: int) -> tuple[Expression, ...]:
+        """The arguments up to the closing bracket."""
+        if self.take(")"):
+            return ()
+        parts = [self.sum(depth + 1)]
+        while self.take(","):
+            parts.append(self.sum(depth + 1))
+        if not self.take(")"):
+            raise self.fail('"," or ")"')
+        return tuple(parts)
+
+
+def rational(digits: str) -> Any:
+    """An exact rational from decimal digits, with point and exponent.
+
+    >>> rational("1.25e1")
+    25/2
+    """
+    mantissa, _, exponent = digits.lower().partition("e")
+    whole, _, decimals = mantissa.partition(".")
+    if len(whole) + len(decimals) > MAX_DIGITS:
+        raise ExpressionError(f"{digits[:20]}...: a number of more than {MAX_DIGITS} digits: round it")
+    return fmpq(int(whole + decimals or "0")) * fmpq(10) ** (int(exponent or "0") - len(decimals))
+
+
+def names(tree: Expression) -> Iterator[str]:
+    """The names (not the functions) that occur, in order."""
+    if isinstance(tree, Name):
+        yield tree.name
+    elif isinstance(tree, Operation):
+        yield from names(tree.left)
+        yield from names(tree.right)
+    elif isinstance(tree, Call):
+        for argument in tree.arguments:
+            yield from names(argument)
+
+
+def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
+    """Whether the expression has the dimension of an angle, given the names that have it; `pi` has."""
+    return angular_degree(tree, angles) == 1
+
+
+def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
+    """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
+    if isinstance(tree, Name):
+        return int(tree.name == "pi" or tree.name in angles)
+    if isinstance(tree, Call):
+        if tree.function == "abs" and tree.arguments:
+            return angular_degree(tree.arguments[0], angles)
+        return int(tree.function in ANGLES)
+    if not isinstance(tree, Operation):
+        return 0
+    left, right = angular_degree(tree.left, angles), angular_degree(tree.right, angles)
+    if tree.sign in "+-":
+        return max(left, right)
+    return {"*": left + right, "/": left - right}.get(tree.sign, 0)
+
+
+def evaluate(tree: Expression, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]],
+             arithmetic: Any) -> Any:
+    """The value of the tree; `values` names what is known, `functions` what may be called.
+
+    Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by zero, roots of
+    negative numbers and combinations that make no sense (a point plus a number).
+    """
+    if isinstance(tree, Number):
+        return arithmetic.number(tree.value)
+    if isinstance(tree, Name):
+        if tree.name not in values:
+            raise ExpressionError(f'unknown name "{tree.name}": {did_you_mean(tree.name, values)}')
+        return values[tree.name]
+    if isinstance(tree, Call):
+        arguments = [evaluate(part, values, functions, arithmetic) for part in tree.arguments]
+        return called(tree.function, arguments, functions)
+    left = evaluate(tree.left, values, functions, arithmetic)
+    if tree.sign == "**":
+        return powered(left, tree.right, arithmetic)
+    return combined(tree.sign, left, evaluate(tree.right, values, functions, arithmetic), tree)
+
+
+def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]) -> Any:
+    """A function's value, its refusals turned into ExpressionErrors."""
+    if name not in functions:
+        raise ExpressionError(f'unknown function "{name}": {did_you_mean(name, [f for f in functions if f])}')
+    try:
+        return functions[name](*arguments)
+    except (TypeError, AttributeError) as error:
+        raise ExpressionError(f"{name or 'a pair'} cannot be made of what stands in its brackets: "
+                              "check their number, order and kind") from error
+    except ValueError as error:
+        raise ExpressionError(f"{name}(...): {error}: check the values given") from error
+    except ZeroDivisionError as error:
+        raise ExpressionError(f"{name}(...): division by zero: check the values given") from error
+
+
+def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
+    """base ** whole number, at most MAX_POWER in size."""
+    negative = isinstance(exponent, Operation) and exponent.sign == "-" and exponent.left == Number(fmpq(0))
+    literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
+    if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > MAX_POWER:
+        raise ExpressionError(f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)")
+    try:
+        power = base ** int(literal.value)
+    except TypeError as error:
+        raise ExpressionError("only a number can be raised to a power") from error
+    return combined("/", arithmetic.number(fmpq(1)), power, exponent) if negative else power
+
+
+def combined(mark: str, left: Any, right: Any, tree: Expression) -> Any:
+    """left mark right for + - * /."""
+    try:
+        if mark == "+":
+            return left + right
+        if mark == "-":
+            return -right if is_literal_zero(tree) else left - right
+        return left * right if mark == "*" else left / right
+    except ZeroDivisionError as error:
+        raise ExpressionError("division by zero: check the values given") from error
+    except (TypeError, AttributeError) as error:
+        raise ExpressionError(f'"{mark}" between things that do not go together: '
+                              "angles go with angles, points with points, numbers with numbers") from error
+
+
+def is_literal_zero(tree: Expression) -> bool:
+    """Whether the tree is the sign of what follows: 0 - x, which holds for points and vectors too."""
+    return isinstance(tree, Operation) and tree.left == Number(fmpq(0))
+
+
+def elementary(arithmetic: Any) -> dict[str, Callable[..., Any]]:
+    """The functions of numbers and angles, in one arithmetic."""
+    def tangent(angle: Any) -> Any:
+        return arithmetic.sin(angle) / arithmetic.cos(angle)
+
+    def complement(value: Any) -> Any:
+        return arithmetic.sqrt(1 - value * value)
+
+    return {
+        "sqrt": arithmetic.sqrt, "sin": arithmetic.sin, "cos": arithmetic.cos, "tan": tangent, "abs": abs,
+        "asin": lambda value: arithmetic.arctangent(value, complement(value)),
+        "acos": lambda value: arithmetic.arctangent(complement(value), value),
+        "atan": lambda value: arithmetic.arctangent(value, arithmetic.number(1)),
+        "atan2": arithmetic.arctangent,
+    }

@@ -1,0 +1,236 @@
+"""The straight parts of a body: links, slotted bars, bars in sleeves, faces, plates, rods in ground guides.
+
+All of it follows from the points of the body and from the lines on which other bodies act.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from kinegrade.figure.plane import (
+    collinear,
+    hull,
+    length,
+    mean,
+    nearest_of,
+    on_line,
+    same_line,
+    unit,
+)
+from kinegrade.figure.rims import Rim, touch
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Contact,
+    Line,
+    Parallel,
+    Roll,
+    Sleeve,
+    Slide,
+)
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.vector import Vector
+
+Use = Literal["link", "slot", "bar", "face"]
+
+OVERHANG = 8.0  # millimetres a bar goes on beyond what slides on it
+ROD = 17.0  # millimetres of a translating rod that are shown at least
+GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests on it."""
+
+    body: str
+    start: Vector
+    end: Vector
+    use: Use = "link"
+    free: tuple[Vector, ...] = ()
+    actions: tuple[Vector, ...] = ()
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A body with three or more marked points that are not in line."""
+
+    body: str
+    corners: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
+class SlottedDisc:
+    """A body whose slot passes beside its only point, drawn as a disc about that point."""
+
+    body: str
+    centre: Vector
+    radius: float
+    slot: tuple[Vector, Vector]
+
+
+@dataclass(frozen=True)
+class Rod:
+    """A body that translates in a straight ground guide, from its marked point to its free end."""
+
+    body: str
+    start: Vector
+    end: Vector
+
+
+@dataclass(frozen=True)
+class _Feature:
+    body: str
+    line: Line
+    action: Vector
+    use: Use
+
+
+def bodies_of(
+    mechanism: Mechanism, shapes: Mapping[str, str], found: tuple[Rim, ...]
+) -> tuple[Bar | Plate | SlottedDisc | Rod, ...]:
+    """The straight parts of every body that is not a disc, wheel or gear."""
+    round_ones = {rim.body for rim in found}
+    features = tuple(_features(mechanism, shapes))
+    parts = tuple(
+        part
+        for body in mechanism.bodies
+        if body.name not in round_ones and not body.particle
+        for part in _parts(mechanism, body, tuple(f for f in features if f.body == body.name), shapes)
+    )
+    return parts + rods(mechanism, found, tuple(part for part in parts if isinstance(part, Bar)))
+
+
+def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
+    """Of two bodies sliding in each other, the bar and the sleeve: the bar has more points on the line."""
+    on_it = [
+        sum(on_line(mechanism.points[name], joint.line) for name in _names(mechanism, body))
+        for body in (joint.body, joint.of)
+    ]
+    return (joint.of, joint.body) if on_it[1] > on_it[0] and joint.of != GROUND else (joint.body, joint.of)
+
+
+def sleeve_centre(mechanism: Mechanism, joint: Sleeve) -> Vector:
+    """Where a sleeve is drawn: at its carrier's point on the line, else at the bar's."""
+    bar, carrier = bar_and_carrier(mechanism, joint)
+    for body in (carrier, bar):
+        for name in _names(mechanism, body):
+            if on_line(mechanism.points[name], joint.line):
+                return mechanism.points[name]
+    return joint.line.point
+
+
+def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
+    """The bodies that translate along a straight ground guide, each with its guided point and the guide."""
+    fixed = {
+        GROUND,
+        *(joint.body for joint in mechanism.joints if isinstance(joint, Parallel) and joint.of == GROUND),
+    }
+    found: dict[str, tuple[Vector, Line]] = {}
+    for joint in mechanism.joints:
+        if isinstance(joint, Slide) and joint.of == GROUND and joint.body in fixed:
+            found[joint.body] = (mechanism.points[joint.point], joint.line)
+        if isinstance(joint, Sleeve) and joint.of == GROUND:
+            found[joint.body] = (sleeve_centre(mechanism, joint), joint.line)
+    return found
+
+
+def rods(mechanism: Mechanism, found: tuple[Rim, ...], bars: tuple[Bar, ...]) -> tuple[Rod, ...]:
+    """The translating rods, each away from the rest and long enough to have its guide clear of the bars."""
+    parts = []
+    for body, (start, line) in translating(mechanism).items():
+        others = [at for name, at in mechanism.points.items() if name not in _names(mechanism, body)]
+        along = unit(line.direction)
+        side = along.dot(mean(others + [rim.at for rim in found]) - start)
+        toward = along * (-1.0 if side > 0.01 * ROD else 1.0)
+        reach = next(
+            (more for more in range(0, 20, 2) if _clear(start + toward * (ROD - 5.0 + more), bars)), 0
+        )
+        parts.append(Rod(body, start, start + toward * (ROD + reach)))
+    return tuple(parts)
+
+
+def _clear(guide: Vector, bars: tuple[Bar, ...]) -> bool:
+    """Whether a guide about this point stands free of all bars."""
+    return all(length(guide - nearest_of(guide, bar.start, bar.end)) > GUIDE_ROOM for bar in bars)
+
+
+def _names(mechanism: Mechanism, body: str) -> tuple[str, ...]:
+    return () if body == GROUND else mechanism.body(body).points
+
+
+def _features(mechanism: Mechanism, shapes: Mapping[str, str]) -> Iterator[_Feature]:
+    for joint in mechanism.joints:
+        if isinstance(joint, Slide) and joint.of != GROUND:
+            use: Use = "bar" if joint.body == GROUND or shapes.get(joint.of) == "bar" else "slot"
+            yield _Feature(joint.of, joint.line, mechanism.points[joint.point], use)
+        if isinstance(joint, Sleeve):
+            bar, carrier = bar_and_carrier(mechanism, joint)
+            if carrier != GROUND:
+                yield _Feature(bar, joint.line, sleeve_centre(mechanism, joint), "bar")
+        if isinstance(joint, Contact | Roll) and isinstance(joint.on, Line) and joint.of != GROUND:
+            yield _Feature(joint.of, joint.on, touch(mechanism, joint), "face")
+
+
+def _parts(
+    mechanism: Mechanism, body: Body, features: tuple[_Feature, ...], shapes: Mapping[str, str]
+) -> Iterator[Bar | Plate | SlottedDisc]:
+    own = [mechanism.points[name] for name in body.points]
+    on_axis: list[set[Vector]] = []
+    for group in _by_line(features):
+        if group[0].use == "slot" and len(own) == 1 and not on_line(own[0], group[0].line):
+            yield _slotted_disc(body.name, own[0], group)
+            continue
+        on_axis.append({point for point in own if on_line(point, group[0].line)})
+        yield _bar_along(body.name, own, group)
+    if not any(set(own) <= covered for covered in on_axis):
+        yield from _links(body.name, own, shapes)
+
+
+def _by_line(features: tuple[_Feature, ...]) -> list[list[_Feature]]:
+    groups: list[list[_Feature]] = []
+    for feature in features:
+        home = next((group for group in groups if same_line(group[0].line, feature.line)), None)
+        if home is None:
+            groups.append([feature])
+        else:
+            home.append(feature)
+    return groups
+
+
+def _bar_along(body: str, own: list[Vector], group: list[_Feature]) -> Bar:
+    """From the outermost point to the outermost action on the line, and beyond the latter."""
+    along = unit(group[0].line.direction)
+    actions = tuple(feature.action for feature in group)
+    stations = [*actions, *(point for point in own if on_line(point, group[0].line))]
+    ends = []
+    for side in (-1.0, 1.0):
+        last = max(stations, key=lambda station: side * station.dot(along))
+        acted = any(length(last - action) < 1e-6 for action in actions)
+        ends.append(last + along * (side * OVERHANG) if acted else last)
+    free = tuple(end for end in ends if all(length(end - station) > 1e-6 for station in stations))
+    return Bar(body, ends[0], ends[1], group[0].use, free, actions)
+
+
+def _slotted_disc(body: str, centre: Vector, group: list[_Feature]) -> SlottedDisc:
+    along = unit(group[0].line.direction)
+    action = group[0].action
+    radius = length(action - centre) + OVERHANG
+    across = (action - centre).dot(along.turned())
+    half = (radius**2 - across**2) ** 0.5 - 2.0
+    middle = centre + along.turned() * across
+    return SlottedDisc(body, centre, radius, (middle - along * half, middle + along * half))
+
+
+def _links(body: str, own: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar | Plate]:
+    if len(own) < 2:
+        return
+    if shapes.get(body) == "bent":
+        yield from (Bar(body, start, end) for start, end in pairwise(own))
+    elif collinear(own):
+        along = max((point - own[0] for point in own), key=length)
+        ordered = sorted(own, key=along.dot)
+        yield Bar(body, ordered[0], ordered[-1])
+    else:
+        yield Plate(body, hull(own))

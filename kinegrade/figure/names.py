@@ -1,0 +1,110 @@
+"""What is written at points, at free ends of bars and at bodies, and where it may stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import pi
+
+import numpy as np
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.bars import Bar, Rod
+from kinegrade.figure.layers import Drawing
+from kinegrade.figure.place import Wish, around
+from kinegrade.figure.plane import length, on_line, polar, unit
+from kinegrade.figure.rims import Rim
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
+
+_POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
+
+
+def point_symbol(name: str) -> str:
+    """A point's name as LaTeX math: digits as subscript, a trailing p as prime.
+
+    >>> point_symbol("O1"), point_symbol("Op")
+    ('O_{1}', "O'")
+    """
+    match = _POINT.fullmatch(name)
+    if match is None:
+        return "\\mathrm{" + re.sub(r"[^A-Za-z0-9]", "", name) + "}"
+    letter, digits, primes = match.groups()
+    return letter + (f"_{{{digits}}}" if digits else "") + "'" * len(primes)
+
+
+def wishes(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+    """The labels of bodies, then of points, then of free ends.
+
+    Raises TemplateError for the label of a body of which nothing is drawn.
+    """
+    for body, symbol in hints.labels.items():
+        if symbol and body not in mechanism.points:
+            yield from _body(body, symbol, drawing)
+    for name in _named_points(mechanism, drawing):
+        symbol = hints.labels.get(name, point_symbol(name))
+        if symbol:
+            at = mechanism.points[name]
+            yield Wish(symbol, around(symbol, at, away=_away(at, drawing)))
+    for name, end in _free_ends(mechanism, drawing):
+        yield Wish(point_symbol(name), around(point_symbol(name), end, away=_away(end, drawing)))
+
+
+def _away(at: Vector, drawing: Drawing) -> Vector | None:
+    """The direction that leaves a point between its bars and off its circle; None when none is better."""
+    toward = Vector(0.0, 0.0)
+    for part in drawing.parts:
+        if isinstance(part, Bar | Rod) and on_line(at, Line(part.start, part.end - part.start)):
+            for end in (part.start, part.end):
+                toward = toward + (unit(end - at) if length(end - at) > 1.0 else Vector(0.0, 0.0))
+    for rim in drawing.rims:
+        if abs(length(at - rim.at) - rim.radius) < 0.01:
+            toward = toward + unit(rim.at - at) * 1.2
+    return -toward if length(toward) > 0.2 else None
+
+
+def _named_points(mechanism: Mechanism, drawing: Drawing) -> list[str]:
+    """Points that belong to a body, to a circle or to the ground: the others are construction only."""
+    used = {name for body in mechanism.bodies for name in body.points} | {rim.centre for rim in drawing.rims}
+    used |= {point for joint in mechanism.joints if (point := getattr(joint, "point", None))}
+    return [name for name in mechanism.points if name in used]
+
+
+def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
+    """A bar called AB with only A marked ends in B; of two free letters the rod takes the later."""
+    for body in mechanism.bodies:
+        letters = [letter for letter in _letters(body.name) if letter not in mechanism.points]
+        ends = [part.end for part in drawing.parts if isinstance(part, Rod) and part.body == body.name]
+        ends += [
+            end
+            for part in drawing.parts
+            if isinstance(part, Bar) and part.body == body.name
+            for end in part.free
+        ]
+        yield from zip(reversed(letters), ends, strict=False)
+
+
+def _letters(name: str) -> list[str]:
+    """The point names a body's name is made of; none when it is a word or a numeral."""
+    if not re.fullmatch(r"(?:[A-Z]\d*p?){2,}", name) or set(name) <= set("IVX"):
+        return []
+    return re.findall(r"[A-Z]\d*p?", name)
+
+
+def _body(body: str, symbol: str, drawing: Drawing) -> Iterator[Wish]:
+    own: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
+    if own:
+        shares = (0.7, 0.55, 0.4)
+        inner = [
+            own[0].at + polar(pi / 4 * turn, own[0].radius * share) for share in shares for turn in range(8)
+        ]
+        yield Wish(symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius))))
+        return
+    parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
+    if not parts:
+        raise TemplateError(
+            f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its points"
+        )
+    yield Wish(symbol, around(symbol, (parts[0].start + parts[0].end) / 2))

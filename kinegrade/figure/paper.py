@@ -1,0 +1,47 @@
+"""From metres to millimetres on paper: one factor for both axes, so that a figure is true to scale."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kinegrade.mechanics.joints import (
+    Arc,
+    Circle,
+    Contact,
+    Joint,
+    Line,
+    Mesh,
+    Roll,
+    Sleeve,
+    Slide,
+)
+from kinegrade.mechanics.mechanism import Mechanism
+
+
+def to_paper(mechanism: Mechanism, scale: float) -> Mechanism:
+    """The same mechanism with every length multiplied by `scale` (millimetres per metre)."""
+    points = {name: point * scale for name, point in mechanism.points.items()}
+    return replace(
+        mechanism, points=points, joints=tuple(_scaled(joint, scale) for joint in mechanism.joints)
+    )
+
+
+def _scaled(joint: Joint, scale: float) -> Joint:
+    if isinstance(joint, Slide | Sleeve):
+        return replace(joint, line=_line(joint.line, scale))
+    if isinstance(joint, Arc):
+        return replace(joint, circle=_circle(joint.circle, scale))
+    if isinstance(joint, Contact | Roll):
+        on = _line(joint.on, scale) if isinstance(joint.on, Line) else _circle(joint.on, scale)
+        return replace(joint, circle=_circle(joint.circle, scale), on=on)
+    if isinstance(joint, Mesh):
+        return replace(joint, circle=_circle(joint.circle, scale), on=_circle(joint.on, scale))
+    return joint
+
+
+def _line(line: Line, scale: float) -> Line:
+    return Line(line.point * scale, line.direction)
+
+
+def _circle(circle: Circle, scale: float) -> Circle:
+    return Circle(circle.centre, circle.radius * scale)

@@ -1,0 +1,95 @@
+"""The circles a mechanism has: wheels, gears, tracks, discs, slotted rings, each read from the joints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from kinegrade.figure.plane import foot, unit
+from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+
+Kind = Literal["wheel", "gear", "slot", "cam"]
+
+
+@dataclass(frozen=True)
+class Rim:
+    """A circle of a body; `ring` when the material lies outside; `touch` is where it is touched."""
+
+    body: str
+    centre: str
+    at: Vector
+    radius: float
+    kind: Kind
+    ring: bool
+    touch: Vector
+
+
+def rims(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Rim, ...]:
+    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind."""
+    found: dict[tuple[str, str, float], Rim] = {}
+    for joint in mechanism.joints:
+        if isinstance(joint, Contact | Roll | Mesh):
+            for rim in _of_pair(mechanism, joint, shapes):
+                found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
+        if isinstance(joint, Arc):
+            rim = _of_arc(mechanism, joint)
+            found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
+    return tuple(found.values())
+
+
+def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
+    """Where the two profiles of a joint touch."""
+    centre, radius = mechanism.points[joint.circle.centre], float(joint.circle.radius)
+    if isinstance(joint.on, Line):
+        return foot(centre, joint.on)
+    other, other_radius = mechanism.points[joint.on.centre], float(joint.on.radius)
+    if not joint.inside:
+        return centre + unit(other - centre) * radius
+    if radius < other_radius:
+        return centre + unit(centre - other) * radius
+    return other + unit(other - centre) * other_radius
+
+
+def _of_pair(mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> Iterator[Rim]:
+    at = touch(mechanism, joint)
+    geared = isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
+    circles = [(joint.body, joint.circle)]
+    if isinstance(joint.on, Circle):
+        circles.append((joint.of, joint.on))
+    outer = max(circle.radius for _, circle in circles)
+    for body, circle in circles:
+        kind: Kind = "gear" if geared else "cam" if shapes.get(body) == "cam" else "wheel"
+        ring = joint.inside and circle.radius == outer
+        yield Rim(body, circle.centre, mechanism.points[circle.centre], circle.radius, kind, ring, at)
+
+
+def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
+    """A particle runs in a ring-shaped slot; the point of any other body runs on a disc."""
+    particle = any(body.name == joint.body and body.particle for body in mechanism.bodies)
+    kind: Kind = "slot" if particle else "wheel"
+    centre = mechanism.points[joint.circle.centre]
+    return Rim(
+        joint.of, joint.circle.centre, centre, joint.circle.radius, kind, False, mechanism.points[joint.point]
+    )
+
+
+def track_feet(mechanism: Mechanism) -> tuple[tuple[Line, Vector, Vector, float], ...]:
+    """Straight ground tracks: line, contact, the centre of what stands on it, and that circle's radius."""
+    return tuple(
+        (joint.on, touch(mechanism, joint), mechanism.points[joint.circle.centre], joint.circle.radius)
+        for joint in mechanism.joints
+        if isinstance(joint, Contact | Roll) and joint.of == GROUND and isinstance(joint.on, Line)
+    )
+
+
+def without_hidden(found: tuple[Rim, ...]) -> tuple[Rim, ...]:
+    """Rims from the largest to the smallest, so that none hides another; the ground's first."""
+    return tuple(sorted(found, key=lambda rim: (rim.body != GROUND, -rim.radius)))
+
+
+def grown(rim: Rim, by: float) -> Rim:
+    """The concentric rim with a radius larger by that much."""
+    return replace(rim, radius=rim.radius + by)

@@ -1,0 +1,169 @@
+"""A drawing as plain values: what every back end (Typst, TikZ, a browser) receives and none may change.
+
+Millimetres on paper, x right, y up, origin at the lower left corner; angles in radians, counter-clockwise
+positive. Primitives are listed from the lowest layer to the topmost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from math import ceil, cos, sin
+from typing import Literal
+
+from kinegrade.mechanics.vector import Vector
+
+Dash = Literal["solid", "dashed", "dash-dotted"]
+Fill = Literal["none", "white", "grey", "black"]
+
+
+@dataclass(frozen=True)
+class Pen:
+    """A line style; `width` in millimetres."""
+
+    width: float
+    dash: Dash = "solid"
+
+
+BOLD = Pen(0.8)
+FIRM = Pen(0.4)
+THIN = Pen(0.18)
+PITCH = Pen(0.3, "dash-dotted")
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """Separate straight lines of one pen: a link, or hatching."""
+
+    lines: tuple[tuple[Vector, Vector], ...]
+    pen: Pen
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A polygon, or an open polyline."""
+
+    corners: tuple[Vector, ...]
+    pen: Pen | None
+    fill: Fill = "none"
+    closed: bool = True
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A full circle."""
+
+    centre: Vector
+    radius: float
+    pen: Pen | None
+    fill: Fill = "none"
+
+
+@dataclass(frozen=True)
+class Bow:
+    """A circular arc from the angle `start` over the angle `sweep`."""
+
+    centre: Vector
+    radius: float
+    start: float
+    sweep: float
+    pen: Pen
+
+    def path(self) -> tuple[Vector, ...]:
+        """Points along the arc, at most 10 degrees apart."""
+        count = max(2, ceil(abs(self.sweep) / 0.17)) + 1
+        angles = (self.start + self.sweep * index / (count - 1) for index in range(count))
+        return tuple(self.centre + Vector(cos(angle), sin(angle)) * self.radius for angle in angles)
+
+
+@dataclass(frozen=True)
+class Label:
+    """A symbol in LaTeX math, centred in a box of the given size."""
+
+    symbol: str
+    centre: Vector
+    width: float
+    height: float
+
+
+Primitive = Strokes | Outline | Disc | Bow | Label
+
+
+@dataclass(frozen=True)
+class Box:
+    """An upright rectangle."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """From left to right."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """From bottom to top."""
+        return self.top - self.bottom
+
+    def meets(self, other: Box) -> bool:
+        """Whether the two share any area."""
+        across = self.left < other.right and other.left < self.right
+        return across and self.bottom < other.top and other.bottom < self.top
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A finished drawing; `scale` is millimetres on paper per metre."""
+
+    width: float
+    height: float
+    scale: float
+    primitives: tuple[Primitive, ...]
+
+    @property
+    def labels(self) -> tuple[Label, ...]:
+        """The labels among the primitives."""
+        return tuple(primitive for primitive in self.primitives if isinstance(primitive, Label))
+
+
+def box_about(centre: Vector, width: float, height: float) -> Box:
+    """The box of that size about a centre."""
+    return Box(centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2)
+
+
+def box_of(primitive: Primitive) -> Box:
+    """The smallest box around one primitive, its pen included."""
+    if isinstance(primitive, Label):
+        return box_about(primitive.centre, primitive.width, primitive.height)
+    half = primitive.pen.width / 2 if primitive.pen else 0.0
+    if isinstance(primitive, Disc):
+        return box_about(primitive.centre, 2 * (primitive.radius + half), 2 * (primitive.radius + half))
+    path = corners(primitive)
+    across, upward = [point.x for point in path], [point.y for point in path]
+    return Box(min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
+
+
+def box_around(primitives: Iterable[Primitive]) -> Box:
+    """The smallest box around all primitives."""
+    boxes = [box_of(primitive) for primitive in primitives]
+    lower = min(box.left for box in boxes), min(box.bottom for box in boxes)
+    return Box(*lower, max(box.right for box in boxes), max(box.top for box in boxes))
+
+
+def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
+    """The points a pen visits."""
+    if isinstance(primitive, Strokes):
+        return tuple(point for line in primitive.lines for point in line)
+    return primitive.path() if isinstance(primitive, Bow) else primitive.corners
+
+
+def moved(primitive: Primitive, by: Vector) -> Primitive:
+    """The primitive carried along by a vector."""
+    if isinstance(primitive, Strokes):
+        return replace(primitive, lines=tuple((start + by, end + by) for start, end in primitive.lines))
+    if isinstance(primitive, Outline):
+        return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
+    return replace(primitive, centre=primitive.centre + by)

@@ -1,0 +1,238 @@
+"""Output that appears whole or not at all.
+
+A folder (or a file) is built beside its place under a hidden name, brought to disk, and put in place in one
+atomic step. A process killed at any moment leaves the old output or the new one. What it was building stays
+behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target on the same machine clears it.
+
+A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)` on macOS.
+Where the system or the file system has neither, two renames are made: a process killed between the two leaves
+the old output whole beside its place, as `.NAME.previous-TOKEN`, and nobody deletes that but a person.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import os
+import re
+import secrets
+import shutil
+import socket
+import sys
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from kinegrade.errors import OutputError
+
+_CURRENT_FOLDER = -100  # AT_FDCWD
+_LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
+_MACOS_SWAP, _MACOS_EXCLUSIVE = 2, 4
+_UNSUPPORTED = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP)
+_DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
+
+
+@contextmanager
+def output_folder(
+    path: Path, *, marker: str, contents: Collection[str] | None = None, force: bool = False
+) -> Iterator[Path]:
+    """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
+
+    `marker` is the file by which kinegrade knows its own folders, `contents` all it writes at their top.
+    With `force` an existing folder is replaced only if it is empty, or holds the marker and no name beyond
+    `contents`, so that nobody's own files are lost. Raises OutputError.
+    """
+    target = _place(path)
+    with _partial(path, target) as partial:
+        _check_folder(path, target, marker, contents, force)
+        partial.mkdir()
+        if target.exists():
+            partial.chmod(target.stat().st_mode | 0o700)
+        yield partial
+        _bring_to_disk(partial)
+        _check_folder(path, target, marker, contents, force)  # somebody may have written there meanwhile
+        _publish(path, partial, target)
+
+
+def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
+    """Writes a file whole or not at all; with `force` over an existing plain file. Raises OutputError."""
+    target = _place(path)
+    with _partial(path, target) as partial:
+        _check_file(path, target, force)
+        with partial.open("xb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+        if force:
+            os.replace(partial, target)
+        else:
+            _move_to_free_place(path, partial, target)
+        _sync_folder(target.parent)
+
+
+def _place(path: Path) -> Path:
+    try:
+        target = path.resolve()
+    except (OSError, RuntimeError) as fault:
+        raise _unwritable(path, fault) from fault
+    if not target.name:
+        raise OutputError(
+            f"{path}: is the root of the file system - expected a name - choose a folder below it"
+        )
+    return target
+
+
+def _check_folder(
+    path: Path, target: Path, marker: str, contents: Collection[str] | None, force: bool
+) -> None:
+    if not target.exists():
+        return
+    if not target.is_dir():
+        raise OutputError(f"{path}: is not a folder - expected a folder to write - choose another name")
+    if not force:
+        raise _taken(path, "folder")
+    names = {entry.name for entry in target.iterdir()} - _DESKTOP_DROPPINGS
+    if names and marker not in names:
+        raise OutputError(
+            f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty folder, "
+            "or one to be replaced - choose another name"
+        )
+    strangers = sorted(names - set(contents)) if contents is not None else []
+    if strangers:
+        raise OutputError(
+            f"{path}: holds {', '.join(strangers[:5])}, which would be lost - expected only what is written "
+            "again - move it elsewhere or choose another name"
+        )
+
+
+def _check_file(path: Path, target: Path, force: bool) -> None:
+    if target.exists() and not target.is_file():
+        raise OutputError(f"{path}: is not a plain file - expected a file to write - choose another name")
+    if target.exists() and not force:
+        raise _taken(path, "file")
+
+
+def _taken(path: Path, kind: str) -> OutputError:
+    return OutputError(
+        f"{path}: already exists - expected a new {kind} - add --force to replace it, or choose another name"
+    )
+
+
+def _unwritable(path: Path, fault: Exception) -> OutputError:
+    return OutputError(
+        f"{path}: cannot be written ({fault}) - expected a place with room and permission - choose another"
+    )
+
+
+@contextmanager
+def _partial(path: Path, target: Path) -> Iterator[Path]:
+    """A hidden name beside `target`; whatever stands under it at the end is removed."""
+    partial = target.with_name(f"{_prefix(target)}{os.getpid()}-{secrets.token_hex(4)}")
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _clear_leftovers(target)
+        yield partial
+    except OSError as fault:
+        raise _unwritable(path, fault) from fault
+    finally:
+        _remove(partial)
+
+
+def _prefix(target: Path) -> str:
+    host = re.sub(r"[^A-Za-z0-9]", "_", socket.gethostname())
+    return f".{target.name}.partial-{host}-"
+
+
+def _clear_leftovers(target: Path) -> None:
+    shape = re.compile(re.escape(_prefix(target)) + r"([0-9]+)-[0-9a-f]{8}")
+    for entry in list(target.parent.iterdir()):
+        found = shape.fullmatch(entry.name)
+        if found and not _is_running(int(found.group(1))):
+            _remove(entry)
+
+
+def _is_running(process: int) -> bool:
+    if os.name == "nt":  # asking by signal 0 would interrupt the process there, so leftovers are left alone
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True
+
+
+def _remove(entry: Path) -> None:
+    if entry.is_dir() and not entry.is_symlink():
+        shutil.rmtree(entry, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            entry.unlink()
+
+
+def _bring_to_disk(folder: Path) -> None:
+    """Flushes every file and folder, so that a power failure after the renaming finds them whole as well."""
+    for place, _, names in os.walk(folder):
+        for name in names:
+            handle = os.open(os.path.join(place, name), os.O_RDWR)
+            try:
+                os.fsync(handle)
+            finally:
+                os.close(handle)
+        _sync_folder(Path(place))
+
+
+def _sync_folder(folder: Path) -> None:
+    if os.name == "nt":  # folders cannot be opened there
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _publish(path: Path, partial: Path, target: Path) -> None:
+    if not target.exists():
+        _move_to_free_place(path, partial, target)
+    elif not _rename_atomically(partial, target, exchange=True):
+        _replace_in_two_steps(partial, target)
+    _sync_folder(target.parent)
+
+
+def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
+    """Refuses if something took the place while the output was being made."""
+    try:
+        if not _rename_atomically(partial, target, exchange=False):
+            if target.exists():
+                raise FileExistsError
+            os.rename(partial, target)
+    except FileExistsError:
+        raise _taken(path, "name") from None
+
+
+def _replace_in_two_steps(partial: Path, target: Path) -> None:
+    previous = target.with_name(f".{target.name}.previous-{secrets.token_hex(4)}")
+    os.rename(target, previous)
+    os.rename(partial, target)
+    _remove(previous)
+
+
+def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:
+    """Swaps two entries, or moves one to a free name; False where the system cannot. Raises OSError."""
+    if os.name != "posix":
+        return False
+    library = ctypes.CDLL(None, use_errno=True)
+    old, new = os.fsencode(source), os.fsencode(target)
+    if sys.platform == "darwin" and hasattr(library, "renamex_np"):
+        status = library.renamex_np(old, new, _MACOS_SWAP if exchange else _MACOS_EXCLUSIVE)
+    elif sys.platform == "linux" and hasattr(library, "renameat2"):
+        flag = _LINUX_EXCHANGE if exchange else _LINUX_NO_REPLACE
+        status = library.renameat2(_CURRENT_FOLDER, old, _CURRENT_FOLDER, new, ctypes.c_uint(flag))
+    else:
+        return False
+    code = ctypes.get_errno()
+    if status != 0 and code not in _UNSUPPORTED:
+        raise OSError(code, os.strerror(code), str(target))
+    return bool(status == 0)

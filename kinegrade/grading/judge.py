@@ -1,0 +1,59 @@
+"""Right or wrong: one reading held against one key.
+
+`judge` is pure and is called by `marks` for every answer. The rule is the one printed on the paper: right is
+what differs from the key by at most the tolerance, exactly the tolerance included.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import Literal
+
+from kinegrade.grading.answers import Reading
+from kinegrade.grading.key import Key
+
+Kind = Literal["right", "wrong", "blank", "unreadable"]
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What an answer is, and why."""
+
+    kind: Kind
+    reason: str
+
+
+def judge(reading: Reading, key: Key) -> Verdict:
+    """Decides by exact fractions; never raises.
+
+    >>> from kinegrade.grading.answers import read
+    >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
+    'key 1, difference 0.01, allowed 0.01'
+    """
+    if reading.kind == "blank":
+        return Verdict("blank", "")
+    if reading.kind == "unreadable" or reading.value is None:
+        return Verdict("unreadable", reading.reason)
+    difference = abs(reading.value - key.value)
+    kind: Kind = "right" if difference <= key.tolerance else "wrong"
+    return Verdict(kind, _comparison(key, difference))
+
+
+def _comparison(key: Key, difference: Fraction) -> str:
+    """With as many digits as it takes to see which of the two is larger."""
+    shown, allowed = _short(difference), _short(key.tolerance)
+    if shown == allowed and difference != key.tolerance:
+        shown, allowed = _long(difference), _long(key.tolerance)
+    return f"key {_short(key.value)}, difference {shown}, allowed {allowed}"
+
+
+def _short(number: Fraction) -> str:
+    """Six significant digits."""
+    return f"{float(number):.6g}"
+
+
+def _long(number: Fraction) -> str:
+    context = Context(prec=40)
+    return str(context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context))

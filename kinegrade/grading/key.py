@@ -1,0 +1,55 @@
+"""An exam as grading sees it: who was asked what, and the key of each paper.
+
+`exam_folder` fills these values; `sheet`, `judge` and `marks` use them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """One answer box, the same on every paper; `unit` is "1" for a pure number."""
+
+    question: str
+    ask: str
+    unit: str
+    points: Fraction
+
+    @property
+    def column(self) -> str:
+        """Its column in the answer sheet."""
+        return f"{self.question}.{self.ask}"
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """The right answer and how far from it is still right: exact fractions, both in the unit of the ask."""
+
+    value: Fraction
+    tolerance: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Examinee:
+    """Whose paper it is, and its key by answer column."""
+
+    student: str
+    name: str
+    keys: Mapping[str, Key]
+
+
+@dataclass(frozen=True, slots=True)
+class Exam:
+    """The asks in the order of the paper, the examinees in the order of the roster."""
+
+    asks: tuple[Ask, ...]
+    examinees: tuple[Examinee, ...]
+
+    @property
+    def questions(self) -> tuple[str, ...]:
+        """The questions in the order of the paper."""
+        return tuple(dict.fromkeys(ask.question for ask in self.asks))

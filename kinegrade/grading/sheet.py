@@ -1,0 +1,197 @@
+"""The answer sheet: which cell is whose answer to what.
+
+`read_sheet` is called by `grade`. Nothing that stands in the file is lost: what does not become an answer
+becomes a complaint that carries it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from unicodedata import normalize
+
+from kinegrade.errors import TableError
+from kinegrade.exam.roster import COLUMN_NAMES, student_key
+from kinegrade.grading.key import Ask, Exam
+from kinegrade.tables import Complaint, Row, Table, csv_text, header_key, shortened, trimmed
+
+_NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One student's responses in the order of the asks; `line` is None where the student has no row."""
+
+    line: int | None
+    responses: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """An entry for each student, by id; `columns` are those of the asks, as named in the file."""
+
+    file: str
+    columns: tuple[str, ...]
+    entries: Mapping[str, Entry]
+    complaints: tuple[Complaint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    student: int
+    asks: tuple[int | None, ...]
+    extra: tuple[int, ...]
+
+
+def read_sheet(table: Table, exam: Exam) -> Sheet:
+    """Finds everybody's responses; raises TableError if there is no student column or no answer column."""
+    columns = _columns(table, exam.asks)
+    rows, unknown = _rows_by_student(table, columns, exam)
+    entries = {
+        examinee.student: _entry(rows.get(examinee.student, []), columns) for examinee in exam.examinees
+    }
+    complaints = [
+        *table.complaints,
+        *_missing_columns(table, columns, exam.asks),
+        *_extra_columns(table, columns),
+        *_missing_students(table, entries),
+        *unknown,
+        *(complaint for found in rows.values() for complaint in _repeated(table, found, columns)),
+    ]
+    names = (
+        ask.column if index is None else table.header[index]
+        for ask, index in zip(exam.asks, columns.asks, strict=True)
+    )
+    return Sheet(table.file, tuple(names), entries, tuple(complaints))
+
+
+def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
+    header = [header_key(cell) for cell in table.header]
+    student = next((header.index(name) for name in COLUMN_NAMES["student"] if name in header), None)
+    found = _ask_columns(table.header, asks)
+    faults = []
+    if student is None:
+        faults.append('no column "student" - expected one with the student ids')
+    if all(index is None for index in found):
+        faults.append(f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ...")
+    if student is None or faults:
+        raise TableError(
+            *(f"{table.file}: {fault} - fill in the answers.csv of the exam folder" for fault in faults)
+        )
+    unused = (index for index in range(len(header)) if index not in {student, *found})
+    return _Columns(student, found, tuple(index for index in unused if header[index] not in _NEEDLESS))
+
+
+def _ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
+    """Exact spelling goes first, because v_A and v_a may both be asked; else case does not matter."""
+    backwards = list(enumerate(header))[::-1]  # so that of two like columns the first one stays
+    exact = {_exact_key(cell): index for index, cell in backwards}
+    folded = {header_key(cell): index for index, cell in backwards}
+    alike = Counter(header_key(ask.column) for ask in asks)
+
+    def find(column: str) -> int | None:
+        key = header_key(column)
+        return exact.get(_exact_key(column), folded.get(key) if alike[key] == 1 else None)
+
+    return tuple(find(ask.column) for ask in asks)
+
+
+def _exact_key(column: str) -> str:
+    return trimmed(normalize("NFKC", column))
+
+
+def _rows_by_student(
+    table: Table, columns: _Columns, exam: Exam
+) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
+    known = {student_key(examinee.student): examinee.student for examinee in exam.examinees}
+    near = _near_ids(known.values())
+    rows: dict[str, list[Row]] = defaultdict(list)
+    unknown = []
+    for row in table.rows:
+        key = student_key(row.cell(columns.student))
+        if key in known:
+            rows[known[key]].append(row)
+        else:
+            unknown.append(_unknown(table, row, columns, key, near.get(_bare(key))))
+    return rows, unknown
+
+
+def _near_ids(students: Iterable[str]) -> dict[str, str]:
+    """Ids without leading zeros and case, where that still means one student."""
+    near: dict[str, list[str]] = defaultdict(list)
+    for student in students:
+        near[_bare(student_key(student))].append(student)
+    return {bare: found[0] for bare, found in near.items() if len(found) == 1}
+
+
+def _bare(key: str) -> str:
+    return key.casefold().lstrip("0")
+
+
+def _unknown(table: Table, row: Row, columns: _Columns, key: str, likely: str | None) -> Complaint:
+    problem = f'no student "{shortened(key)}" in the exam' if key else "no student id"
+    hint = f'; probably "{likely}": correct the id and grade again' if key and likely else ""
+    return Complaint(
+        table.file, row.line, table.header[columns.student], _whole(row), problem, f"not graded{hint}"
+    )
+
+
+def _whole(row: Row) -> str:
+    return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
+
+
+def _entry(rows: Sequence[Row], columns: _Columns) -> Entry:
+    if not rows:
+        return Entry(None, ("",) * len(columns.asks))
+    last = rows[-1]
+    return Entry(last.line, _responses(last, columns))
+
+
+def _responses(row: Row, columns: _Columns) -> tuple[str, ...]:
+    return tuple("" if index is None else row.cell(index) for index in columns.asks)
+
+
+def _missing_columns(table: Table, columns: _Columns, asks: Sequence[Ask]) -> Iterator[Complaint]:
+    for ask, index in zip(asks, columns.asks, strict=True):
+        if index is None:
+            yield Complaint(
+                table.file, None, ask.column, "", "no such column", "all its answers count as blank"
+            )
+
+
+def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
+    for index in columns.extra:
+        name = shortened(table.header[index])
+        filled = [row for row in table.rows if trimmed(row.cell(index))]
+        if trimmed(name):
+            done = "ignored" + ("; its cells follow" if filled else "")
+            yield Complaint(
+                table.file, None, name, "", "not an answer column of the exam, or its second one", done
+            )
+        for row in filled:
+            content = shortened(row.cell(index))
+            yield Complaint(
+                table.file, row.line, name, content, "stands in a column that is ignored", "kept here only"
+            )
+
+
+def _missing_students(table: Table, entries: Mapping[str, Entry]) -> Iterator[Complaint]:
+    for student, entry in entries.items():
+        if entry.line is None:
+            yield Complaint(
+                table.file, None, "", student, "no row for this student", "all answers count as blank"
+            )
+
+
+def _repeated(table: Table, rows: Sequence[Row], columns: _Columns) -> Iterator[Complaint]:
+    *earlier, last = rows
+    for row in earlier:
+        same = list(map(trimmed, _responses(row, columns))) == list(map(trimmed, _responses(last, columns)))
+        problem = f"another row for this student stands on line {last.line}"
+        done = (
+            "ignored, the answers are the same"
+            if same
+            else f"line {last.line} counts; this row is kept here only"
+        )
+        yield Complaint(table.file, row.line, "", _whole(row), problem, done)

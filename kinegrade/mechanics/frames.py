@@ -1,0 +1,265 @@
+"""From joints to relations: which chain of terms leads from the ground to each body, and which loops remain.
+
+Each body gets a base point whose motion is written first: a fixed pin, a driven or guided point, a pin on a body
+that is reached already. Every joint that is not used up by that closes a loop and states a relation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.errors import MechanismError
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.geometry import foot
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Circle,
+    Contact,
+    Joint,
+    Line,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.relations import Chain, Relation, Term, omega_of
+from kinegrade.mechanics.vector import Vector
+
+
+@dataclass(frozen=True)
+class Guided:
+    """A joint seen as: `point` of `body` moves along one direction or arc in the body `of`."""
+
+    point: str
+    body: str
+    of: str
+    term: Term
+
+
+@dataclass(frozen=True)
+class Base:
+    """The base point of a body, the chain of its motion, and the joint that is used up by it (or None)."""
+
+    point: str
+    chain: Chain
+    joint: Joint | None
+
+
+@dataclass(frozen=True)
+class Frames:
+    """The chains of a mechanism's points and the relations that determine its rates."""
+
+    mechanism: Mechanism
+    bases: Mapping[str, Base]
+    relations: tuple[Relation, ...]
+
+    def chain(self, body: str, point: str) -> Chain:
+        """The terms whose sum is the velocity of `point`, taken as a point of `body`."""
+        return chain(self.mechanism, self.bases, body, point)
+
+
+def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
+    """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies or points."""
+    bases = find_bases(mechanism)
+    relations = [relation for joint in mechanism.joints for relation in joint_relations(mechanism, bases, joint)]
+    relations += [driver_relation(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers]
+    return Frames(mechanism, bases, tuple(relations))
+
+
+def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str) -> Chain:
+    """The terms from the ground to `point` of `body`: the base point's, then the rotation about it."""
+    if body == GROUND:
+        return ()
+    base = bases[body]
+    if point == base.point or mechanism.body(body).particle:
+        return base.chain
+    arm = mechanism.points[point] - mechanism.points[base.point]
+    return (*base.chain, Term("rotation", omega_of(body), arm, point + base.point))
+
+
+def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
+    """The guided point that a joint states, or None for joints that guide no point."""
+    if isinstance(joint, Slide):
+        return slid(joint.point, joint.body, joint.line, joint.of)
+    if isinstance(joint, Sleeve):
+        return slid(sleeve_point(mechanism, joint), joint.body, joint.line, joint.of)
+    if isinstance(joint, Arc):
+        return circled(mechanism, joint.point, joint.body, joint.circle, joint.of)
+    if isinstance(joint, (Contact, Roll)):
+        if isinstance(joint.on, Line):
+            return slid(joint.circle.centre, joint.body, joint.on, joint.of)
+        return circled(mechanism, joint.circle.centre, joint.body, joint.on, joint.of)
+    return None
+
+
+def slid(point: str, body: str, line: Line, of: str) -> Guided:
+    """`point` of `body` moves along `line` seen from `of`."""
+    return Guided(point, body, of, Term("sliding", f"slide {point} {body}/{of}", line.direction, f"{point}/{of}", of))
+
+
+def circled(mechanism: Mechanism, point: str, body: str, circle: Circle, of: str) -> Guided:
+    """`point` of `body` moves about the centre of `circle` seen from `of`."""
+    arm = mechanism.points[point] - mechanism.points[circle.centre]
+    return Guided(point, body, of, Term("arc", f"circle {point} {body}/{of}", arm, f"{point}/{of}", of))
+
+
+def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
+    """The point of the sliding body whose relative motion is followed: one that is pinned to another body."""
+    points = mechanism.body(sleeve.body).points
+    pinned = [joint.point for joint in mechanism.joints if isinstance(joint, Pin) and sleeve.body in joint.bodies]
+    return next((point for point in pinned if point in points), points[0])
+
+
+def find_bases(mechanism: Mechanism) -> dict[str, Base]:
+    """A base for every body, the best candidates first, from the ground outwards."""
+    bases: dict[str, Base] = {}
+    waiting = {body.name: body for body in mechanism.bodies}
+    while waiting:
+        candidates = [(rank, order, name, base)
+                      for order, (name, body) in enumerate(waiting.items())
+                      for rank, base in base_candidates(mechanism, bases, body)]
+        _, _, name, base = min(candidates, key=lambda candidate: candidate[:2])
+        bases[name] = base
+        del waiting[name]
+    return bases
+
+
+def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], body: Body) -> Iterator[tuple[int, Base]]:
+    """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2, pin on a reached
+    body 3, other guide 4, slot of a reached body 5, free point 6."""
+    for joint in mechanism.joints:
+        if isinstance(joint, Pin) and body.name in joint.bodies:
+            for other in joint.bodies:
+                if other == GROUND:
+                    yield 0, Base(joint.point, (), joint)
+                elif other in bases:
+                    yield 3, Base(joint.point, chain(mechanism, bases, other, joint.point), joint)
+        guide = guided(mechanism, joint)
+        if guide and guide.body == body.name and guide.of == GROUND:
+            yield ground_rank(mechanism, guide), Base(guide.point, (guide.term,), joint)
+        elif guide and guide.body == body.name and guide.of in bases:
+            yield 5, Base(guide.point, (*chain(mechanism, bases, guide.of, guide.point), guide.term), joint)
+    yield 6, Base(body.points[0], free_terms(body.points[0], body.name), None)
+
+
+def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
+    """1 for a guided point that is driven, 2 for one of a translating body, 4 for others."""
+    driven = any(not isinstance(driver, Rotation) and (driver.point, driver.body) == (guide.point, guide.body)
+                 for driver in mechanism.drivers)
+    if driven:
+        return 1
+    return 2 if Parallel(guide.body, GROUND) in mechanism.joints else 4
+
+
+def free_terms(point: str, body: str) -> Chain:
+    """The two components of a free point's velocity."""
+    return (Term("sliding", f"free {point} {body} x", Vector(1, 0), f"{point}x"),
+            Term("sliding", f"free {point} {body} y", Vector(0, 1), f"{point}y"))
+
+
+def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint) -> Iterator[Relation]:
+    """What a joint states beyond what the bases have used of it."""
+    guide = guided(mechanism, joint)
+    if isinstance(joint, Pin):
+        yield from pin_relations(mechanism, bases, joint)
+    elif guide and not any(base.joint is joint for base in bases.values()):
+        right = (*chain(mechanism, bases, guide.of, guide.point), guide.term)
+        yield Relation(describe(joint), chain(mechanism, bases, guide.body, guide.point), right)
+    if isinstance(joint, (Parallel, Sleeve)):
+        yield Relation(f"{joint.body} does not turn relative to {joint.of}", turning=turning(joint.body, joint.of, 1))
+    if isinstance(joint, Roll) and guide:
+        yield rolling(mechanism, joint, guide)
+    if isinstance(joint, Mesh):
+        yield meshing(joint)
+
+
+def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Iterator[Relation]:
+    """The pinned bodies share the motion of the pin; bodies whose base is this pin do so already."""
+    unused = [name for name in pin.bodies if name == GROUND or bases[name].joint is not pin]
+    first = GROUND if GROUND in unused else unused[0]
+    for name in unused:
+        if name != first:
+            yield Relation(describe(pin), chain(mechanism, bases, name, pin.point),
+                           chain(mechanism, bases, first, pin.point))
+
+
+def turning(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
+    """factor*(omega of body - omega of the other); the ground does not turn."""
+    parts = [(name, part) for name, part in ((body, factor), (of, -factor)) if name != GROUND]
+    return tuple((omega_of(name), part) for name, part in parts)
+
+
+def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
+    """No slip at the contact: the centre's motion along the track plus the relative rotation about it is zero.
+
+    On a line: s u.u + omega_r u.(k x CF) = 0; on a circle of radius R: rate of the centre plus omega_r times
+    -r/(R + r) outside, r/(R - r) inside (F the contact, C the centre of the rolling circle, r its radius).
+    """
+    if isinstance(roll.on, Line):
+        centre = mechanism.points[roll.circle.centre]
+        along = roll.on.direction
+        slip = along.dot((foot(centre, roll.on) - centre).turned()) / along.squared()
+    else:
+        own, other = roll.circle.radius, roll.on.radius
+        slip = own / (other - own) if roll.inside else -own / (other + own)
+    relative = ((guide.term.rate, 1), *turning(roll.body, roll.of, slip))
+    return Relation(f"no slip: {describe(roll)}", turning=relative)
+
+
+def meshing(mesh: Mesh) -> Relation:
+    """Equal pitch speeds seen from the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring gear."""
+    sense = -1 if mesh.inside else 1
+    own, other = mesh.circle.radius, mesh.on.radius * sense
+    rates: dict[str, Any] = {}
+    for rate, factor in (*turning(mesh.body, mesh.carrier, own), *turning(mesh.of, mesh.carrier, other)):
+        rates[rate] = rates[rate] + factor if rate in rates else factor
+    return Relation(describe(mesh), turning=tuple(rates.items()))
+
+
+def driver_relation(mechanism: Mechanism, bases: Mapping[str, Base], driver: Driver, arithmetic: Any) -> Relation:
+    """What a driver imposes."""
+    imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration}
+    if isinstance(driver, Rotation):
+        return Relation(describe(driver), turning=turning(driver.body, driver.of, 1), **imposed)
+    left = chain(mechanism, bases, driver.body, driver.point)
+    if isinstance(driver, Component):
+        right = chain(mechanism, bases, driver.of, driver.point)
+        return Relation(describe(driver), left, right, driver.direction, frame=driver.of, **imposed)
+    arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
+    if arithmetic.is_zero(arm.squared()):
+        raise MechanismError(f"{describe(driver)}: {driver.point} is at the centre: it has no path about it")
+    tangent = arm.turned() / arithmetic.sqrt(arm.squared())
+    return Relation(describe(driver), left, (), tangent, **imposed)
+
+
+def describe(part: Joint | Driver) -> str:
+    """A joint or driver in words, as refusals name it."""
+    match part:
+        case Pin(point, bodies):
+            return f"the pin {point} of {' and '.join(bodies)}"
+        case Slide(point, body, _, of):
+            return f"{point} of {body} on the line of {of}"
+        case Sleeve(body, _, of):
+            return f"{body} in the sleeve {of}"
+        case Arc(point, body, circle, of):
+            return f"{point} of {body} on the circle about {circle.centre} of {of}"
+        case Contact(body, _, of, _):
+            return f"the contact of {body} and {of}"
+        case Roll(body, _, of, _):
+            return f"the rolling of {body} on {of}"
+        case Mesh(body, _, of, _, _):
+            return f"the meshing of {body} and {of}"
+        case Parallel(body, of):
+            return f"{body} not turning relative to {of}"
+        case Rotation(body, _, _, of):
+            return f"the given rotation of {body}" + ("" if of == GROUND else f" relative to {of}")
+        case Component(point, body):
+            return f"the given motion of {point} of {body}"
+        case Circulation(point, body, centre):
+            return f"the given motion of {point} of {body} about {centre}"

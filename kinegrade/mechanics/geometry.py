@@ -1,0 +1,155 @@
+"""Constructions: points from points, lines and circles, with a named branch where there are two.
+
+Configurations are constructed, never iterated, in whatever arithmetic they are given. `constructions` gives the
+functions that expressions in templates may call. Lengths in metres, angles counter-clockwise from +x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.vector import Vector
+
+Branch = str
+SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
+    "right": lambda p: p.x, "left": lambda p: -p.x, "upper": lambda p: p.y, "lower": lambda p: -p.y,
+}
+TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
+BRANCHES = (*SIDES, *TURNS)
+
+
+@dataclass(frozen=True)
+class Round:
+    """A circle about a point of the plane."""
+
+    centre: Vector
+    radius: Any
+
+
+def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Callable[..., Any]]:
+    """The constructions by name; `points` gives names for the refusals and is read when one is written."""
+    build = Constructions(arithmetic, points)
+    return {
+        "": Vector, "polar": build.polar, "line": build.line, "circle": Round, "meet": build.meet,
+        "foot": foot, "midpoint": lambda p, q: (p + q) / 2, "distance": build.distance, "toward": build.toward,
+        "x": lambda p: p.x, "y": lambda p: p.y, "turned": lambda v: v.turned(), "direction": build.direction,
+    }
+
+
+@dataclass(frozen=True)
+class Constructions:
+    """The constructions that need an arithmetic: for roots, for sines, for telling which branch is which."""
+
+    arithmetic: Any
+    points: Mapping[str, Vector]
+
+    def polar(self, centre: Vector, radius: Any, angle: Any) -> Vector:
+        """The point at `radius` from `centre` in the direction `angle`."""
+        return centre + self.unit(angle) * radius
+
+    def unit(self, angle: Any) -> Vector:
+        """The unit vector in the direction `angle`."""
+        return Vector(self.arithmetic.cos(angle), self.arithmetic.sin(angle))
+
+    def line(self, point: Vector, toward: Any) -> Line:
+        """The line through `point` and another point, or in the direction of an angle."""
+        return Line(point, toward - point if isinstance(toward, Vector) else self.unit(toward))
+
+    def distance(self, first: Vector, second: Any) -> Any:
+        """The distance of a point from another point or from a line."""
+        if isinstance(second, Line):
+            return abs(second.direction.cross(first - second.point)) / self.arithmetic.sqrt(second.direction.squared())
+        return self.arithmetic.sqrt((second - first).squared())
+
+    def toward(self, start: Vector, end: Vector, distance: Any) -> Vector:
+        """The point at `distance` from `start` on the way to `end` and beyond."""
+        return start + (end - start) * (distance / self.distance(start, end))
+
+    def direction(self, start: Vector, end: Vector) -> Any:
+        """The angle of the vector from `start` to `end`."""
+        return self.arithmetic.arctangent(end.y - start.y, end.x - start.x)
+
+    def meet(self, first: Line | Round, second: Line | Round, branch: Branch | None = None) -> Vector:
+        """The common point of two lines, or the one on the named side of a line and a circle or of two circles.
+
+        right, left, upper, lower compare the two candidates; counterclockwise and clockwise say on which side of
+        the directed line from the first centre (or along the line) the point lies.
+        """
+        if isinstance(first, Line) and isinstance(second, Line):
+            return self._lines(first, second)
+        if branch is None:
+            raise ExpressionError(f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}")
+        if isinstance(first, Round) and isinstance(second, Round):
+            return self._circles(first, second, branch)
+        line, circle = (first, second) if isinstance(first, Line) else (second, first)
+        return self._line_circle(line, circle, branch)  # type: ignore[arg-type]
+
+    def _lines(self, first: Line, second: Line) -> Vector:
+        across = first.direction.cross(second.direction)
+        if self.arithmetic.is_zero(across):
+            raise MechanismError(f"{self.name(first)} and {self.name(second)} are parallel and do not meet")
+        return first.point + first.direction * ((second.point - first.point).cross(second.direction) / across)
+
+    def _line_circle(self, line: Line, circle: Round, branch: Branch) -> Vector:
+        nearest = foot(circle.centre, line)
+        rest = circle.radius * circle.radius - (nearest - circle.centre).squared()
+        half = line.direction * self._reach(rest / line.direction.squared(), circle, self.name(line))
+        return self._pick(nearest + half, nearest - half, line.direction, circle.centre, branch)
+
+    def _circles(self, first: Round, second: Round, branch: Branch) -> Vector:
+        axis = second.centre - first.centre
+        square = axis.squared()
+        if self.arithmetic.is_zero(square):
+            raise MechanismError(f"{self.name(first)} and {self.name(second)} have one centre and do not meet")
+        share = (first.radius * first.radius - second.radius * second.radius + square) / (2 * square)
+        middle = first.centre + axis * share
+        rest = first.radius * first.radius / square - share * share
+        half = axis.turned() * self._reach(rest, first, self.name(second))
+        return self._pick(middle + half, middle - half, axis, first.centre, branch)
+
+    def _reach(self, square: Any, circle: Round, other: str) -> Any:
+        try:
+            return self.arithmetic.sqrt(square)
+        except ValueError:
+            raise MechanismError(f"{self.name(circle)} does not reach {other}") from None
+
+    def _pick(self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch) -> Vector:
+        if branch in TURNS:
+            ahead = axis.cross(first - origin) * TURNS[branch] - axis.cross(second - origin) * TURNS[branch]
+        else:
+            ahead = SIDES[branch](first) - SIDES[branch](second)
+        first_wins = self.arithmetic.sign(ahead) >= 0
+        choose = self.arithmetic.choose
+        return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
+
+    def name(self, shape: Line | Round) -> str:
+        """A line or circle in words for a refusal."""
+        if isinstance(shape, Round):
+            return f"the circle about {self.point_name(shape.centre)} of radius {short(shape.radius)}"
+        if self.arithmetic.is_zero(shape.direction.y):
+            return f"the line y = {short(shape.point.y)}"
+        if self.arithmetic.is_zero(shape.direction.x):
+            return f"the line x = {short(shape.point.x)}"
+        return f"the slanting line through {self.point_name(shape.point)}"
+
+    def point_name(self, point: Vector) -> str:
+        """The name of a point, or its coordinates."""
+        for name, place in self.points.items():
+            if place is point:
+                return name
+        return f"({short(point.x)}, {short(point.y)})"
+
+
+def foot(point: Vector, line: Line) -> Vector:
+    """The foot of the perpendicular from `point` to `line`."""
+    along = (point - line.point).dot(line.direction) / line.direction.squared()
+    return line.point + line.direction * along
+
+
+def short(number: Any) -> str:
+    """A number to four figures, for messages."""
+    return f"{float(number):.4g}"

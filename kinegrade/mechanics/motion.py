@@ -1,0 +1,117 @@
+"""The motion: velocity and acceleration of everything, absolute and relative, at the instant.
+
+`solve` is the way in: it states the relations, follows the plan twice, and gives a `Motion` that answers every
+question about points and bodies. Vectors are in the common frame (x right, y up), counter-clockwise positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.errors import MechanismError
+from kinegrade.exact.elimination import Contradiction, Singular
+from kinegrade.mechanics import plan as plans
+from kinegrade.mechanics.configuration import require_assembled
+from kinegrade.mechanics.frames import Frames, build
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.plan import Plan
+from kinegrade.mechanics.refusal import looseness, refusal
+from kinegrade.mechanics.relations import omega_of, total
+from kinegrade.mechanics.vector import Vector
+
+
+@dataclass(frozen=True)
+class Motion:
+    """All rates (rad/s, m/s) and their changes (rad/s^2, m/s^2), and what follows from them."""
+
+    frames: Frames
+    plan: Plan
+    rates: Mapping[str, Any]
+    changes: Mapping[str, Any]
+
+    @property
+    def points(self) -> Mapping[str, Vector]:
+        """Positions, m."""
+        return self.frames.mechanism.points
+
+    def omega(self, body: str, of: str = GROUND) -> Any:
+        """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body `of`."""
+        own = 0 if body == GROUND else self.rates[omega_of(body)]
+        return own - (0 if of == GROUND else self.rates[omega_of(of)])
+
+    def alpha(self, body: str, of: str = GROUND) -> Any:
+        """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body `of`."""
+        own = 0 if body == GROUND else self.changes[omega_of(body)]
+        return own - (0 if of == GROUND else self.changes[omega_of(of)])
+
+    def velocity(self, point: str, body: str) -> Vector:
+        """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another passes there)."""
+        return total(term.velocity(self.rates) for term in self.frames.chain(body, point))
+
+    def acceleration(self, point: str, body: str) -> Vector:
+        """Acceleration of the point of `body` that is at `point`, m/s^2."""
+        return total(term.acceleration(self.rates, self.changes) for term in self.frames.chain(body, point))
+
+    def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
+        """Velocity of `point` of `body` seen from the moving body `frame`: v_r = v_a - v_e."""
+        return self.velocity(point, body) - self.velocity(point, frame)
+
+    def coriolis(self, point: str, body: str, frame: str) -> Vector:
+        """Coriolis acceleration 2 omega_e x v_r of `point` of `body` seen from `frame`, m/s^2."""
+        return self.relative_velocity(point, body, frame).turned() * (self.omega(frame) * 2)
+
+    def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
+        """Acceleration of `point` of `body` seen from `frame`: a_r = a_a - a_e - a_C."""
+        composed = self.acceleration(point, frame) + self.coriolis(point, body, frame)
+        return self.acceleration(point, body) - composed
+
+    def pole(self, body: str, arithmetic: Any) -> Vector:
+        """Velocity pole of a body, m. Raises MechanismError when the pole is at infinity or the body at rest."""
+        base = self.frames.bases[body].point
+        rate = self.omega(body)
+        if arithmetic.is_zero(rate):
+            raise MechanismError(f"the velocity pole of {body} is at infinity: {body} does not turn at this instant")
+        return self.points[base] + self.velocity(base, body).turned() / rate
+
+
+def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
+    """The motion of a mechanism; `plan` saves looking for one, and is replaced where it does not fit.
+
+    Raises MechanismError: the configuration does not fit a joint, a body is loose, joints or drivers contradict
+    each other, or the mechanism stands at a dead point.
+    """
+    if arithmetic.certified:
+        require_assembled(mechanism, arithmetic)
+    frames = build(mechanism, arithmetic)
+    equations = [relation.equations() for relation in frames.relations]
+    if plan is not None:
+        try:
+            return followed(plan, frames, equations, arithmetic)
+        except (Singular, Contradiction):
+            pass
+    try:
+        return followed(plans.find(frames.relations, equations, arithmetic), frames, equations, arithmetic)
+    except (Singular, Contradiction):
+        sides = [relation.velocity_side() for relation in frames.relations]
+        raise refusal(frames, equations, sides, arithmetic) from None
+
+
+def followed(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic: Any) -> Motion:
+    """Run the plan for velocities, then for accelerations."""
+    relations = frames.relations
+    rates = plans.run(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
+    require_all_turning(frames, rates)
+    changes = plans.run(plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic)
+    return Motion(frames, plan, rates, changes)
+
+
+def require_all_turning(frames: Frames, rates: Mapping[str, Any]) -> None:
+    """Refuse bodies that no relation keeps from turning."""
+    free = [body.name for body in frames.mechanism.bodies if not body.particle and omega_of(body.name) not in rates]
+    if free:
+        raise MechanismError(looseness(frames, []))
+
+

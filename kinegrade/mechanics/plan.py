@@ -1,0 +1,94 @@
+"""The plan: the textbook's order, in which each step is the smallest set of relations that what is known determines.
+
+One vector equation with two unknowns where possible, two or three together only where nothing smaller works. The
+plan is structure: it is found once at one configuration, and run in any arithmetic, for velocities and then, with
+the same coefficients, for accelerations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+from kinegrade.exact.elimination import Singular
+from kinegrade.mechanics.relations import Relation
+
+Row = Mapping[str, Any]
+Equations = Sequence[Sequence[Row]]
+MAX_TOGETHER = 3
+
+
+@dataclass(frozen=True)
+class Step:
+    """The relations (by index) solved together and the rates they give; no rates: a surplus relation, checked."""
+
+    relations: tuple[int, ...]
+    unknowns: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The steps in order."""
+
+    steps: tuple[Step, ...]
+
+
+def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -> Plan:
+    """The plan at this configuration. Raises Singular when the relations leave something undetermined."""
+    known: set[str] = set()
+    pending = list(range(len(relations)))
+    steps: list[Step] = []
+    while pending:
+        step = next(determined(relations, equations, pending, known, arithmetic), None)
+        if step is None:
+            raise Singular("the relations do not determine the motion")
+        steps.append(step)
+        known.update(step.unknowns)
+        pending = [index for index in pending if index not in step.relations]
+    return Plan(tuple(steps))
+
+
+def determined(relations: Sequence[Relation], equations: Equations, pending: Sequence[int], known: set[str],
+               arithmetic: Any) -> Iterator[Step]:
+    """The sets of pending relations that determine their unknowns, the smallest first."""
+    open_rates = {index: [rate for rate in relations[index].unknowns() if rate not in known] for index in pending}
+    sizes = [*range(1, min(MAX_TOGETHER, len(pending)) + 1), len(pending)]
+    for group in (group for size in sizes for group in combinations(pending, size)):
+        unknowns = tuple(dict.fromkeys(rate for index in group for rate in open_rates[index]))
+        rows = [row for index in group for row in equations[index]]
+        if len(unknowns) <= len(rows) and full_rank(rows, unknowns, arithmetic):
+            yield Step(group, unknowns)
+
+
+def full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> bool:
+    """Whether the rows determine the unknowns."""
+    if not unknowns:
+        return True
+    try:
+        arithmetic.solve([[row.get(rate, 0) for rate in unknowns] for row in rows], [0] * len(rows))
+    except Singular:
+        return False
+    return True
+
+
+def run(plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any) -> dict[str, Any]:
+    """The rates that the plan gives; `right` tells a relation's right-hand sides.
+
+    Raises Singular at a dead point of a step, Contradiction when surplus equations do not agree.
+    """
+    rates: dict[str, Any] = {}
+    for step in plan.steps:
+        rows = [row for index in step.relations for row in equations[index]]
+        sides = [side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
+                 for row, side in zip(rows, (s for i in step.relations for s in right(i)), strict=True)]
+        if step.unknowns:
+            matrix = [[row.get(rate, 0) for rate in step.unknowns] for row in rows]
+            rates.update(zip(step.unknowns, arithmetic.solve(matrix, sides), strict=True))
+        else:
+            for side in sides:
+                arithmetic.require_zero(side)
+    return rates
+
+

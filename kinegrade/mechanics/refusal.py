@@ -1,0 +1,71 @@
+"""Why a mechanism cannot be solved, in the language of mechanics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from kinegrade.errors import MechanismError
+from kinegrade.exact.elimination import consistent, null_vectors
+from kinegrade.mechanics.frames import Frames
+from kinegrade.mechanics.plan import Equations
+
+
+def refusal(frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any) -> MechanismError:
+    """The error for relations that have no solution, or more than one; `sides` are their right-hand sides."""
+    rates = list(dict.fromkeys(rate for relation in frames.relations for rate in relation.unknowns()))
+    matrix = [[[row.get(rate, 0) for rate in rates] for row in rows] for rows in equations]
+    rows = [arithmetic_row(row, arithmetic) for block in matrix for row in block]
+    loose = null_vectors(rows, len(rates), arithmetic.is_zero)
+    fits = consistent(rows, [number(s, arithmetic) for side in sides for s in side], arithmetic.is_zero)
+    if fits:
+        return MechanismError(looseness(frames, [{rates[i] for i in vector} for vector in loose]))
+    culprits = contradiction(matrix, sides, arithmetic)
+    names = " and ".join(frames.relations[index].origin for index in culprits)
+    if loose:
+        return MechanismError(f"dead point: in this configuration {names} cannot act together: "
+                              "choose another configuration or driver")
+    return MechanismError(f"{names} contradict each other: leave one out or make their values agree")
+
+
+def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
+    """Which bodies can still turn and which points can still move."""
+    moving = set().union(*motions) if motions else set()
+    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if rate.startswith("omega ")]
+    points = sorted({rate.split(" ")[1] for rate in moving if not rate.startswith("omega ")})
+    parts = [f"body {body} can still turn" for body in bodies]
+    parts += [f"{point} can still move" for point in points]
+    unconstrained = [body.name for body in frames.mechanism.bodies
+                     if not body.particle and f"omega {body.name}" not in known_rates(frames)]
+    parts += [f"body {name} can still turn" for name in unconstrained]
+    count = len(motions) + len(unconstrained)
+    noun = "degree of freedom" if count == 1 else "degrees of freedom"
+    return f"{', '.join(parts)} ({count} {noun} left): add a joint or a driver"
+
+
+def known_rates(frames: Frames) -> set[str]:
+    """The rates that occur in any relation."""
+    return {rate for relation in frames.relations for rate in relation.unknowns()}
+
+
+def contradiction(matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]],
+                  arithmetic: Any) -> list[int]:
+    """A smallest set of relations (by index) that cannot hold together: none of them can be left out."""
+    culprits = list(range(len(matrix)))
+    for index in list(culprits):
+        rest = [other for other in culprits if other != index]
+        rows = [arithmetic_row(row, arithmetic) for other in rest for row in matrix[other]]
+        right = [number(side, arithmetic) for other in rest for side in sides[other]]
+        if rows and not consistent(rows, right, arithmetic.is_zero):
+            culprits = rest
+    return culprits
+
+
+def arithmetic_row(row: Sequence[Any], arithmetic: Any) -> list[Any]:
+    """A row in the arithmetic's own numbers."""
+    return [number(entry, arithmetic) for entry in row]
+
+
+def number(entry: Any, arithmetic: Any) -> Any:
+    """An entry in the arithmetic's own numbers: plain integers would divide into floats."""
+    return arithmetic.number(entry) if isinstance(entry, int) else entry

@@ -1,0 +1,140 @@
+"""The vector equations that the joints and drivers state, for velocities and accelerations alike.
+
+Every point's motion is written as a chain of terms from the ground outwards, `v_B = v_A + v_BA` or
+`v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that closes a loop equates two chains. The same
+relations hold for accelerations, with each term's part that the velocities decide: centripetal and Coriolis.
+
+`build` is called by `motion`; `plan` says in which order the relations determine what.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.vector import Vector
+
+Rates = Mapping[str, Any]
+Kind = Literal["rotation", "sliding", "arc"]
+
+
+def omega_of(body: str) -> str:
+    """The name of the unknown angular velocity of a body."""
+    return f"omega {body}"
+
+
+@dataclass(frozen=True)
+class Term:
+    """One term of a vector equation.
+
+    rotation: the point turns about a base point of its body; `vector` goes from base to point, the rate is omega.
+    sliding:  the point moves along `vector` seen from the body `frame`; the rate is in units of `vector`.
+    arc:      the point turns about a centre fixed in `frame`; `vector` goes from centre to point, rate as omega.
+    `name` tells the term in a printed equation: "BA" for v_BA, "A/OC" for the motion of A relative to OC.
+    """
+
+    kind: Kind
+    rate: str
+    vector: Vector
+    name: str
+    frame: str = GROUND
+
+    def coefficient(self) -> Vector:
+        """The vector by which the unknown rate is multiplied."""
+        return self.vector if self.kind == "sliding" else self.vector.turned()
+
+    def velocity(self, rates: Rates) -> Vector:
+        """The term's velocity, m/s."""
+        return self.coefficient() * rates[self.rate]
+
+    def normal(self, rates: Rates) -> Vector:
+        """The centripetal part of the term's acceleration, m/s^2: towards the base point or the centre."""
+        if self.kind == "sliding":
+            return Vector(0, 0)
+        return self.vector * (-rates[self.rate] * rates[self.rate])
+
+    def coriolis(self, rates: Rates) -> Vector:
+        """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own rotation."""
+        if self.kind == "rotation" or self.frame == GROUND:
+            return Vector(0, 0)
+        return self.velocity(rates).turned() * (rates[omega_of(self.frame)] * 2)
+
+    def remainder(self, rates: Rates) -> Vector:
+        """All of the term's acceleration that the velocities decide."""
+        return self.normal(rates) + self.coriolis(rates)
+
+    def acceleration(self, rates: Rates, changes: Rates) -> Vector:
+        """The term's acceleration, m/s^2, from the rates and their changes."""
+        return self.coefficient() * changes[self.rate] + self.remainder(rates)
+
+
+Chain = tuple[Term, ...]
+
+
+@dataclass(frozen=True)
+class Relation:
+    """left chain = right chain (two equations), or their difference along a vector plus turning rates = imposed.
+
+    `origin` says in words which joint or driver states it. `frame` is the body from which a component is imposed:
+    its rotation adds the Coriolis acceleration of the relative motion.
+    """
+
+    origin: str
+    left: Chain = ()
+    right: Chain = ()
+    along: Vector | None = None
+    turning: tuple[tuple[str, Any], ...] = ()
+    velocity: Any = 0
+    acceleration: Any = 0
+    frame: str = GROUND
+
+    @property
+    def is_vector(self) -> bool:
+        """Whether the relation is a vector equation, that is two equations."""
+        return self.along is None and not self.turning
+
+    def unknowns(self) -> tuple[str, ...]:
+        """The rates that occur, in order of occurrence."""
+        rates = [term.rate for term in (*self.left, *self.right)] + [rate for rate, _ in self.turning]
+        return tuple(dict.fromkeys(rates))
+
+    def equations(self) -> list[dict[str, Any]]:
+        """The coefficients of the rates, one dict for each scalar equation."""
+        vectors: dict[str, Vector] = {}
+        for side, chain in ((1, self.left), (-1, self.right)):
+            for term in chain:
+                vector = term.coefficient() * side
+                vectors[term.rate] = vectors[term.rate] + vector if term.rate in vectors else vector
+        if self.is_vector:
+            return [{rate: v.x for rate, v in vectors.items()}, {rate: v.y for rate, v in vectors.items()}]
+        row = {rate: self.along.dot(v) for rate, v in vectors.items()} if self.along is not None else {}
+        for rate, factor in self.turning:
+            row[rate] = row[rate] + factor if rate in row else factor
+        return [row]
+
+    def velocity_side(self) -> list[Any]:
+        """The right-hand sides of the equations for velocities."""
+        return [0, 0] if self.is_vector else [self.velocity]
+
+    def acceleration_side(self, rates: Rates) -> list[Any]:
+        """The right-hand sides of the equations for accelerations: imposed minus what the velocities decide."""
+        decided = total(term.remainder(rates) for term in self.left)
+        decided = decided - total(term.remainder(rates) for term in self.right)
+        if self.is_vector:
+            return [-decided.x, -decided.y]
+        if self.along is None:
+            return [self.acceleration]
+        if self.frame != GROUND:
+            relative = total(t.velocity(rates) for t in self.left) - total(t.velocity(rates) for t in self.right)
+            decided = decided - relative.turned() * (rates[omega_of(self.frame)] * 2)
+        return [self.acceleration - self.along.dot(decided)]
+
+
+def total(vectors: Any) -> Vector:
+    """The sum of vectors, zero if there are none."""
+    result = Vector(0, 0)
+    for vector in vectors:
+        result = result + vector
+    return result

@@ -1,0 +1,143 @@
+"""From a template and values to a mechanism: parameters into SI, points constructed, joints and drivers made.
+
+The same steps in any arithmetic: exact, balls, or arrays of floats over a whole class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.expression import Call, Expression, Name, elementary, evaluate, is_angle
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.geometry import BRANCHES, Constructions, constructions
+from kinegrade.mechanics.joints import Arc, Circle, Contact, Joint, Line, Mesh, Parallel, Pin, Roll, Sleeve, Slide
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.sentences import DriverSentence, JointSentence
+from kinegrade.problem.template import Parameter, Template
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """A mechanism with the values (SI, radians) that its expressions may name."""
+
+    mechanism: Mechanism
+    values: Mapping[str, Any]
+    functions: Mapping[str, Callable[..., Any]]
+
+
+def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> Any:
+    """A parameter in SI from an expression in its unit; degrees may also be given as an angle like atan(3/4).
+
+    Raises ExpressionError for what is no number, Inexact where the exact field does not hold it.
+    """
+    value = evaluate(tree, {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
+    angular = is_angle(tree, frozenset())
+    if parameter.unit.degrees:
+        return value if angular else arithmetic.turns(value / 180)
+    if parameter.unit.text == "rad":
+        return value if angular or not arithmetic.exact else radians(value)
+    if isinstance(value, (Angle, Vector)):
+        raise Inexact("a number with pi in it") if isinstance(value, Angle) else ExpressionError("expected a number")
+    return value * arithmetic.number(parameter.unit.factor)
+
+
+def radians(value: Any) -> Any:
+    """A number of radians as an exact angle: only zero is one."""
+    if value == 0:
+        return Angle(value)
+    raise Inexact("a rational number of radians")
+
+
+def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any) -> Assembly:
+    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the place, Inexact."""
+    values: dict[str, Any] = {"pi": arithmetic.turns(1), **given, **{branch: branch for branch in BRANCHES}}
+    points: dict[str, Vector] = {}
+    functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
+    for name, tree in template.lengths.items():
+        values[name] = located(f"lengths.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
+            tree, values, functions, arithmetic))
+    for name, tree in template.points.items():
+        place = located(f"points.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
+            tree, values, functions, arithmetic))
+        if not isinstance(place, Vector):
+            raise ExpressionError(f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)")
+        points[name] = values[name] = Vector(place.x, place.y)
+    parts = Parts(values, functions, points, arithmetic)
+    joints = tuple(located(s.text, lambda s=s: parts.joint(s)) for s in template.joints)  # type: ignore[misc]
+    drivers = tuple(located(s.text, lambda s=s: parts.driver(s)) for s in template.drivers)  # type: ignore[misc]
+    return Assembly(Mechanism(points, template.bodies, joints, drivers), values, functions)
+
+
+def located(place: str, make: Callable[[], Any]) -> Any:
+    """What `make` gives; a refusal is told with its place in the template."""
+    try:
+        return make()
+    except MechanismError as error:
+        raise MechanismError(*(f"{place}: {problem}" for problem in error.problems)) from error
+    except KinegradeError as error:
+        raise ExpressionError(*(f"{place}: {problem}" for problem in error.problems)) from error
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Makes joints and drivers from their sentences at an instance's values."""
+
+    values: Mapping[str, Any]
+    functions: Mapping[str, Callable[..., Any]]
+    points: Mapping[str, Vector]
+    arithmetic: Any
+
+    def value(self, tree: Expression) -> Any:
+        """The value of an expression, which may name points."""
+        return evaluate(tree, self.values, self.functions, self.arithmetic)
+
+    def shape(self, tree: Call) -> Any:
+        """A line as a value, a circle with its centre by name."""
+        if tree.function == "circle" and isinstance(tree.arguments[0], Name):
+            return Circle(tree.arguments[0].name, self.value(tree.arguments[1]))
+        return self.value(tree)
+
+    def line(self, tree: Call) -> Line:
+        """The line of a guide or slot."""
+        line: Line = self.value(tree)
+        return line
+
+    def joint(self, sentence: JointSentence) -> Joint:
+        """The joint that a sentence states."""
+        point, body, of = sentence.point, sentence.body, sentence.of
+        on = self.shape(sentence.on) if sentence.on is not None else None
+        circle = self.shape(sentence.circle) if sentence.circle is not None else None
+        match sentence.kind:
+            case "pin":
+                return Pin(point, sentence.bodies)
+            case "slide":
+                return Slide(point, body, on, of)
+            case "sleeve":
+                return Sleeve(body, on, of)
+            case "arc":
+                return Arc(point, body, on, of)
+            case "contact":
+                return Contact(body, circle, of, on, sentence.inside)
+            case "roll":
+                return Roll(body, circle, of, on, sentence.inside)
+            case "mesh":
+                return Mesh(body, circle, of, on, sentence.carrier, sentence.inside)
+        return Parallel(body, of)
+
+    def driver(self, sentence: DriverSentence) -> Driver:
+        """The driver that a sentence states."""
+        velocity, acceleration = self.value(sentence.velocity), self.value(sentence.acceleration)
+        if sentence.kind == "rotation":
+            return Rotation(sentence.body, velocity, acceleration, sentence.of)
+        if sentence.along is None:
+            return Circulation(sentence.point, sentence.body, sentence.centre, velocity, acceleration)
+        direction = Constructions(self.arithmetic, self.points).unit(self.value(sentence.along))
+        return Component(sentence.point, sentence.body, direction, velocity, acceleration, sentence.of)
+
+
+__all__ = ["Assembly", "assemble", "parameter_value"]

@@ -1,0 +1,40 @@
+"""What `kinegrade show` prints of a template."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.statement import check_statements, statement
+from kinegrade.problem.template import Language, Parameter, Template
+
+
+def describe(template: Template, language: Language) -> str:
+    """A template in words: title, statement at its default values, parameters, asks and how many instances."""
+    return "\n".join(lines(template, language))
+
+
+def lines(template: Template, language: Language) -> Iterator[str]:
+    """The lines of the description."""
+    check_statements(template)
+    solution = solve_template(template, {})
+    yield f"{template.name}: {template.title.in_language(language)}"
+    yield f"family: {template.family}; source: {template.source}"
+    yield f"drawable combinations: {template.combinations}"
+    yield ""
+    yield statement(template, solution.parameters, language)
+    yield "parameters"
+    for name, parameter in template.parameters.items():
+        yield f"  {name:<12} {parameter.unit.printed:<7} {domain(parameter):<34} {parameter.means.in_language(language)}"
+    yield "asks"
+    for name, ask in template.asks.items():
+        points = f"{ask.points} points" if ask.points else "on request"
+        sign = ask.sign.in_language(language)
+        yield f"  {name:<12} {ask.unit.printed:<7} {points:<11} {ask.means.in_language(language)} ({sign})"
+
+
+def domain(parameter: Parameter) -> str:
+    """What may be drawn, in short."""
+    choices = parameter.choices
+    shown = ", ".join(choices) if len(choices) <= 6 else f"{choices[0]}, {choices[1]}, ... {choices[-1]}"
+    return f"{shown} ({len(choices)})"

@@ -1,0 +1,145 @@
+"""Drawing an instance for a student: addressed by HMAC, so that it can be drawn again on any machine in ten years.
+
+The value of a parameter is an index into its finite domain that depends on (secret, student, question, parameter,
+attempt) alone: adding a parameter, a question or a student changes nobody else's paper. An instance that will not
+do is drawn again with the next attempt, and the reason is counted.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from hmac import new as hmac
+
+from kinegrade.errors import DrawError, MechanismError
+from kinegrade.expression import evaluate, elementary
+from kinegrade.problem.assemble import parameter_value
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution, certified, read_values, solve_template
+from kinegrade.problem.template import Condition, Template
+from kinegrade.mechanics.plan import Plan
+
+MAX_ATTEMPTS = 400
+SMALLEST, LARGEST = 1e-3, 1e5  # sizes of answers, in the ask's own unit, that a student can be asked to write
+REASONS = ("condition", "mechanism", "degenerate", "absurd", "duplicate")
+
+
+class Refused(Exception):
+    """A drawn instance will not do; `reason` is one of REASONS, the message tells more."""
+
+    def __init__(self, reason: str, detail: str) -> None:
+        self.reason = reason
+        super().__init__(detail)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """An accepted instance: the values as texts, the attempt that gave them, and its solution."""
+
+    values: Mapping[str, str]
+    attempt: int
+    solution: Solution
+
+
+@dataclass
+class Deck:
+    """One question's template for one exam: draws for student after student, no two alike.
+
+    `fixed` replaces the domains of some parameters. `refused` counts why draws were refused.
+    """
+
+    template: Template
+    asks: tuple[str, ...]
+    secret: str
+    question: str
+    fixed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    refused: Counter[str] = field(default_factory=Counter)
+    taken: set[tuple[str, ...]] = field(default_factory=set)
+    plan: Plan | None = None
+
+    def draw(self, student: str) -> Drawn:
+        """The instance of a student. Raises DrawError when none of MAX_ATTEMPTS will do."""
+        for attempt in range(MAX_ATTEMPTS):
+            values = self.values(student, attempt)
+            try:
+                solution = self.accept(values)
+            except Refused as refusal:
+                self.refused[refusal.reason] += 1
+                continue
+            self.taken.add(tuple(values.values()))
+            return Drawn(values, attempt, solution)
+        reasons = ", ".join(f"{reason} {count}" for reason, count in sorted(self.refused.items()))
+        raise DrawError(f"{self.question} ({self.template.name}): no acceptable instance for student {student} in "
+                        f"{MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
+                        f"{self.combinations()} combinations are drawable")
+
+    def values(self, student: str, attempt: int) -> dict[str, str]:
+        """The values that an attempt gives to a student."""
+        return {name: choices[address(self.secret, student, self.question, name, attempt) % len(choices)]
+                for name, choices in self.domains().items()}
+
+    def domains(self) -> dict[str, tuple[str, ...]]:
+        """What may be drawn for each parameter."""
+        return {name: self.fixed.get(name, parameter.choices) for name, parameter in self.template.parameters.items()}
+
+    def combinations(self) -> int:
+        """How many combinations of values there are, acceptable or not."""
+        count = 1
+        for choices in self.domains().values():
+            count *= len(choices)
+        return count
+
+    def accept(self, values: Mapping[str, str]) -> Solution:
+        """The solution of an instance that will do. Raises Refused with the reason."""
+        if tuple(values.values()) in self.taken:
+            raise Refused("duplicate", "another student has these values")
+        solution = examine(self.template, values, self.asks, self.plan)
+        self.plan = solution.motion.plan
+        return solution
+
+
+def address(secret: str, *parts: str | int) -> int:
+    """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256 bits."""
+    message = b"".join(len(text).to_bytes(4, "big") + text for text in (str(part).encode() for part in parts))
+    return int.from_bytes(hmac(secret.encode(), message, sha256).digest(), "big")
+
+
+def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None) -> Solution:
+    """The solution of an instance fit for students. Raises Refused with the reason."""
+    for condition in template.conditions:
+        if not holds(template, condition, values):
+            raise Refused("condition", condition.text)
+    try:
+        solution = solve_template(template, values, asks, plan)
+    except MechanismError as error:
+        raise Refused("mechanism", error.problems[0]) from error
+    for name, answer in solution.answers.items():
+        if answer.is_zero:
+            if not template.asks[name].vanishes:
+                raise Refused("degenerate", f"{name} is zero")
+        elif not SMALLEST <= abs(answer.value) <= LARGEST:
+            raise Refused("absurd", f"{name} is {sized(answer)}")
+    return solution
+
+
+def sized(answer: Quantity) -> str:
+    """An answer with its unit, for a message."""
+    return f"{answer.decimal(3)} {answer.unit.text}"
+
+
+def holds(template: Template, condition: Condition, given: Mapping[str, str]) -> bool:
+    """Whether a condition holds at given values; decided exactly."""
+    trees = read_values(template, given)
+
+    def decide(arithmetic: object) -> bool:
+        values = {name: parameter_value(parameter, trees[name], arithmetic)
+                  for name, parameter in template.parameters.items()}
+        values["pi"] = arithmetic.turns(1)  # type: ignore[attr-defined]
+        sides = [evaluate(tree, values, elementary(arithmetic), arithmetic)
+                 for tree in (condition.left, condition.right)]
+        sign = arithmetic.sign(sides[1] - sides[0])  # type: ignore[attr-defined]
+        return bool(sign > 0 or (sign == 0 and not condition.strict))
+
+    return certified(decide)

@@ -1,0 +1,277 @@
+"""What a template author wants marked in the figure: the `[figure]` table of a template, read and checked.
+
+The shape of the mechanism itself is never a hint: it follows from bodies and joints. Symbols are LaTeX math
+without dollar signs, from a small alphabet, so that every back end can set them and none can be led astray.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Any, Literal, cast
+
+from kinegrade.errors import TemplateError, did_you_mean
+from kinegrade.mechanics.joints import GROUND
+
+Sense = Literal["ccw", "cw"]
+Side = Literal["right", "up", "left", "down"]
+Shape = Literal["gear", "cam", "bent", "bar"]
+
+SENSES = ("ccw", "cw")
+SIDES = ("right", "up", "left", "down")
+SHAPES = ("gear", "cam", "bent", "bar")
+GREEK = re.findall(
+    "[A-Za-z]+",
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi rho varrho "
+    "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
+)
+COMMANDS = frozenset(
+    (*GREEK, "mathrm", "mathbf", "vec", "dot", "ddot", "bar", "sqrt", "frac", "prime", "circ", "cdot")
+)
+_LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
+_DANGLING = re.compile(
+    r"[_^]\s*(?:[_^}]|$)|^\s*[_^]|\\(?:sqrt|mathrm|mathbf|vec|dot|ddot|bar|frac)(?![A-Za-z])\s*(?!\{)"
+)
+_TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
+
+
+@dataclass(frozen=True)
+class Length:
+    """A dimension between two points; along "horizontal" or "vertical" it is the projected distance."""
+
+    symbol: str
+    start: str
+    end: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class Angle:
+    """An angle at a point between two directions, each a side of the paper or another point.
+
+    Drawn the shorter way, or in the given sense from `start` to `end`.
+    """
+
+    symbol: str
+    at: str
+    start: str
+    end: str
+    sense: Sense | None = None
+
+
+@dataclass(frozen=True)
+class Radius:
+    """The radius of a circle about `centre`; `of` names its body where several share the centre."""
+
+    symbol: str
+    centre: str
+    of: str | None = None
+
+
+@dataclass(frozen=True)
+class Turning:
+    """A curved arrow about the pivot of a body; without a sense it follows the sign of the imposed motion."""
+
+    symbol: str
+    body: str
+    sense: Sense | None = None
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A straight arrow at a point, towards a side or a point; else as the imposed velocity has it."""
+
+    symbol: str
+    point: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class FigureHints:
+    """Everything an author may ask of a figure.
+
+    `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no label.
+    `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact is known), "bent" (a
+    rod through its points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot).
+    """
+
+    lengths: tuple[Length, ...] = ()
+    angles: tuple[Angle, ...] = ()
+    radii: tuple[Radius, ...] = ()
+    arrows: tuple[Turning | Moving, ...] = ()
+    labels: Mapping[str, str | None] = field(default_factory=lambda: MappingProxyType({}))
+    shapes: Mapping[str, Shape] = field(default_factory=lambda: MappingProxyType({}))
+    axes: bool = False
+
+
+def read_hints(
+    table: Mapping[str, Any], where: str, points: AbstractSet[str], bodies: AbstractSet[str]
+) -> FigureHints:
+    """The hints in the `[figure]` table of the template `where`.
+
+    Raises TemplateError with all faults of the table at once.
+
+    >>> read_hints({"axes": True}, "a.toml", {"O"}, {"OA"}).axes
+    True
+    """
+    reader = _Reader(f"{where}: figure", frozenset(points), frozenset(bodies) | {GROUND})
+    hints = FigureHints()
+    for key, value in table.items():
+        hints = reader.merge(hints, key, value)
+    if reader.faults:
+        raise TemplateError(*reader.faults)
+    return hints
+
+
+def symbol_fault(symbol: object) -> str | None:
+    """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
+    if not isinstance(symbol, str) or not symbol.strip():
+        return "not a symbol; write LaTeX math without dollar signs, such as '\\omega_{AB}'"
+    if not _LETTERS.fullmatch(symbol):
+        return (
+            f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and LaTeX commands"
+        )
+    unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
+    if unknown:
+        return f"unknown LaTeX command \\{unknown[0]}; {did_you_mean(unknown[0], COMMANDS)}"
+    if not _complete(symbol):
+        return f"{symbol!r} is incomplete; close every brace, give every _ and ^ one thing"
+    return None
+
+
+def _complete(symbol: str) -> bool:
+    """Whether braces close, every script and every command has what it acts on, and no script comes twice."""
+    depths = [symbol[:end].count("{") - symbol[:end].count("}") for end in range(len(symbol) + 1)]
+    fractions = len(re.findall(r"\\frac\{[^{}]+\}\{", symbol))
+    return (
+        min(depths) == depths[-1] == 0
+        and not _DANGLING.search(symbol)
+        and not _TWICE.search(symbol)
+        and fractions == symbol.count("\\frac")
+    )
+
+
+class _Reader:
+    """Reads the entries of one table and gathers what is wrong with them."""
+
+    def __init__(self, where: str, points: frozenset[str], bodies: frozenset[str]) -> None:
+        self.where = where
+        self.points = points
+        self.bodies = bodies
+        self.faults: list[str] = []
+
+    def merge(self, hints: FigureHints, key: str, value: object) -> FigureHints:
+        """The hints with one more entry of the table."""
+        known = ("lengths", "angles", "radii", "arrows", "labels", "shapes", "axes")
+        if key in ("lengths", "angles", "radii", "arrows"):
+            read = {"lengths": self.length, "angles": self.angle, "radii": self.radius, "arrows": self.arrow}[
+                key
+            ]
+            rows = self.rows(key, value)
+            entries = tuple(read(row, f"{key}[{number}]") for number, row in enumerate(rows, start=1))
+            return replace(hints, **cast(dict[str, Any], {key: entries}))
+        if key == "labels":
+            return replace(hints, labels=self.labels(value))
+        if key == "shapes":
+            return replace(hints, shapes=self.shapes(value))
+        if key == "axes" and isinstance(value, bool):
+            return replace(hints, axes=value)
+        problem = "expected true or false" if key == "axes" else f"unknown entry; {did_you_mean(key, known)}"
+        self.fault(key, problem)
+        return hints
+
+    def fault(self, place: str, problem: str) -> None:
+        self.faults.append(f"{self.where}.{place}: {problem}")
+
+    def rows(self, key: str, value: object) -> list[dict[str, Any]]:
+        if isinstance(value, list) and all(isinstance(row, dict) for row in value):
+            return value
+        self.fault(key, 'expected a list of tables; write [{ symbol = "r", ... }]')
+        return []
+
+    def length(self, row: dict[str, Any], place: str) -> Length:
+        self.keys(row, place, ("symbol", "from", "to"), ("along",))
+        start, end = self.point(row, place, "from"), self.point(row, place, "to")
+        along = self.choice(row, place, "along", ("horizontal", "vertical"))
+        return Length(self.symbol(row, place), start, end, along)
+
+    def angle(self, row: dict[str, Any], place: str) -> Angle:
+        self.keys(row, place, ("symbol", "at", "from", "to"), ("sense",))
+        start, end = (
+            self.name(row, place, key, self.points | set(SIDES), "point or side") for key in ("from", "to")
+        )
+        sense = cast(Sense | None, self.choice(row, place, "sense", SENSES))
+        return Angle(self.symbol(row, place), self.point(row, place, "at"), start, end, sense)
+
+    def radius(self, row: dict[str, Any], place: str) -> Radius:
+        self.keys(row, place, ("symbol", "centre"), ("of",))
+        of = self.name(row, place, "of", self.bodies, "body") if "of" in row else None
+        return Radius(self.symbol(row, place), self.point(row, place, "centre"), of)
+
+    def arrow(self, row: dict[str, Any], place: str) -> Turning | Moving:
+        if "moves" in row:
+            self.keys(row, place, ("symbol", "moves"), ("along",))
+            choices = self.points | set(SIDES)
+            along = self.name(row, place, "along", choices, "point or side") if "along" in row else None
+            return Moving(self.symbol(row, place), self.point(row, place, "moves"), along)
+        self.keys(row, place, ("symbol", "turns"), ("sense",))
+        sense = cast(Sense | None, self.choice(row, place, "sense", SENSES))
+        return Turning(
+            self.symbol(row, place), self.name(row, place, "turns", self.bodies - {GROUND}, "body"), sense
+        )
+
+    def labels(self, value: object) -> Mapping[str, str | None]:
+        found: dict[str, str | None] = {}
+        for name, text in self.pairs("labels", value, self.points | self.bodies):
+            problem = None if text is False or text == "" else symbol_fault(text)
+            if problem:
+                self.fault(f"labels.{name}", problem)
+            found[name] = text if text and problem is None else None
+        return MappingProxyType(found)
+
+    def shapes(self, value: object) -> Mapping[str, Shape]:
+        found: dict[str, Shape] = {}
+        for name, shape in self.pairs("shapes", value, self.bodies):
+            if shape in SHAPES:
+                found[name] = cast(Shape, shape)
+            else:
+                self.fault(f"shapes.{name}", f"no shape {shape!r}; {did_you_mean(str(shape), SHAPES)}")
+        return MappingProxyType(found)
+
+    def pairs(self, key: str, value: object, names: AbstractSet[str]) -> list[tuple[str, Any]]:
+        if not isinstance(value, dict):
+            self.fault(key, "expected a table of names and values; write { O = 'O_1' }")
+            return []
+        for name in sorted(set(value) - names):
+            self.fault(f"{key}.{name}", f"nothing has this name; {did_you_mean(name, names)}")
+        return [(name, entry) for name, entry in value.items() if name in names]
+
+    def keys(
+        self, row: dict[str, Any], place: str, needed: tuple[str, ...], allowed: tuple[str, ...]
+    ) -> None:
+        for key in sorted(set(row) - set(needed) - set(allowed)):
+            self.fault(place, f"unknown entry {key!r}; {did_you_mean(key, needed + allowed)}")
+        for key in needed:
+            if key not in row:
+                self.fault(place, f"{key!r} is missing; needed here: {', '.join(needed)}")
+
+    def symbol(self, row: dict[str, Any], place: str) -> str:
+        problem = symbol_fault(row["symbol"]) if "symbol" in row else None
+        if problem:
+            self.fault(f"{place}.symbol", problem)
+        return str(row.get("symbol", ""))
+
+    def point(self, row: dict[str, Any], place: str, key: str) -> str:
+        return self.name(row, place, key, self.points, "point")
+
+    def name(self, row: dict[str, Any], place: str, key: str, names: AbstractSet[str], kind: str) -> str:
+        name = row.get(key, "")
+        if key in row and name not in names:
+            self.fault(f"{place}.{key}", f"no {kind} {name!r}; {did_you_mean(str(name), names)}")
+        return str(name)
+
+    def choice(self, row: dict[str, Any], place: str, key: str, choices: tuple[str, ...]) -> str | None:
+        return self.name(row, place, key, frozenset(choices), "choice") if key in row else None

@@ -1,0 +1,46 @@
+"""Where templates and banks are found: those shipped with the package, and files given by their path."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import kinegrade
+from kinegrade.errors import TemplateError, did_you_mean
+from kinegrade.problem.reading import MAX_CHARACTERS, read_template
+from kinegrade.problem.template import Template
+
+
+def shipped(folder: str) -> Path:
+    """The folder of shipped "templates" or "banks": inside an installed package, beside it in a checkout."""
+    package = Path(kinegrade.__file__).parent
+    inside = package / folder
+    return inside if inside.is_dir() else package.parent / folder
+
+
+def template_names() -> tuple[str, ...]:
+    """The names of the shipped templates, sorted."""
+    return tuple(sorted(path.stem for path in shipped("templates").glob("*.toml")))
+
+
+def load_template(name: str, folder: Path | None = None) -> Template:
+    """The template of that name in `folder` (default: the shipped ones), or of a path that ends in .toml.
+
+    Raises TemplateError when there is none, or with all faults of the file.
+    """
+    path = Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
+    known = [other.stem for other in (folder or shipped("templates")).glob("*.toml")]
+    if not name.endswith(".toml") and name not in known:
+        raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
+    return read_template(path.stem, template_text(path))
+
+
+def template_text(path: Path) -> str:
+    """The text of a template file. Raises TemplateError when it is missing, too large or no UTF-8."""
+    try:
+        with path.open("rb") as file:
+            data = file.read(4 * MAX_CHARACTERS + 1)
+        return data.decode("utf-8")
+    except OSError as error:
+        raise TemplateError(f"{path}: cannot be read: {error.strerror}: give the path of a template file") from error
+    except UnicodeDecodeError as error:
+        raise TemplateError(f"{path}: not UTF-8 at byte {error.start}: save the template as UTF-8") from error

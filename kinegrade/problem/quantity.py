@@ -1,0 +1,97 @@
+"""A quantity with its unit: a given or an answer, exact or enclosed, and how it prints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, fmpq
+
+from kinegrade.exact.angle import Angle
+from kinegrade.exact.text import LATEX, angle_text, decimal_text, exact_text
+from kinegrade.units import Unit
+
+CERTIFIED_DIGITS = 40
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """`number` counts `unit`s: a rational, a surd, an Angle, or a ball when no small field holds it."""
+
+    name: str
+    number: Any
+    unit: Unit
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether the number is exact, not an enclosure."""
+        return not isinstance(self.number, arb)
+
+    @property
+    def exact(self) -> str | None:
+        """The exact number as text that our grammar reads back, or None for an enclosure."""
+        if not self.is_exact:
+            return None
+        if isinstance(self.number, Angle):
+            return angle_text(self.number, self.unit.degrees)
+        return exact_text(self.number)
+
+    @property
+    def latex(self) -> str | None:
+        """The exact number in LaTeX math, or None for an enclosure."""
+        if not self.is_exact:
+            return None
+        if isinstance(self.number, Angle):
+            return angle_text(self.number, self.unit.degrees, LATEX)
+        return exact_text(self.number, LATEX)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the number is zero; for an enclosure: a ball about zero."""
+        if isinstance(self.number, Angle):
+            return not self.number.parts and bool(self.number.half_turns == 0)
+        return 0 in self.number if isinstance(self.number, arb) else bool(self.number == 0)
+
+    @property
+    def value(self) -> float:
+        """The nearest double to within its last digit."""
+        return float(self.decimal(17))
+
+    def decimal(self, digits: int) -> str:
+        """The number to `digits` significant digits, correctly rounded."""
+        return decimal_text(self.number, digits, self.unit.degrees)
+
+    @property
+    def given_text(self) -> str:
+        """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees as degrees."""
+        number = self.number
+        if isinstance(number, Angle) and self.unit.degrees and not number.parts:
+            number = number.half_turns * 180
+        if isinstance(number, fmpq) and is_short_decimal(number):
+            return decimal_text(number, 12)
+        return self.latex or self.decimal(6)
+
+    def record(self) -> dict[str, Any]:
+        """exact, value and unit, as the key and `solve --json` write them."""
+        return {"exact": self.exact, "value": self.value, "unit": self.unit.text,
+                "decimal": self.decimal(CERTIFIED_DIGITS)}
+
+
+def is_short_decimal(number: Any) -> bool:
+    """Whether a rational number is a decimal of few digits.
+
+    >>> is_short_decimal(fmpq(1, 8)), is_short_decimal(fmpq(1, 3))
+    (True, False)
+    """
+    return bool((number * 10**6).q == 1)
+
+
+def in_unit(name: str, number: Any, unit: Unit) -> Quantity:
+    """The quantity whose value in SI (angles: an Angle or a ball of radians) is `number`."""
+    if unit.degrees and isinstance(number, arb):
+        return Quantity(name, number * 180 / arb.pi(), unit)
+    if isinstance(number, Angle):
+        return Quantity(name, number, unit)
+    if isinstance(number, int):
+        number = fmpq(number)
+    return Quantity(name, number / unit.factor, unit)

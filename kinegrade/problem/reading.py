@@ -1,0 +1,272 @@
+"""From the TOML text of a template to a Template; every fault of the file is reported at once.
+
+TOML is pure data and is read by the standard library; expressions are read by our own grammar. So a template from a
+stranger is safe to open.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean
+from kinegrade.expression import Expression, names, read
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.mechanism import Body
+from kinegrade.problem.domain import read_choices
+from kinegrade.problem.hints import FigureHints, read_hints
+from kinegrade.problem.notation import symbol
+from kinegrade.problem.sentences import DriverSentence, JointSentence, read_driver, read_joint
+from kinegrade.problem.signs import read_sign
+from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
+from kinegrade.units import read_unit
+
+MAX_CHARACTERS = 100_000
+KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
+        "asks", "statement", "published", "figure")
+NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
+RESERVED = frozenset({"pi", GROUND})
+IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
+Part = TypeVar("Part")
+
+
+def read_template(name: str, text: str) -> Template:
+    """The template of that name. Raises TemplateError with all faults, each with its place in the file.
+
+    `name` is the file's name without `.toml`: letters, digits and hyphens.
+    """
+    return Reader(name, text).template()
+
+
+class Reader:
+    """Reads one file, collecting faults; each method reads one table."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name, self.text, self.where = name, text, f"{name}.toml"
+        self.faults: list[str] = []
+        self.table = self.load()
+
+    def load(self) -> dict[str, Any]:
+        """The TOML tables; a file that is no TOML ends here."""
+        if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name):
+            raise TemplateError(f"{self.where}: a template's name is made of small letters, digits and hyphens")
+        if len(self.text) > MAX_CHARACTERS:
+            raise TemplateError(f"{self.where}: {len(self.text)} characters: at most {MAX_CHARACTERS} are read")
+        try:
+            table = tomllib.loads(self.text, parse_float=str)
+        except (tomllib.TOMLDecodeError, RecursionError) as error:
+            raise TemplateError(f"{self.where}: not readable as TOML: {error}") from error
+        self.faults += [f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KEYS)}"
+                        for key in table if key not in KEYS]
+        self.faults += [f"{self.where}: {key} is missing: every template needs it" for key in NEEDED if key not in table]
+        return table
+
+    def fault(self, path: str, problem: str) -> None:
+        """Note a fault at a path of the file."""
+        self.faults.append(f"{self.where}: {path}: {problem}")
+
+    def part(self, path: str, make: Callable[[], Part]) -> Part | None:
+        """What `make` gives; its refusal becomes a fault at `path`."""
+        try:
+            return make()
+        except KinegradeError as error:
+            for problem in error.problems:
+                self.fault(path, problem)
+        return None
+
+    def section(self, key: str, kind: type[Part]) -> Part:
+        """The table or list under `key`, empty if it is missing or of another kind."""
+        value = self.table.get(key, kind())
+        if not isinstance(value, kind):
+            self.fault(key, f"expected a {'table' if kind is dict else 'list' if kind is list else 'text'}")
+            return kind()
+        return value
+
+    def template(self) -> Template:
+        """All parts put together; raises TemplateError when any has a fault."""
+        parameters = self.parameters()
+        lengths = self.expressions("lengths")
+        points = self.expressions("points")
+        bodies = self.bodies(points)
+        self.check_names(parameters, lengths, points, bodies)
+        result = Template(
+            self.name, self.section("family", str), self.translated(self.table, "title"),
+            self.translated(self.table, "statement"), self.section("source", str), parameters, lengths, points, bodies,
+            self.joints(), self.drivers(), self.conditions(), self.asks(), self.published(parameters),
+            self.hints(points, bodies), self.text)
+        self.check_uses(result)
+        if self.faults:
+            raise TemplateError(*self.faults)
+        return result
+
+    def translated(self, table: Mapping[str, Any], key: str, path: str = "") -> Translated:
+        """A text in en and zh."""
+        value = table.get(key)
+        if not isinstance(value, dict) or set(value) != {"en", "zh"} or not all(
+                isinstance(text, str) and text.strip() for text in value.values()):
+            if key in table or path:
+                self.fault(path or key, f'{key}: expected texts in both languages: {{ en = "...", zh = "..." }}')
+            return Translated("", "")
+        return Translated(value["en"].strip(), value["zh"].strip())
+
+    def parameters(self) -> dict[str, Parameter]:
+        """The givens."""
+        found = {}
+        for name, entry in self.section("parameters", dict).items():
+            path = f"parameters.{name}"
+            if not self.is_table(path, entry, {"unit", "draw", "published", "means", "symbol"}, {"unit", "draw"}):
+                continue
+            unit = self.part(path, lambda entry=entry: read_unit(str(entry["unit"])))  # type: ignore[misc]
+            choices = self.part(path, lambda entry=entry: read_choices(entry["draw"]))  # type: ignore[misc]
+            published = str(entry["published"]) if "published" in entry else None
+            if published is not None:
+                self.part(path, lambda published=published: read(published))  # type: ignore[misc]
+            if unit is not None and choices is not None:
+                means = self.translated(entry, "means", path)
+                found[name] = Parameter(name, str(entry.get("symbol", symbol(name))), unit, choices, published, means)
+        return found
+
+    def is_table(self, path: str, entry: Any, known: set[str], needed: set[str]) -> bool:
+        """Whether an entry is a table with the keys it needs and no others."""
+        if not isinstance(entry, dict):
+            self.fault(path, f"expected a table with {', '.join(sorted(needed))}")
+            return False
+        unknown, missing = sorted(set(entry) - known), sorted(needed - set(entry))
+        for key in unknown:
+            self.fault(path, f'unknown key "{key}": {did_you_mean(key, known)}')
+        for key in missing:
+            self.fault(path, f"{key} is missing")
+        return not missing
+
+    def expressions(self, key: str) -> dict[str, Expression]:
+        """Named expressions, in order."""
+        found = {}
+        for name, text in self.section(key, dict).items():
+            tree = self.part(f"{key}.{name}", lambda text=text: read(str(text)))  # type: ignore[misc]
+            if tree is not None:
+                found[name] = tree
+        return found
+
+    def bodies(self, points: Mapping[str, Any]) -> tuple[Body, ...]:
+        """Bodies with their marked points: "O A", or "particle M"."""
+        found = []
+        for name, value in self.section("bodies", dict).items():
+            words = str(value).split()
+            particle = words[:1] == ["particle"]
+            marked = tuple(words[1:] if particle else words)
+            for point in marked:
+                if point not in points:
+                    self.fault(f"bodies.{name}", f'no point "{point}": {did_you_mean(point, points)}')
+            if not marked or (particle and len(marked) != 1):
+                self.fault(f"bodies.{name}", 'expected its points, like "O A", or "particle M"')
+            found.append(Body(name, marked, particle))
+        return tuple(found)
+
+    def check_names(self, *groups: Any) -> None:
+        """Names are plain identifiers, and no name means two things, except a body named after its point."""
+        parameters, lengths, points, bodies = groups
+        for name in [*parameters, *lengths, *points, *(body.name for body in bodies)]:
+            if not IDENTIFIER.fullmatch(name) or name in RESERVED:
+                self.fault(name, "not usable as a name: letters, digits and _ , not pi or ground")
+        for name in set(parameters) & (set(lengths) | set(points)) | (set(lengths) & set(points)):
+            self.fault(name, "one name for two things: rename one of them")
+
+    def joints(self) -> tuple[JointSentence, ...]:
+        """The joint sentences."""
+        sentences = [self.part(f"joints[{index}]", lambda text=text: read_joint(str(text)))  # type: ignore[misc]
+                     for index, text in enumerate(self.section("joints", list))]
+        return tuple(sentence for sentence in sentences if sentence is not None)
+
+    def drivers(self) -> tuple[DriverSentence, ...]:
+        """The inputs."""
+        found = []
+        for index, entry in enumerate(self.section("inputs", list)):
+            path = f"inputs[{index}]"
+            if self.is_table(path, entry, {"motion", "velocity", "acceleration"}, {"motion", "velocity"}):
+                sentence = self.part(path, lambda entry=entry: read_driver(  # type: ignore[misc]
+                    str(entry["motion"]), str(entry["velocity"]), str(entry.get("acceleration", "0"))))
+                found += [sentence] if sentence is not None else []
+        return tuple(found)
+
+    def conditions(self) -> tuple[Condition, ...]:
+        """Inequalities "left < right" or "left <= right"."""
+        found = []
+        for index, text in enumerate(self.section("conditions", list)):
+            condition = self.part(f"conditions[{index}]", lambda text=text: read_condition(str(text)))  # type: ignore[misc]
+            found += [condition] if condition is not None else []
+        return tuple(found)
+
+    def asks(self) -> dict[str, Ask]:
+        """The quantities that may be asked for."""
+        found = {}
+        keys = {"quantity", "unit", "means", "sign", "points", "vanishes", "symbol"}
+        for name, entry in self.section("asks", dict).items():
+            path = f"asks.{name}"
+            if self.is_table(path, entry, keys, {"quantity", "unit"}):
+                ask = self.part(path, lambda name=name, entry=entry: self.ask(name, entry))  # type: ignore[misc]
+                found.update({name: ask} if ask is not None else {})
+        return found
+
+    def ask(self, name: str, entry: Mapping[str, Any]) -> Ask:
+        """One ask."""
+        points = entry.get("points", 0)
+        if not isinstance(points, int) or isinstance(points, bool) or not 0 <= points <= 100:
+            raise ExpressionError("points: expected a whole number from 0 to 100")
+        english, chinese = read_sign(entry.get("sign", "magnitude"))
+        return Ask(name, str(entry.get("symbol", symbol(name))), read(str(entry["quantity"])),
+                   read_unit(str(entry["unit"])), self.translated(entry, "means", f"asks.{name}"),
+                   Translated(english, chinese), points, entry.get("vanishes") is True)
+
+    def published(self, parameters: Mapping[str, Parameter]) -> tuple[Published, ...]:
+        """Published results with the values they hold for."""
+        found = []
+        for index, entry in enumerate(self.section("published", list)):
+            path = f"published[{index}]"
+            if not self.is_table(path, entry, {"source", "given", "gives"}, {"source", "gives"}):
+                continue
+            given = {key: str(value) for key, value in dict(entry.get("given", {})).items()}
+            for key in given:
+                if key not in parameters:
+                    self.fault(path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}')
+            texts = {key: str(value) for key, value in dict(entry["gives"]).items()}
+            trees = {key: self.part(f"{path}.gives.{key}", lambda value=value: read(value))  # type: ignore[misc]
+                     for key, value in texts.items()}
+            known = {key: tree for key, tree in trees.items() if tree is not None}
+            found.append(Published(str(entry["source"]), given, known, texts))
+        return tuple(found)
+
+    def hints(self, points: Mapping[str, Any], bodies: tuple[Body, ...]) -> FigureHints:
+        """The figure's marks."""
+        hints = self.part("figure", lambda: read_hints(
+            self.section("figure", dict), self.name, set(points), {body.name for body in bodies}))
+        return hints if hints is not None else FigureHints()
+
+    def check_uses(self, template: Template) -> None:
+        """Names in expressions are known where they are used; published results and asks belong together."""
+        known = {*template.parameters, *template.lengths, "pi"}
+        for index, driver in enumerate(template.drivers):
+            for tree in (driver.velocity, driver.acceleration):
+                self.check_known(f"inputs[{index}]", tree, known)
+        for name, tree in template.lengths.items():
+            self.check_known(f"lengths.{name}", tree, known)
+        for index, result in enumerate(template.published):
+            for name, tree in result.gives.items():
+                if name not in template.asks:
+                    self.fault(f"published[{index}]", f'no ask "{name}": {did_you_mean(name, template.asks)}')
+                self.check_known(f"published[{index}].gives.{name}", tree, known)
+
+    def check_known(self, path: str, tree: Expression, known: set[str]) -> None:
+        """A fault for every name that is not known at this place."""
+        for name in dict.fromkeys(names(tree)):
+            if name not in known:
+                self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
+
+
+def read_condition(text: str) -> Condition:
+    """The inequality that `text` states."""
+    parts = re.split(r"(<=?)", text)
+    if len(parts) != 3:
+        raise ExpressionError(f'"{text}": expected "left < right" or "left <= right"')
+    return Condition(text, read(parts[0]), read(parts[2]), parts[1] == "<")

@@ -1,0 +1,126 @@
+"""A problem template: the mechanism as data, its parameters, asks, texts and published results.
+
+`reading` makes these from TOML; `assemble` puts numbers in. A template holds no code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.expression import Expression
+from kinegrade.mechanics.mechanism import Body
+from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.sentences import DriverSentence, JointSentence
+from kinegrade.units import Unit
+
+Language = Literal["en", "zh"]
+LANGUAGES: tuple[Language, ...] = ("en", "zh")
+
+
+@dataclass(frozen=True)
+class Translated:
+    """A text in both languages."""
+
+    en: str
+    zh: str
+
+    def in_language(self, language: Language) -> str:
+        """The text in one language."""
+        return self.en if language == "en" else self.zh
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A quantity that is given: its unit, what may be drawn (exact texts in that unit), its published value."""
+
+    name: str
+    symbol: str
+    unit: Unit
+    choices: tuple[str, ...]
+    published: str | None
+    means: Translated
+
+    @property
+    def default(self) -> str:
+        """The published value, or the first drawable one."""
+        return self.published if self.published is not None else self.choices[0]
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A quantity that may be asked for: how it follows from the motion, its unit, sign convention and weight.
+
+    `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that zero is a proper
+    answer.
+    """
+
+    name: str
+    symbol: str
+    quantity: Expression
+    unit: Unit
+    means: Translated
+    sign: Translated
+    points: int
+    vanishes: bool
+
+
+@dataclass(frozen=True)
+class Condition:
+    """left < right (or <=), in SI: what drawn values must fulfil."""
+
+    text: str
+    left: Expression
+    right: Expression
+    strict: bool
+
+
+@dataclass(frozen=True)
+class Published:
+    """What the source gives: parameter values, and results as expressions of the parameters."""
+
+    source: str
+    given: Mapping[str, str]
+    gives: Mapping[str, Expression]
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Template:
+    """One mechanism with its questions; `text` is the file as it was read, kept with every exam."""
+
+    name: str
+    family: str
+    title: Translated
+    statement: Translated
+    source: str
+    parameters: Mapping[str, Parameter]
+    lengths: Mapping[str, Expression]
+    points: Mapping[str, Expression]
+    bodies: tuple[Body, ...]
+    joints: tuple[JointSentence, ...]
+    drivers: tuple[DriverSentence, ...]
+    conditions: tuple[Condition, ...]
+    asks: Mapping[str, Ask]
+    published: tuple[Published, ...]
+    figure: FigureHints
+    text: str
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """The names of the parameters that are angles."""
+        return frozenset(name for name, parameter in self.parameters.items() if parameter.unit.degrees
+                         or parameter.unit.text == "rad")
+
+    @property
+    def combinations(self) -> int:
+        """How many combinations of drawable values there are."""
+        count = 1
+        for parameter in self.parameters.values():
+            count *= len(parameter.choices)
+        return count
+
+    def asked(self) -> tuple[str, ...]:
+        """The asks of an exam that names none: those with points."""
+        return tuple(name for name, ask in self.asks.items() if ask.points)

@@ -1,0 +1,327 @@
+"""Tables as people send them: CSV in any usual encoding and separator, read without losing a line or a cell.
+
+`read_table` is called by the roster and by grading; both report `Complaint`s, the lines of `complaints.csv`.
+`csv_text` and `write_csv` write: UTF-8, LF, comma. `neutralised` keeps a typed cell from running as a formula
+in a spreadsheet, `restored` undoes it.
+"""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import chain, islice
+from pathlib import Path
+
+from kinegrade.errors import TableError
+
+SHOWN_CHARACTERS = 1000
+_SEPARATORS = ",;\t"
+_BLANKS = f"{_SEPARATORS} "
+_INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
+_END = "\x00end of table"
+_MOST_STRAY_QUOTES = (
+    20  # each costs a second reading of the rest; a file with more is read without quotation marks
+)
+_CONTROL_SHARE = 4  # a file of which more than a quarter is control characters is not text
+_CONTROLS = bytes(set(range(32)) - set(b"\t\n\r\f")) + b"\x7f"
+_MARKS = (
+    (codecs.BOM_UTF8, "UTF-8"),
+    (codecs.BOM_UTF32_LE, "UTF-32-LE"),  # before UTF-16, whose mark is its beginning
+    (codecs.BOM_UTF32_BE, "UTF-32-BE"),
+    (codecs.BOM_UTF16_LE, "UTF-16-LE"),
+    (codecs.BOM_UTF16_BE, "UTF-16-BE"),
+)
+_OTHER_FORMATS = (
+    (b"PK\x03\x04", "a spreadsheet or archive"),
+    (b"\xd0\xcf\x11\xe0", "a spreadsheet"),
+    (b"%PDF", "a PDF"),
+    (b"\x89PNG", "a picture"),
+    (b"\xff\xd8\xff", "a picture"),
+    (b"\x1f\x8b", "a compressed file"),
+)
+_FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
+_HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+@dataclass(frozen=True, slots=True)
+class Complaint:
+    """Something a person should look at; `line` is None where no line is to blame."""
+
+    file: str
+    line: int | None
+    column: str
+    content: str
+    problem: str
+    done: str
+
+    def __str__(self) -> str:
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        where = ": ".join(part for part in (place, self.column) if part)
+        return f"{where}: {self.problem} - {self.done}"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One record; `line` is the physical line, counted from 1, at which it begins."""
+
+    line: int
+    cells: tuple[str, ...]
+
+    def cell(self, index: int) -> str:
+        """The cell of that column, empty where the line is too short."""
+        return self.cells[index] if index < len(self.cells) else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table as it stood in the file: cells untouched, ragged rows kept, rows of only blanks left out."""
+
+    file: str
+    header: tuple[str, ...]
+    rows: tuple[Row, ...]
+    encoding: str
+    separator: str
+    complaints: tuple[Complaint, ...]
+
+
+def read_table(path: Path) -> Table:
+    """Reads a CSV file; raises TableError if it is missing, empty or not text."""
+    try:
+        content = path.read_bytes()
+    except OSError as fault:
+        raise TableError(
+            f"{path}: cannot be read ({fault.strerror}) - expected a CSV file - check the name"
+        ) from fault
+    return parse_table(content, path.name)
+
+
+def parse_table(content: bytes, file: str) -> Table:
+    """Reads the bytes of a CSV file; `file` is its name in messages. Raises TableError.
+
+    >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
+    (Row(line=2, cells=('007', '0,5')),)
+    """
+    _refuse_other_formats(content, file)
+    text, encoding, complaints = _decoded(content, file)
+    with _cells_of_any_size(text):
+        separator, width = _separator(text)
+        records, stray_quotes = _records(text, separator, width)
+    filled = [Row(line, tuple(cells)) for line, cells in records if any(map(trimmed, cells))]
+    if not filled:
+        raise TableError(f"{file}: is empty - expected a line of column names - send a CSV file")
+    header, *rows = filled
+    complaints += [_stray_quote(file, line) for line in stray_quotes]
+    complaints += _ragged(rows, len(header.cells), file)
+    return Table(file, header.cells, tuple(rows), encoding, separator, tuple(complaints))
+
+
+def trimmed(text: str) -> str:
+    """Without surrounding blanks of any kind: no-break, ideographic, zero-width, byte-order mark.
+
+    >>> trimmed("\\u3000 007\\u200b ")
+    '007'
+    """
+    while (bare := text.strip().strip(_INVISIBLE)) != text:
+        text = bare
+    return text
+
+
+def header_key(text: str) -> str:
+    """A column name as it is compared: no full-width forms, one blank for many, no upper case.
+
+    >>> header_key(" Q1\\uff0ev_B ")
+    'q1.v_b'
+    """
+    return " ".join(trimmed(unicodedata.normalize("NFKC", text)).casefold().split())
+
+
+def shortened(text: str) -> str:
+    """A cell fit for a report: what is longer than SHOWN_CHARACTERS is cut and says so."""
+    if len(text) <= SHOWN_CHARACTERS:
+        return text
+    return f"{text[:SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
+
+
+def neutralised(text: str) -> str:
+    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line break.
+
+    Plain numbers and a lone dash stay as they are. `restored` is exact, because apostrophes typed
+    before such a sign get one more.
+
+    >>> neutralised("=1+1"), neutralised("-12"), neutralised("O'Neil")
+    ("'=1+1", '-12', "O'Neil")
+    """
+    if not _FORMULA.match(text) or _HARMLESS.fullmatch(text):
+        return text
+    return f"'{text}"
+
+
+def restored(text: str) -> str:
+    """The cell that `neutralised` was given."""
+    return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
+
+
+def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
+    lines = _Lines()
+    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
+    csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
+    return "".join(f"{line[:-2]}\n" for line in lines.written)
+
+
+def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Writes a CSV file: UTF-8 without mark, LF, comma; a lone surrogate is written out as an escape."""
+    path.write_bytes(csv_text(header, rows).encode("utf-8", "backslashreplace"))
+
+
+class _Lines:
+    """Takes the csv module's output a record at a time."""
+
+    def __init__(self) -> None:
+        self.written: list[str] = []
+
+    def write(self, line: str) -> None:
+        self.written.append(line)
+
+
+def _refuse_other_formats(content: bytes, file: str) -> None:
+    kinds = [kind for beginning, kind in _OTHER_FORMATS if content.startswith(beginning)]
+    sample = content[:65536]
+    controls = len(sample) - len(sample.translate(None, _CONTROLS))
+    if not kinds and _byte_order_mark(content) is None and controls * _CONTROL_SHARE > len(sample):
+        kinds = ["not text"]
+    if kinds:
+        raise TableError(f"{file}: is {kinds[0]} - expected a CSV file - save the sheet as CSV (UTF-8)")
+
+
+def _byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
+    return next((pair for pair in _MARKS if content.startswith(pair[0])), None)
+
+
+def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
+    mark, encoding = _byte_order_mark(content) or (b"", "UTF-8")
+    body = content[len(mark) :]
+    try:
+        return body.decode(encoding), encoding, []
+    except UnicodeDecodeError as fault:
+        line = body.count(b"\n", 0, fault.start) + 1
+        shown = fault.object[fault.start : fault.start + 8].hex(" ")
+    text, assumed = _assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
+    problem = f"not valid {encoding} from this line on (bytes {shown})"
+    done = f"read as {assumed}; look at the names, or save the file as CSV UTF-8"
+    return text, assumed, [Complaint(file, line, "", "", problem, done)]
+
+
+def _assumed(body: bytes) -> tuple[str, str]:
+    """What most people's spreadsheets write when it is not UTF-8, in China and in Europe."""
+    for encoding, is_likely in (("GB18030", _is_chinese), ("Windows-1252", bool)):
+        try:
+            text = body.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if is_likely(text):
+            return text, encoding
+    return body.decode("utf-8", "backslashreplace"), "UTF-8 with the strange bytes written out"
+
+
+def _is_chinese(text: str) -> bool:
+    """Whether most characters beyond ASCII are the common ones of GB 2312; a Western text gives rare ones."""
+    beyond = [character for character in text if not character.isascii()]
+    common = "".join(beyond).encode("gb2312", "ignore").decode("gb2312")
+    return 2 * len(common) > len(beyond)
+
+
+@contextmanager
+def _cells_of_any_size(text: str) -> Iterator[None]:
+    before = csv.field_size_limit(len(text) + len(_END) + 1)
+    try:
+        yield
+    finally:
+        csv.field_size_limit(before)
+
+
+def _separator(text: str) -> tuple[str, int]:
+    """The separator that makes most columns of the header (a comma when there is one), and how many."""
+
+    def columns(separator: str) -> int:
+        records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        return next(
+            (len(cells) for cells in records if any(trimmed(cell).strip(_BLANKS) for cell in cells)), 0
+        )
+
+    separator = max(_SEPARATORS, key=columns)
+    return separator, columns(separator)
+
+
+def _records(text: str, separator: str, width: int) -> tuple[list[tuple[int, list[str]]], list[int]]:
+    """All records with the lines they begin at, and the lines with a stray quotation mark.
+
+    A quotation mark is stray if it is never closed, or closed on a later line so that the record has not the
+    header's width or is not proper CSV. Such a line is read by itself, or it would swallow those after it.
+    """
+    lines = list(io.StringIO(text, newline=""))
+    records: list[tuple[int, list[str]]] = []
+    stray: list[int] = []
+    first = 0
+    while True:
+        quoting = len(stray) < _MOST_STRAY_QUOTES
+        for line, cells, after in _read(lines, first, separator, quoting):
+            if after - line > 1 and (
+                len(cells) != width or not _is_strict(lines[line - 1 : after - 1], separator)
+            ):
+                records.append((line, lines[line - 1].rstrip("\r\n").split(separator)))
+                stray.append(line)
+                first = line
+                break
+            records.append((line, cells))
+        else:
+            return records[:-1], stray
+
+
+def _read(
+    lines: list[str], first: int, separator: str, quoting: bool
+) -> Iterator[tuple[int, list[str], int]]:
+    """Records from the index `first` on, each with its line and the next; the last is the end mark."""
+    source = chain(islice(lines, first, None), [_END])
+    if quoting:
+        reader = csv.reader(source, delimiter=separator)
+    else:
+        reader = csv.reader(source, delimiter=separator, quoting=csv.QUOTE_NONE)
+    line = first + 1
+    for cells in reader:
+        after = first + reader.line_num + 1
+        yield line, cells, after
+        line = after
+
+
+def _is_strict(lines: list[str], separator: str) -> bool:
+    try:
+        list(csv.reader(lines, delimiter=separator, strict=True))
+    except csv.Error:
+        return False
+    return True
+
+
+def _stray_quote(file: str, line: int) -> Complaint:
+    problem = "a quotation mark is opened and not closed where it should be"
+    return Complaint(file, line, "", "", problem, "the line is read by itself, its quotation marks as typed")
+
+
+def _ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
+    for row in rows:
+        count, surplus = len(row.cells), row.cells[width:]
+        problem = f"the line has {count} cells, the header {width}"
+        if count < width:
+            yield Complaint(file, row.line, "", "", problem, "the missing cells are taken as blank")
+        elif any(map(trimmed, surplus)):
+            content = csv_text([shortened(cell) for cell in surplus], []).rstrip("\n")
+            done = (
+                "the surplus is kept here only; if a comma inside a cell is to blame, put the cell in quotes"
+            )
+            yield Complaint(file, row.line, "", content, problem, done)

@@ -1,0 +1,74 @@
+"""Units as textbooks write them: factors to SI, and how they print.
+
+Inside, everything is in SI with angles in radians; degrees and millimetres live only at the edges. A unit is a
+product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per second and is not known here.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq
+
+from kinegrade.errors import ExpressionError
+
+FACTORS: dict[str, tuple[Any, str]] = {
+    "m": (fmpq(1), "length"), "cm": (fmpq(1, 100), "length"), "mm": (fmpq(1, 1000), "length"),
+    "km": (fmpq(1000), "length"), "s": (fmpq(1), "time"), "min": (fmpq(60), "time"), "h": (fmpq(3600), "time"),
+    "rad": (fmpq(1), "angle"), "deg": (fmpq(1), "angle"), "1": (fmpq(1), "number"),
+}
+PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit: its text, its factor to SI (degrees excepted: see `degrees`), and its dimension.
+
+    `length` and `time` are exponents; `angle` tells radians from plain numbers.
+    """
+
+    text: str
+    factor: Any
+    length: int
+    time: int
+    angle: int
+
+    @property
+    def degrees(self) -> bool:
+        """Whether this is the degree, which enters and leaves as an angle and not by a factor."""
+        return self.text == "deg"
+
+    @property
+    def latex(self) -> str:
+        """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure numbers."""
+        if self.degrees:
+            return r"^\circ"
+        body = re.sub(r"([a-z]+)", r"\\mathrm{\1}", self.text)
+        return "" if self.text == "1" else body
+
+    @property
+    def printed(self) -> str:
+        """The unit in plain text for people: superscripts and the degree sign."""
+        return self.text.replace("^2", "²").replace("deg", "°")
+
+
+def read_unit(text: str) -> Unit:
+    """The unit written as `text`. Raises ExpressionError naming what is not known.
+
+    >>> read_unit("mm/s^2").factor, read_unit("rad/s").angle
+    (1/1000, 1)
+    """
+    factor, exponents, place = fmpq(1), {"length": 0, "time": 0, "angle": 0, "number": 0}, 0
+    while place < len(text) or not place:
+        match = PART.match(text, place)
+        if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
+            raise ExpressionError(f'unit "{text}": expected a product like m/s^2 of {", ".join(sorted(FACTORS))}')
+        size, dimension = FACTORS[match["name"]]
+        power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
+        factor, place = factor * size**power, match.end()
+        exponents[dimension] += power
+    if "deg" in text and text != "deg":
+        raise ExpressionError(f'unit "{text}": degrees stand alone: use rad for rates')
+    return Unit(text, factor, exponents["length"], exponents["time"], exponents["angle"])

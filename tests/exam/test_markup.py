@@ -1,0 +1,77 @@
+"""Markdown becomes Typst content; what an exam does not need is refused by name."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.markup import line, prose
+
+WORDS = {"strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
+
+
+@pytest.mark.parametrize(
+    ("markdown", "expected"),
+    [
+        ("The *crank* $OA$", '{"The ";emph({"crank";});" ";$O A$;}'),
+        ("a\n\n**b**", '{"a";parbreak();strong({"b";});}'),
+        ("- a\n- $b$", '{list({"a";},{$b$;},);}'),
+        ("3. a", '{enum(start: 3, {"a";},);}'),
+        ("so $$x = 1$$", '{"so ";$ x = 1 $;}'),
+        ("$$\nx\n$$", "{$ x $;}"),
+        ("the rod\nAB", '{"the rod";" ";"AB";}'),
+        ("曲柄\n转动", '{"曲柄";"转动";}'),
+        ("the slider's pin", '{"the slider’s pin";}'),
+        (r"5 \$ \* \# &amp;", r'{"5 $ * # &";}'),
+    ],
+)
+def test_what_an_exam_needs(markdown: str, expected: str) -> None:
+    assert prose(markdown, "q1").replace('";"', "") == expected.replace('";"', "")
+
+
+@pytest.mark.parametrize(
+    ("markdown", "name"),
+    [
+        ("![a](b.png)", "an image (a)"),
+        ("<b>x</b>", "raw HTML (<b>)"),
+        ("<div>", "raw HTML (<div>)"),
+        ("[a](b)", "a link"),
+        ("# a", "a heading"),
+        ("> a", "a quotation"),
+        ("`a`", "code (a)"),
+        ("```\na\n```", "code (a)"),
+        ("    a", "code (a line indented by four blanks) (a)"),
+        ("---", "a rule across the page"),
+        ("$$\nx\n$$ (eq)", "a labelled formula (x)"),
+    ],
+)
+def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
+    with pytest.raises(TypesetError) as refusal:
+        prose(markdown, "q1, statement")
+    expected = (
+        f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, lists and $math$"
+    )
+    assert refusal.value.problems[0].startswith(expected)
+
+
+def test_all_faults_of_a_text_are_told_at_once() -> None:
+    with pytest.raises(TypesetError) as refusal:
+        prose("# a\n\n`b` $\\foo$ $\\baz$", "q1")
+    assert len(refusal.value.problems) == 4
+
+
+@given(st.text(st.sampled_from('ab #$*_`\\"(){}[]<>@-1.\n!/;'), max_size=30))
+def test_no_text_becomes_code(text: str) -> None:
+    """Outside of string literals and formulas there are only the words of `markup` itself."""
+    try:
+        source = prose(text, "q1") + line(text, "q1")
+    except TypesetError:
+        return
+    code = re.sub(r'"(?:[^"\\]|\\.)*"', "", source)
+    code = re.sub(r"\$[^$#]*\$", "", code)
+    assert set(re.findall(r"[^\W\d]+", code)) <= WORDS
+    assert not set(code) & set('#$@\\"`')

@@ -1,0 +1,118 @@
+"""The class as registries export it: ids stay texts, and everybody gets a paper."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.errors import TableError
+from kinegrade.exam.roster import Roster, Student, file_names, parse_roster, read_roster
+
+
+def roster(text: str) -> Roster:
+    return parse_roster(text.encode(), "roster.csv")
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "student,name,email",
+        "ID,Full Name,E-mail",
+        "ID number,NAME,Email address",
+        "学号,姓名,邮箱",
+        "\ufeffStudent ID, name ,EMAIL",
+    ],
+)
+def test_columns_are_known_by_their_usual_names(header: str) -> None:
+    found = roster(f"{header}\n 007 ,王伟,w@x.cn\n")
+    assert found == Roster((Student("007", "王伟", "w@x.cn", "007"),), ())
+
+
+def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> None:
+    path = tmp_path / "roster.csv"
+    path.write_text('Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;12\n', encoding="utf-8")
+    assert [(each.student, each.name, each.email) for each in read_roster(path).students] == [
+        ("0012", "Müller; Jürgen", ""),
+        ("12", "Ann Lee", ""),
+    ]
+
+
+def test_two_students_may_have_one_name_but_not_one_id() -> None:
+    assert len(roster("student,name\n1,Ann\n2,Ann\n").students) == 2
+    with pytest.raises(
+        TableError, match='roster.csv: student id "007" stands on lines 2 and 4 - expected each id'
+    ):
+        roster("student,name\n007,Ann\n7,Bob\n００７,Cy\n")
+
+
+def test_all_faults_are_reported_at_once() -> None:
+    with pytest.raises(TableError) as caught:
+        roster("student,name\n,Ann\n1,Bob\n1,Cy\n \u3000,Dan\n")
+    assert caught.value.problems == (
+        'roster.csv:2: no student id ("Ann") - expected one on every line - add it',
+        'roster.csv:5: no student id ("Dan") - expected one on every line - add it',
+        'roster.csv: student id "1" stands on lines 3 and 4 - expected each id once - correct or delete one',
+    )
+
+
+def test_missing_columns_are_named_with_what_is_there() -> None:
+    with pytest.raises(TableError) as caught:
+        roster("number,surname\n1,Ann\n")
+    assert [problem.split(" - ")[0] for problem in caught.value.problems] == [
+        'roster.csv: no column "student"',
+        'roster.csv: no column "name"',
+    ]
+    assert "the columns here are: number, surname" in caught.value.problems[0]
+
+
+def test_a_roster_without_students_is_refused() -> None:
+    with pytest.raises(TableError, match="roster.csv: has no students"):
+        roster("student,name\n")
+
+
+def test_a_student_without_a_name_gets_a_paper_and_a_complaint() -> None:
+    found = roster("student,name\n007,\n")
+    assert found.students[0].name == ""
+    assert [str(complaint) for complaint in found.complaints] == [
+        "roster.csv:2: name: no name - the paper carries the id alone"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("student", "stem"),
+    [
+        ("007", "007"),
+        ("S1234-b_c.d", "S1234-b_c.d"),
+        ("../x", "%2E.%2Fx"),
+        ("a/b", "a%2Fb"),
+        ("CON", "%43ON"),
+        ("nul.txt", "%6Eul.txt"),
+        ("a\0\n", "a%00%0A"),
+        ("学1", "%E5%AD%A61"),
+        ("~", "%7E"),
+        ("50%", "50%25"),
+    ],
+)
+def test_file_names_are_safe_and_plain_ids_stay_plain(student: str, stem: str) -> None:
+    assert file_names([student]) == {student: stem}
+
+
+def test_ids_that_differ_only_by_case_get_files_that_do_not() -> None:
+    assert file_names(["abc", "ABC", "X"]) == {"abc": "abc", "ABC": "%41%42%43", "X": "X"}
+    assert len({stem.lower() for stem in file_names(["con", "CON", "Con"]).values()}) == 3
+
+
+def test_long_ids_get_short_files() -> None:
+    stems = file_names(["x" * 500, "x" * 501, "X" * 500])
+    assert len({stem.lower() for stem in stems.values()}) == 3
+    assert max(map(len, stems.values())) <= 100
+
+
+@given(st.sets(st.text(st.sampled_from("aA%cCoOnN.~-/2E é\0"), min_size=1, max_size=5), max_size=60))
+def test_file_names_differ_on_every_file_system(students: set[str]) -> None:
+    stems = file_names(students).values()
+    assert len({stem.lower() for stem in stems}) == len(students)
+    assert all(stem.isascii() and not set(stem) & set("/\\: \0") and stem[0] != "." for stem in stems)

@@ -1,0 +1,180 @@
+"""Papers and keys come out as PDF: whole, the same every time, and never with a box for a character."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.document import Paper
+from kinegrade.exam.join import join, page_count
+from kinegrade.exam.typst import KEY_CHUNK, TypstPress
+from kinegrade.figure.scene import Scene
+from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
+
+NAMES = [
+    '#read("/etc/passwd")',
+    "$x$ *a* _b_ `c`",
+    'O\'Brien, "Zoë"',
+    r"\u{41} \\ \n",
+    "@ref <label> [x] {y} // z /* u",
+    "O'Neil Zoë",
+    "Müller, Jürgen",
+    "Đặng Thị Hồng",
+    "欧阳修远",
+    "张喆 堃玥珺翀昇祎骉䶮",
+    "Łukasz Żółć, Ştefan Ğül, Ὀδυσσεύς, Юлия",
+    "Maximiliane-Charlotte von Hohenzollern-Sigmaringen zu Würzburg",
+]
+
+
+@pytest.fixture(scope="module")
+def press() -> TypstPress:
+    return TypstPress()
+
+
+def pages_of(pdf: bytes, folder: Path) -> list[str]:
+    """The text of each page, blanks taken out (a PDF does not keep them faithfully)."""
+    file = folder / "read.pdf"
+    file.write_bytes(pdf)
+    return ["".join(page.extract_text().split()) for page in PdfReader(file).pages]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_is_printed_as_it_is(press: TypstPress, name: str, tmp_path: Path) -> None:
+    pages = pages_of(press.paper(replace(ENGLISH, name=name)), tmp_path)
+    assert "".join(name.split()) in pages[0]
+
+
+def test_plain_text_never_becomes_code(press: TypstPress, tmp_path: Path) -> None:
+    code = '#read("x")$y$'
+    hostile = replace(ENGLISH, course=code, title=code, date=code, student=code, code=code)
+    (page,) = pages_of(press.paper(hostile), tmp_path)
+    assert page.count(code) == 7  # student and paper's code stand in the footer, too
+
+
+@pytest.mark.parametrize(
+    ("paper", "expected"),
+    [
+        (
+            ENGLISH,
+            ["MidtermexaminationName", "Question1", "7points", "Total7", "PaperA-0001", "page1of1", "m/s"],
+        ),
+        (CHINESE, ["理论力学", "第1题", "7分", "试卷编号A-0001", "第1页，共1页", "“图示瞬时”", "向右为正"]),
+    ],
+)
+def test_the_page_says_everything(
+    press: TypstPress, paper: Paper, expected: list[str], tmp_path: Path
+) -> None:
+    (page,) = pages_of(press.paper(paper), tmp_path)
+    assert [text for text in expected if text not in page] == []
+
+
+def test_same_input_same_bytes(press: TypstPress) -> None:
+    assert press.paper(CHINESE) == press.paper(CHINESE) == TypstPress().paper(CHINESE)
+    assert press.key(key_book(1)) == press.key(key_book(1))
+
+
+def test_letter_paper_is_wider_than_a4(tmp_path: Path) -> None:
+    file = tmp_path / "letter.pdf"
+    file.write_bytes(TypstPress("letter").paper(ENGLISH))
+    assert PdfReader(file).pages[0].mediabox.width == 612
+
+
+def test_a_question_stays_on_one_page(press: TypstPress, tmp_path: Path) -> None:
+    tall = replace(ENGLISH_QUESTION, rows=ENGLISH_QUESTION.rows[:1] * 11)
+    questions = tuple(replace(tall, number=number) for number in (1, 2, 3))
+    pages = pages_of(press.paper(replace(ENGLISH, questions=questions)), tmp_path)
+    assert [page.count("Youranswer") for page in pages] == [1, 1, 1]
+
+
+def test_a_question_longer_than_a_page_goes_on_overleaf(press: TypstPress, tmp_path: Path) -> None:
+    long = replace(ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120)))
+    pages = pages_of(press.paper(replace(ENGLISH, questions=(long,))), tmp_path)
+    assert len(pages) >= 3
+    assert all(f"Sentence{index}." in "".join(pages) for index in range(120))
+
+
+@pytest.mark.parametrize("width", [60.0, 120.0])
+def test_a_figure_takes_its_room(press: TypstPress, width: float) -> None:
+    figure = Scene(width=width, height=200.0, scale=1.0, primitives=())
+    with_figure = replace(CHINESE_QUESTION, figure=figure)
+    pdf = press.paper(replace(CHINESE, questions=(CHINESE_QUESTION, with_figure)))
+    assert page_count(pdf) == 2
+
+
+def test_a_character_without_a_font_in_a_name_is_printed_as_its_code_point(
+    press: TypstPress, tmp_path: Path
+) -> None:
+    pages = pages_of(press.paper(replace(ENGLISH, name="Zoë 😀")), tmp_path)
+    assert "Zoë[U+1F600]" in pages[0]
+    assert press.unprintable(["Zoë 😀", "한국", "张喆"]) == frozenset("😀한국")
+
+
+def test_a_character_without_a_font_elsewhere_is_refused(press: TypstPress) -> None:
+    question = replace(ENGLISH_QUESTION, statement="The crank 😀 turns.")
+    with pytest.raises(TypesetError) as refusal:
+        press.paper(replace(ENGLISH, questions=(question,)))
+    assert refusal.value.problems == (
+        "paper A-0001, q1: no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic or Chinese;"
+        " write it otherwise",
+    )
+    with pytest.raises(TypesetError, match=r"^paper A-0001: no font prints 한 \(U\+D55C\)"):
+        press.paper(replace(ENGLISH, course="한"))
+
+
+def test_all_faults_of_a_paper_are_told_at_once(press: TypstPress) -> None:
+    question = replace(ENGLISH_QUESTION, title="# a `b`", statement=r"$\foo$", figure=None)
+    with pytest.raises(TypesetError) as refusal:
+        press.paper(
+            replace(ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2")))
+        )
+    wheres = [problem.split(":")[0] for problem in refusal.value.problems]
+    assert wheres == ["rules", "q1, title", "q1, statement", "q2, title", "q2, statement"]
+
+
+def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) -> None:
+    question = replace(ENGLISH_QUESTION, statement=r"$\infty{y}$")
+    with pytest.raises(TypesetError) as refusal:
+        press.paper(replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2"))))
+    assert refusal.value.problems == (
+        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; mend the formulas",
+    )
+
+
+def test_page_images_are_png(press: TypstPress) -> None:
+    images = press.page_images(replace(ENGLISH, name="😀"), ppi=30)
+    assert [image[:4] for image in images] == [b"\x89PNG"]
+
+
+def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(press: TypstPress, tmp_path: Path) -> None:
+    book = key_book(KEY_CHUNK + 5)
+    named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
+    pages = pages_of(press.key(named), tmp_path)
+    assert all("INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1))
+    assert "[U+1F600]" in pages[0]
+    for text in ("1.15470", "−0.957427", "[1.14315,1.16625]", "A-0000", "Given:", "0.25m"):
+        assert text in pages[0]
+
+
+def test_an_empty_key_is_one_page(press: TypstPress) -> None:
+    assert page_count(press.key(key_book(0))) == 1
+
+
+def test_a_key_that_cannot_be_printed_says_why(press: TypstPress) -> None:
+    with pytest.raises(TypesetError, match=r"^key: no font prints 한"):
+        press.key(replace(key_book(1), course="한"))
+
+
+def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:
+    files = [tmp_path / name for name in ("b.pdf", "a.pdf")]
+    for file in files:
+        file.write_bytes(press.paper(replace(ENGLISH, name=file.name)))
+    join(files, tmp_path / "all.pdf")
+    join(files, tmp_path / "again.pdf")
+    pages = pages_of((tmp_path / "all.pdf").read_bytes(), tmp_path)
+    assert ["b.pdf" in pages[0], "a.pdf" in pages[1], len(pages)] == [True, True, 2]
+    assert (tmp_path / "all.pdf").read_bytes() == (tmp_path / "again.pdf").read_bytes()

@@ -1,0 +1,145 @@
+"""What every figure keeps, whatever the mechanism: to scale, on its paper, nothing written over anything."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import combinations
+from math import hypot
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mechanisms import (
+    EIGHT,
+    Case,
+    follower_curvature,
+    hinted,
+    planetary_velocities,
+    slider_crank,
+    slotted_bar,
+)
+from more_mechanisms import MORE
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.layers import draw
+from kinegrade.figure.paper import to_paper
+from kinegrade.figure.place import Obstacles, boxes_about
+from kinegrade.figure.scene import BOLD, FIRM, Bow, Disc, Label, Outline, Scene, Strokes, box_of
+from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
+from kinegrade.mechanics.vector import Vector
+
+CASES = [
+    pytest.param(build, values, id=f"{name}-{number}")
+    for name, (build, postures) in {**EIGHT, **MORE}.items()
+    for number, values in enumerate(postures)
+]
+
+
+def check(scene: Scene) -> None:
+    boxes = [box_of(label) for label in scene.labels]
+    assert not any(one.meets(other) for one, other in combinations(boxes, 2))
+    lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen is not None]
+    bold = Obstacles(part for part in lines if part.pen and part.pen.width >= BOLD.width)
+    for label in scene.labels:
+        room = boxes_about(np.array([label.centre]), label.width, label.height)
+        assert bold.costs(room).sum() == 0, label.symbol
+    for part in scene.primitives:
+        box = box_of(part)
+        assert min(box.left, box.bottom) > -1e-6
+        assert box.right < scene.width + 1e-6
+        assert box.top < scene.height + 1e-6
+    assert scene.width <= WIDTH
+    assert scene.height <= HEIGHT
+
+
+@pytest.mark.parametrize(("build", "values"), CASES)
+def test_labels_are_clear_and_everything_is_on_the_paper(
+    build: Callable[..., Case], values: tuple[float, ...]
+) -> None:
+    check(sketch(*build(*values)))
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.floats(0.1, 0.5), st.floats(1.5, 4.0), st.integers(10, 170))
+def test_slider_cranks_of_any_draw_are_clear(r: float, k: float, phi: int) -> None:
+    check(sketch(*slider_crank(r, k, phi)))
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.floats(0.04, 0.12), st.integers(15, 70))
+def test_slotted_bars_of_any_draw_are_clear(length: float, theta: int) -> None:
+    check(sketch(*slotted_bar(length, theta)))
+
+
+def centres(scene: Scene) -> list[Vector]:
+    return [part.centre for part in scene.primitives if isinstance(part, Disc)]
+
+
+def test_the_scale_is_true_for_both_axes() -> None:
+    scene = sketch(*slider_crank(0.2, 1.75, 60))
+    o, a, b = sorted(centres(scene), key=lambda centre: centre.x)
+    assert hypot(a.x - o.x, a.y - o.y) == pytest.approx(0.2 * scene.scale)
+    assert hypot(b.x - a.x, b.y - a.y) == pytest.approx(0.35 * scene.scale)
+
+
+def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
+    case = planetary_velocities(0.3, 0.2, 30)
+    drawing = draw(to_paper(case[0], 40.0), case[1].shapes)
+    sun, planet = drawing.rims
+    assert (sun.kind, planet.kind) == ("gear", "gear")
+    assert hypot(planet.at.x - sun.at.x, planet.at.y - sun.at.y) == pytest.approx(sun.radius + planet.radius)
+
+
+def test_a_cam_is_a_closed_profile_not_its_circle_of_curvature() -> None:
+    mechanism, hints = follower_curvature(0.3, 30, 0.25)
+    parts = draw(to_paper(mechanism, 60.0), hints.shapes).primitives
+    assert any(isinstance(part, Outline) and part.closed and len(part.corners) > 60 for part in parts)
+    assert not any(isinstance(part, Disc) and part.radius > 3 for part in parts)
+
+
+def symbols(case: Case) -> set[str]:
+    return {label.symbol for label in sketch(*case).labels}
+
+
+def test_free_ends_carry_the_letters_of_their_bodies() -> None:
+    assert {"A", "B", "C", "D", "E"} <= symbols(slotted_bar(0.06, 30))
+
+
+def test_an_angle_of_zero_has_no_mark() -> None:
+    assert "\\varphi" not in symbols(planetary_velocities(0.3, 0.2, 0))
+    assert "\\varphi" in symbols(planetary_velocities(0.3, 0.2, 200))
+
+
+def test_an_arrow_follows_the_sign_of_what_is_imposed() -> None:
+    mechanism, hints = slider_crank(0.2, 1.75, 60)
+    bows = [
+        part for part in sketch(mechanism, hints).primitives if isinstance(part, Bow) and part.pen == FIRM
+    ]
+    assert [bow.sweep < 0 for bow in bows] == [True]
+
+
+def test_without_hints_the_mechanism_and_its_points_are_drawn() -> None:
+    mechanism, _ = slider_crank(0.2, 1.75, 60)
+    scene = sketch(mechanism)
+    assert {label.symbol for label in scene.labels} == {"O", "A", "B"}
+    bold = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == BOLD]
+    assert len(bold) == 2
+
+
+def test_the_same_mechanism_gives_the_same_figure() -> None:
+    assert sketch(*slotted_bar(0.06, 30)) == sketch(*slotted_bar(0.06, 30))
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        ({"radii": [{"symbol": "r", "centre": "O"}]}, "figure.radii: no circle about 'O'"),
+        ({"labels": {"ground": "1"}}, "figure.labels.ground: no circle and no bar of 'ground' is drawn"),
+    ],
+)
+def test_a_hint_about_what_is_not_there_is_refused(table: dict[str, Any], message: str) -> None:
+    mechanism, _ = slider_crank(0.2, 1.75, 60)
+    with pytest.raises(TemplateError, match=message):
+        sketch(*hinted(mechanism, **table))

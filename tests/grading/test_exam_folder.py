@@ -1,0 +1,176 @@
+"""The exam folder: digits are taken as they stand, and every fault is named."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
+
+from kinegrade.errors import ExamError
+from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.key import Ask, Key
+
+Change = Callable[[dict[str, Any], list[Any]], object]
+
+
+def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
+    found = read_exam(exam_folder)
+    assert found.asks == (
+        Ask("q1", "v_B", "m/s", Fraction(4)),
+        Ask("q1", "omega_AB", "rad/s", Fraction(3)),
+        Ask("q2", "a_B", "m/s^2", Fraction(5, 2)),
+    )
+    assert found.questions == ("q1", "q2")
+    assert [(each.student, each.name) for each in found.examinees] == list(STUDENTS.items())
+    assert found.examinees[0].keys == {
+        "q1.v_B": Key(Fraction(HALF_ROOT_12), Fraction(HALF_ROOT_12) / 100),
+        "q1.omega_AB": Key(Fraction(0), Fraction(2, 1000)),
+        "q2.a_B": Key(Fraction(-1, 8), Fraction(1, 80)),
+    }
+
+
+def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
+    head, papers = exam(), [paper(student) for student in STUDENTS]
+    change(head, papers)
+    folder = write_exam(tmp_path / "EXAM", head, papers)
+    with pytest.raises(ExamError) as caught:
+        read_exam(folder)
+    return tuple(problem.removeprefix(f"{folder}/") for problem in caught.value.problems)
+
+
+def asks(paper: dict[str, Any], question: int = 0) -> dict[str, Any]:
+    found: dict[str, Any] = paper["questions"][question]["asks"]
+    return found
+
+
+CHANGES: list[tuple[Change, str]] = [
+    (lambda head, _: head.update(format=2), 'exam.json: "format" is 2 - expected 1'),
+    (lambda head, _: head.pop("format"), 'exam.json: no "format" that is a number'),
+    (
+        lambda head, _: head.pop("questions"),
+        'exam.json: no list "questions" - expected one that is not empty',
+    ),
+    (lambda head, _: head.update(students=[]), 'exam.json: no list "students"'),
+    (lambda head, _: head["students"].append(7), 'exam.json: students 5: no "student" that is a text'),
+    (lambda head, _: head["students"][1].update(student=" "), 'exam.json: students 2: "student" is empty'),
+    (lambda head, _: head["students"][1].update(student="００７"), 'student "007" stands there 2 times'),
+    (
+        lambda head, _: head["questions"][1].update(question="q1"),
+        'key.jsonl: line 1: student "007": the asks differ',
+    ),
+    (lambda head, _: head["questions"][1].update(question="total"), "questions 2: \"question\" is 'total'"),
+    (lambda head, _: head["questions"][1].update(question="<b>"), "questions 2: \"question\" is '<b>'"),
+    (lambda head, _: head["questions"][1].update(asks=[]), "questions 2: question q2 asks nothing"),
+    (
+        lambda head, _: head["questions"][1]["asks"][0].update(points=-1),
+        '"points" is -1 - expected zero or more',
+    ),
+    (
+        lambda head, _: head["questions"][1]["asks"][0].update(points="many"),
+        "\"points\" is 'many' - expected a",
+    ),
+    (lambda _, papers: papers.pop(2), 'key.jsonl: no line for student "S9" - expected one'),
+    (lambda _, papers: papers.append(paper("x")), 'key.jsonl: student "x" is not in exam.json'),
+    (lambda _, papers: papers.append(paper("007")), 'key.jsonl: student "007" stands there 2 times'),
+    (
+        lambda _, papers: asks(papers[1]).pop("v_B"),
+        'line 2: student "0012": the asks differ from exam.json in q1.v_B',
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(unit="m"),
+        "q1.v_B: unit or points differ from exam.json",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(points=5),
+        "q1.v_B: unit or points differ from exam.json",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(value=1.8),
+        "q1.v_B: decimal, value say different numbers",
+    ),
+    (
+        lambda _, papers: asks(papers[1], 1)["a_B"].update(exact="1/8"),
+        "q2.a_B: exact, decimal, value say different",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(decimal="1e"),
+        "q1.v_B: \"decimal\" is '1e' - expected a number",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(decimal=None, value=None),
+        'neither "decimal" nor "value"',
+    ),
+    (lambda _, papers: asks(papers[1])["v_B"].pop("tolerance"), 'q1.v_B: no "tolerance" that is an object'),
+    (
+        lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(relative=-1),
+        '"relative" is -1 - expected zero',
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(value=float("nan")),
+        "line 2: broken JSON (NaN is not a number)",
+    ),
+    (lambda _, papers: papers.__setitem__(1, "text"), 'line 2: no "student" that is a text'),
+]
+
+
+@pytest.mark.parametrize(("change", "fault"), CHANGES)
+def test_each_fault_is_named(tmp_path: Path, change: Change, fault: str) -> None:
+    found = faults(tmp_path, change)
+    assert any(fault in each for each in found), found
+    assert all(each.endswith(" - restore the exam folder as it was generated") for each in found)
+
+
+def test_all_faults_are_reported_at_once(tmp_path: Path) -> None:
+    def change(_: dict[str, Any], papers: list[Any]) -> None:
+        del papers[0]["student"]
+        del papers[1]["questions"]
+        asks(papers[3])["v_B"]["unit"] = "m"
+
+    assert [each.split(":")[1] for each in faults(tmp_path, change)] == [" line 1", " line 2", " line 4"]
+
+
+def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
+    papers = [paper(student) for student in STUDENTS]
+    for each in papers:
+        del asks(each)["v_B"]["decimal"]
+    found = read_exam(write_exam(tmp_path / "EXAM", exam(), papers))
+    assert found.examinees[0].keys["q1.v_B"].value == Fraction("1.7320508075688772")
+
+
+@pytest.mark.parametrize("name", ["exam.json", "key.jsonl"])
+@pytest.mark.parametrize(
+    ("content", "fault"),
+    [
+        (
+            None,
+            "cannot be read (No such file or directory) - expected an exam folder made by kinegrade generate",
+        ),
+        (b"\xff", "cannot be read (not UTF-8)"),
+        (b"{", "broken JSON"),
+        (b"[" * 100_000, "broken JSON"),
+        (b'{"format": 1e999999999}', "is 1E+999999999 - expected"),
+    ],
+)
+def test_broken_files_are_named(exam_folder: Path, name: str, content: bytes | None, fault: str) -> None:
+    (exam_folder / name).unlink()
+    if content is not None:
+        (exam_folder / name).write_bytes(content)
+    if name == "key.jsonl" and content is not None and b"format" in content:
+        fault = 'no "student" that is a text'
+    with pytest.raises(ExamError) as caught:
+        read_exam(exam_folder)
+    assert str(exam_folder / name) in str(caught.value)
+    assert fault in str(caught.value)
+
+
+def test_a_number_too_large_to_be_one_is_refused(exam_folder: Path) -> None:
+    text = (exam_folder / "exam.json").read_text().replace('"points": 2.5}', '"points": 1e999999999}')
+    (exam_folder / "exam.json").write_text(text)
+    with pytest.raises(ExamError, match="expected a number"):
+        read_exam(exam_folder)
+    assert json.loads(text)["format"] == 1

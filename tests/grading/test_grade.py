@@ -1,0 +1,228 @@
+"""A small class through `grade`, on real files, with every rule for what comes back."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import os
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from kinegrade.errors import ExamError, OutputError, TableError
+from kinegrade.grading.grade import grade
+from kinegrade.grading.marks import Grade, Marks
+from kinegrade.grading.report import amount_text
+from kinegrade.lms import moodle
+
+HEADER = "student,name,q1.v_B,q1.omega_AB,q2.a_B\n"
+ROWS = """007,王伟,"1,73",0.002,-0.125
+0012,"O'Neil, Zoë",1.732 m/s,0.0021,-
+S9,x,1.7 km/h,=1+1,"-0,1375 m/s²"
+12,Ann,,,
+"""
+RIGHT = '"1,73"'
+
+
+def marked(exam: Path, content: str | bytes, *, force: bool = False) -> Marks:
+    answers = exam.parent / "answers.csv"
+    answers.write_bytes(content.encode() if isinstance(content, str) else content)
+    return grade(exam, answers, exam.parent / "MARKS", force=force, exports={"moodle.csv": moodle.export})
+
+
+def rows(exam: Path, name: str) -> list[list[str]]:
+    with (exam.parent / "MARKS" / name).open(encoding="utf-8", newline="") as file:
+        return list(csv.reader(file))
+
+
+def complaints(exam: Path) -> list[tuple[str, ...]]:
+    """Line, column, content, problem of each."""
+    return [tuple(row[1:5]) for row in rows(exam, "complaints.csv")[1:]]
+
+
+def verdicts(marks: Marks, student: str) -> list[str]:
+    return [mark.verdict.kind for mark in marks.marks if mark.student == student]
+
+
+def test_a_class_is_marked(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + ROWS)
+    assert sorted(os.listdir(exam_folder.parent / "MARKS")) == [
+        "complaints.csv", "grades.csv", "marks.csv", "moodle.csv",
+    ]  # fmt: skip
+    assert rows(exam_folder, "grades.csv") == [
+        ["student", "name", "q1", "q2", "total", "out_of", "percent"],
+        ["007", "王伟", "7", "2.5", "9.5", "9.5", "100"],
+        ["0012", "O'Neil, Zoë", "4", "0", "4", "9.5", "42.11"],
+        ["S9", "'=HYPERLINK(1)", "0", "2.5", "2.5", "9.5", "26.32"],
+        ["12", "Ann", "0", "0", "0", "9.5", "0"],
+    ]
+    assert marks.grades[1] == Grade("0012", "O'Neil, Zoë", (Fraction(4), Fraction(0)), Fraction(19, 2))
+
+
+def test_marks_have_a_row_for_each_student_and_ask(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + ROWS)
+    header, *found = rows(exam_folder, "marks.csv")
+    assert ",".join(header) == "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
+    assert len(found) == 12
+    within = "key 1.73205, difference 0.00205081, allowed 0.0173205"
+    assert found[0] == ["007", "q1", "v_B", "1,73", "1.73", "m/s", "right", "4", "4", within]
+    assert found[4][3:9] == ["0.0021", "0.0021", "rad/s", "wrong", "0", "3"]
+    assert found[5][3:] == ["-", "", "m/s^2", "blank", "0", "2.5", ""]
+    assert found[6][9] == '"km/h" stands after the number; the unit "m/s" was expected'
+    assert found[7][3:] == ["'=1+1", "", "rad/s", "unreadable", "0", "3", '"=1+1" is not a number']
+    assert found[8][3:8] == ["'-0,1375 m/s²", "-0.1375", "m/s^2", "right", "2.5"]
+
+
+def test_unreadable_answers_are_complaints_and_blank_ones_are_not(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + ROWS)
+    assert complaints(exam_folder) == [
+        ("4", "q1.v_B", "1.7 km/h", '"km/h" stands after the number; the unit "m/s" was expected'),
+        ("4", "q1.omega_AB", "'=1+1", '"=1+1" is not a number'),
+    ]
+    assert rows(exam_folder, "complaints.csv")[0] == ["file", "line", "column", "content", "problem", "done"]
+
+
+def test_moodle_gets_exact_ids_and_short_feedback(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + ROWS)
+    assert (exam_folder.parent / "MARKS" / "moodle.csv").read_text(encoding="utf-8").splitlines()[:3] == [
+        "ID number,Full name,Grade,Feedback",
+        "007,王伟,9.5,q1: 7/7; q2: 2.5/2.5",
+        '0012,"O\'Neil, Zoë",4,q1: 4/7; q2: 0/2.5',
+    ]
+
+
+def test_columns_may_stand_in_any_order_and_spelling(exam_folder: Path) -> None:
+    sheet = "Q2．a_b; 学号 ;email;q1.OMEGA_ab;Q1.V_B\n-0,125;００７;x;0;1,73\n"
+    assert verdicts(marked(exam_folder, sheet), "007") == ["right", "right", "right"]
+
+
+def test_a_student_who_is_not_in_the_exam_is_kept_whole(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + ROWS + "=9,Eve,1,2,3\n,Nobody,1,2,3\n0,Zero,1,2,3\n")
+    assert complaints(exam_folder)[2:] == [
+        ("6", "student", "'=9,Eve,1,2,3", 'no student "=9" in the exam'),
+        ("7", "student", ",Nobody,1,2,3", "no student id"),
+        ("8", "student", "0,Zero,1,2,3", 'no student "0" in the exam'),
+    ]
+
+
+def test_an_id_without_its_zeros_is_not_matched_but_the_student_is_suggested(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + "7,王伟,1,1,1\ns9,x,1,1,1\n00012,x,1,1,1\n")
+    assert verdicts(marks, "007") == ["blank"] * 3
+    done = [complaint.done for complaint in marks.complaints if complaint.line]
+    assert done == [
+        'not graded; probably "007": correct the id and grade again',
+        'not graded; probably "S9": correct the id and grade again',
+        "not graded",  # 0012 and 12 are both in the class
+    ]
+
+
+def test_a_missing_student_is_listed_with_blank_answers(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + "007,王伟,1,1,1\n\n , , \n0012,x,1,1,1\nS9,x,1,1,1\n")
+    assert verdicts(marks, "12") == ["blank"] * 3
+    assert complaints(exam_folder) == [("", "", "12", "no row for this student")]
+
+
+def test_of_differing_rows_the_last_counts_and_the_others_are_kept(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + "007,王伟,9,9,9\n" + ROWS + "007,王伟, 1.73,0,\n")
+    assert verdicts(marks, "007") == ["right", "right", "blank"]
+    assert [complaint for complaint in complaints(exam_folder) if "another row" in complaint[3]] == [
+        ("2", "", "007,王伟,9,9,9", "another row for this student stands on line 7"),
+        ("3", "", '007,王伟,"1,73",0.002,-0.125', "another row for this student stands on line 7"),
+    ]
+
+
+def test_a_repeated_row_with_the_same_answers_is_ignored(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + ROWS + '007,W, "1,73" ,0.002,-0.125\n'.replace(' "1,73" ', RIGHT))
+    assert verdicts(marks, "007") == ["right"] * 3
+    assert [complaint.done for complaint in marks.complaints if complaint.line == 2] == [
+        "ignored, the answers are the same"
+    ]
+
+
+def test_a_missing_column_counts_as_blank(exam_folder: Path) -> None:
+    marks = marked(exam_folder, "student,name,q1.v_B,q1.omega_AB\n007,x,1.73,0\n0012,x,,\nS9,x,,\n12,x,,\n")
+    assert verdicts(marks, "007") == ["right", "right", "blank"]
+    assert [str(complaint) for complaint in marks.complaints] == [
+        "answers.csv: q2.a_B: no such column - all its answers count as blank"
+    ]
+
+
+def test_an_extra_column_is_ignored_and_its_cells_are_kept(exam_folder: Path) -> None:
+    header = "student,name,q1.v_B,q1.omega_AB,q2.a_B,note,q1.v_B,\n"
+    everybody = "007,x,1.73,0,0,,,\n0012,x,,,,@me,,z\nS9,x,,,,,5,\n12,x,,,,,,\n"
+    assert verdicts(marked(exam_folder, header + everybody), "007") == ["right", "right", "wrong"]
+    assert complaints(exam_folder) == [
+        ("", "note", "", "not an answer column of the exam, or its second one"),
+        ("", "q1.v_B", "", "not an answer column of the exam, or its second one"),
+        ("3", "note", "'@me", "stands in a column that is ignored"),
+        ("3", "", "z", "stands in a column that is ignored"),
+        ("4", "q1.v_B", "5", "stands in a column that is ignored"),
+    ]
+
+
+def test_ragged_lines_lose_nothing(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + "007,x,1.73\n0012,x,0,0,0,8,9\nS9,x,,,\n12,x,,,\n")
+    assert verdicts(marks, "007") == ["right", "blank", "blank"]
+    assert complaints(exam_folder) == [
+        ("2", "", "", "the line has 3 cells, the header 5"),
+        ("3", "", "8,9", "the line has 7 cells, the header 5"),
+    ]
+
+
+def test_another_encoding_is_read_and_said(exam_folder: Path) -> None:
+    marks = marked(exam_folder, (HEADER + ROWS.replace("Zoë", "")).replace("²", "^2").encode("gb18030"))
+    assert verdicts(marks, "007") == ["right"] * 3
+    assert marks.complaints[0].problem.startswith("not valid UTF-8 from this line on")
+    assert marks.complaints[0].done.startswith("read as GB18030")
+
+
+def test_a_comma_that_may_be_a_thousands_separator_is_shown_to_a_person(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + '007,x,"1,732",,\n0012,x,,,\nS9,x,,,\n12,x,,,\n')
+    assert complaints(exam_folder) == [("2", "q1.v_B", "1,732", "read as 1.732; a comma is the decimal mark")]
+
+
+def test_a_huge_cell_is_unreadable_and_cut_in_the_report(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + f"007,x,{'9' * 200_000},,\n0012,x,,,\nS9,x,,,\n12,x,,,\n")
+    assert complaints(exam_folder)[0][2] == "9" * 1000 + "… (cut; 200000 characters)"
+    assert rows(exam_folder, "marks.csv")[1][6] == "unreadable"
+
+
+def test_a_file_without_the_needed_columns_is_refused_with_both_faults(exam_folder: Path) -> None:
+    with pytest.raises(TableError) as caught:
+        marked(exam_folder, "number,mark\n1,2\n")
+    assert caught.value.problems == (
+        'answers.csv: no column "student" - expected one with the student ids '
+        "- fill in the answers.csv of the exam folder",
+        "answers.csv: no answer column - expected q1.v_B, q1.omega_AB, q2.a_B ... "
+        "- fill in the answers.csv of the exam folder",
+    )
+    assert not (exam_folder.parent / "MARKS").exists()
+
+
+def test_same_input_gives_the_same_bytes_and_replaces_only_by_force(exam_folder: Path) -> None:
+    def digests() -> list[str]:
+        folder = exam_folder.parent / "MARKS"
+        return [hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(folder.iterdir())]
+
+    marked(exam_folder, HEADER + ROWS)
+    before = digests()
+    with pytest.raises(OutputError, match="MARKS: already exists - .* --force"):
+        marked(exam_folder, HEADER + ROWS)
+    marked(exam_folder, HEADER + ROWS, force=True)
+    assert digests() == before
+
+
+def test_a_faulty_exam_leaves_the_old_marks(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + ROWS)
+    (exam_folder / "key.jsonl").unlink()
+    with pytest.raises(ExamError):
+        marked(exam_folder, HEADER + ROWS, force=True)
+    assert len(rows(exam_folder, "grades.csv")) == 5
+
+
+@pytest.mark.parametrize(
+    ("amount", "text"), [("0", "0"), ("10", "10"), ("2.50", "2.5"), ("1/3", "0.3333"), ("1/20000", "0.0001")]
+)
+def test_points_are_shown_short(amount: str, text: str) -> None:
+    assert amount_text(Fraction(amount)) == text

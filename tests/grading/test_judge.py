@@ -1,0 +1,66 @@
+"""At the boundary: exactly the tolerance is right, one unit in the last place beyond is wrong."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.grading.answers import read
+from kinegrade.grading.judge import judge
+from kinegrade.grading.key import Key
+
+ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))  # floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
+ZERO = Key(Fraction(0), Fraction("0.002"))
+EXACT = Key(Fraction(1, 8), Fraction(0))
+
+
+@pytest.mark.parametrize(
+    ("typed", "key", "kind"),
+    [
+        ("1.212", ONE_PERCENT, "right"),
+        ("1.188", ONE_PERCENT, "right"),
+        ("1.2120000000000000000000000000000000001", ONE_PERCENT, "wrong"),
+        ("1.1879999999999999999999999999999999999", ONE_PERCENT, "wrong"),
+        ("-1.2", ONE_PERCENT, "wrong"),
+        ("0.002", ZERO, "right"),
+        ("-2e-3", ZERO, "right"),
+        ("0.00200000000000000000000000000000000001", ZERO, "wrong"),
+        ("0", ZERO, "right"),
+        ("-0", ZERO, "right"),
+        ("0.125", EXACT, "right"),
+        ("0,1250", EXACT, "right"),
+        ("0.12500000000000000000000000000000000001", EXACT, "wrong"),
+        ("", EXACT, "blank"),
+        ("abc", EXACT, "unreadable"),
+    ],
+)
+def test_verdicts(typed: str, key: Key, kind: str) -> None:
+    assert judge(read(typed, "m/s"), key).kind == kind
+
+
+def test_the_reason_shows_which_of_the_two_is_larger() -> None:
+    assert judge(read("1.5", "1"), ONE_PERCENT).reason == "key 1.2, difference 0.3, allowed 0.012"
+    assert judge(read("1.21200000001", "1"), ONE_PERCENT).reason == (
+        "key 1.2, difference 0.01200000001, allowed 0.012"
+    )
+    assert judge(read("1e99", "1"), ZERO).reason == "key 0, difference 1e+99, allowed 0.002"
+    assert (
+        judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason == "key 100, difference 0, allowed 1"
+    )
+    assert judge(read("abc", "1"), ZERO).reason == '"abc" is not a number'
+    assert judge(read("", "1"), ZERO).reason == ""
+
+
+@given(
+    st.fractions(max_denominator=10**6),
+    st.fractions(min_value=0, max_denominator=10**6),
+    st.decimals(allow_nan=False, allow_infinity=False, places=8, min_value=-(10**6), max_value=10**6),
+)
+def test_right_is_the_closed_interval_about_the_key(
+    value: Fraction, tolerance: Fraction, typed: object
+) -> None:
+    right = judge(read(str(typed), "1"), Key(value, tolerance)).kind == "right"
+    assert right is (value - tolerance <= Fraction(str(typed)) <= value + tolerance)

@@ -1,0 +1,134 @@
+"""The `[figure]` table: what an author may write, and what is said about a fault."""
+
+from __future__ import annotations
+
+import tomllib
+
+import pytest
+
+from kinegrade.errors import TemplateError
+from kinegrade.problem.hints import (
+    Angle,
+    FigureHints,
+    Length,
+    Moving,
+    Radius,
+    Turning,
+    read_hints,
+    symbol_fault,
+)
+
+POINTS, BODIES = {"O", "A", "B"}, {"OA", "AB"}
+
+
+def read(text: str) -> FigureHints:
+    return read_hints(tomllib.loads(text), "crank.toml", POINTS, BODIES)
+
+
+def faults(text: str) -> tuple[str, ...]:
+    with pytest.raises(TemplateError) as caught:
+        read(text)
+    return caught.value.problems
+
+
+def test_a_full_table_reads_as_written() -> None:
+    hints = read(r"""
+        lengths = [
+            { symbol = "r", from = "O", to = "A" },
+            { symbol = "h", from = "A", to = "B", along = "vertical" },
+        ]
+        angles = [{ symbol = '\varphi', at = "O", from = "right", to = "A", sense = "ccw" }]
+        radii = [{ symbol = "r_1", centre = "O", of = "ground" }]
+        arrows = [
+            { symbol = '\omega', turns = "OA", sense = "cw" },
+            { symbol = "v_B", moves = "B", along = "left" },
+        ]
+        labels = { A = "A_1", B = false, OA = "1" }
+        shapes = { AB = "bent" }
+        axes = true
+    """)
+    assert hints.lengths == (Length("r", "O", "A"), Length("h", "A", "B", "vertical"))
+    assert hints.angles == (Angle("\\varphi", "O", "right", "A", "ccw"),)
+    assert hints.radii == (Radius("r_1", "O", "ground"),)
+    assert hints.arrows == (Turning("\\omega", "OA", "cw"), Moving("v_B", "B", "left"))
+    assert dict(hints.labels) == {"A": "A_1", "B": None, "OA": "1"}
+    assert dict(hints.shapes) == {"AB": "bent"}
+    assert hints.axes
+
+
+def test_no_table_no_marks() -> None:
+    assert read("") == FigureHints()
+
+
+def test_all_faults_come_at_once() -> None:
+    assert faults("""
+        lengths = [{ symbol = "r", from = "O", to = "C" }]
+        angles = "none"
+        shapes = { AB = "geer" }
+        axis = true
+    """) == (
+        "crank.toml: figure.lengths[1].to: no point 'C'; known here: A, B, O",
+        'crank.toml: figure.angles: expected a list of tables; write [{ symbol = "r", ... }]',
+        "crank.toml: figure.shapes.AB: no shape 'geer'; "
+        'did you mean "gear"? (known here: bar, bent, cam, gear)',
+        'crank.toml: figure.axis: unknown entry; did you mean "axes"? '
+        "(known here: angles, arrows, axes, labels, lengths, radii, shapes)",
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "fragment"),
+    [
+        ("axes = 1", "figure.axes: expected true or false"),
+        ("labels = []", "figure.labels: expected a table of names and values"),
+        ("labels = { Q = 'x' }", "figure.labels.Q: nothing has this name"),
+        ("labels = { A = 3 }", "figure.labels.A: not a symbol"),
+        (
+            "radii = [{ symbol = 'r', center = 'O' }]",
+            "figure.radii[1]: unknown entry 'center'; did you mean \"centre\"?",
+        ),
+        ("radii = [{ symbol = 'r' }]", "figure.radii[1]: 'centre' is missing; needed here: symbol, centre"),
+        ("arrows = [{ symbol = 'r', turns = 'O' }]", "figure.arrows[1].turns: no body 'O'"),
+        ("arrows = [{ symbol = 'r', turns = 'OA', sense = 'up' }]", "figure.arrows[1].sense: no choice 'up'"),
+        (
+            "arrows = [{ symbol = 'v', moves = 'A', along = 'norht' }]",
+            "figure.arrows[1].along: no point or side 'norht'",
+        ),
+        ("lengths = [{ symbol = '#read', from = 'O', to = 'A' }]", "has characters no symbol needs"),
+        (r"lengths = [{ symbol = '\inptu', from = 'O', to = 'A' }]", r"unknown LaTeX command \inptu"),
+        ("lengths = [{ symbol = 'r_', from = 'O', to = 'A' }]", "is incomplete"),
+    ],
+)
+def test_a_fault_is_named_with_its_place(text: str, fragment: str) -> None:
+    assert any(fragment in fault for fault in faults(text))
+
+
+@pytest.mark.parametrize(
+    "symbol", ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"]
+)
+def test_what_statements_use_is_a_symbol(symbol: str) -> None:
+    assert symbol_fault(symbol) is None
+
+
+@pytest.mark.parametrize(
+    "symbol",
+    [
+        "",
+        "$r$",
+        '"x"',
+        "#x",
+        r"\\",
+        r"\text{a}",
+        "{",
+        "}{",
+        "_1",
+        "a^",
+        r"\sqrt",
+        r"x\frac{a}",
+        "a_1_2",
+        r"\vec",
+        "é",
+    ],
+)
+def test_what_could_lead_a_typesetter_astray_is_none(symbol: str) -> None:
+    assert symbol_fault(symbol) is not None

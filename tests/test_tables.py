@@ -1,0 +1,201 @@
+"""Tables as people send them: nothing in the file is lost on the way in, nothing runs on the way out."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.errors import TableError
+from kinegrade.tables import (
+    Complaint,
+    Table,
+    csv_text,
+    neutralised,
+    parse_table,
+    read_table,
+    restored,
+    shortened,
+    trimmed,
+    write_csv,
+)
+
+CHINESE = "student,name,q1.v_B\n007,王伟,0.5\n008,李娜,1.5\n"
+ANY_TEXT = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)
+
+
+def parsed(text: str) -> Table:
+    return parse_table(text.encode(), "answers.csv")
+
+
+def problems(table: Table) -> list[str]:
+    return [f"{complaint.line}: {complaint.problem}" for complaint in table.complaints]
+
+
+@pytest.mark.parametrize(
+    ("content", "encoding", "complains"),
+    [
+        (CHINESE.encode(), "UTF-8", False),
+        (CHINESE.encode("utf-8-sig"), "UTF-8", False),
+        (CHINESE.encode("utf-16"), "UTF-16-LE", False),
+        (b"\xfe\xff" + CHINESE.encode("utf-16-be"), "UTF-16-BE", False),
+        (CHINESE.encode("utf-32"), "UTF-32-LE", False),
+        (CHINESE.encode("gb18030"), "GB18030", True),
+    ],
+)
+def test_the_same_table_comes_out_of_every_encoding(content: bytes, encoding: str, complains: bool) -> None:
+    table = parse_table(content, "answers.csv")
+    assert [row.cells for row in table.rows] == [("007", "王伟", "0.5"), ("008", "李娜", "1.5")]
+    assert table.encoding == encoding
+    assert problems(table) == (
+        ["2: not valid UTF-8 from this line on (bytes cd f5 ce b0 2c 30 2e 35)"] if complains else []
+    )
+
+
+def test_a_western_file_is_not_taken_for_chinese() -> None:
+    table = parse_table("student,name\n007,Müller\n008,Zoë\n".encode("cp1252"), "a.csv")
+    assert table.encoding == "Windows-1252"
+    assert [row.cell(1) for row in table.rows] == ["Müller", "Zoë"]
+
+
+def test_bytes_of_no_encoding_are_written_out_and_the_rest_is_kept() -> None:
+    table = parse_table(b"student,name\n007,Zo\x81\xff\n008,Ann\n", "a.csv")
+    assert [row.cells for row in table.rows] == [("007", r"Zo\x81\xff"), ("008", "Ann")]
+    assert table.complaints[0].done.startswith("read as UTF-8 with the strange bytes written out")
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_the_separator_is_found_from_the_header(separator: str) -> None:
+    table = parsed("student;name;q1.v_B\n007;Ann;1\n".replace(";", separator))
+    assert (table.separator, table.rows[0].cells) == (separator, ("007", "Ann", "1"))
+
+
+def test_decimal_commas_do_not_mislead_the_separator() -> None:
+    assert parsed("student;a\n1;0,5\n2;1,5\n").rows[1].cells == ("2", "1,5")
+
+
+def test_each_row_knows_the_line_it_begins_on() -> None:
+    table = parsed('student,name\r\n\r\n1,"two\r\nlines"\r\n , \r\n2,x\r3,y\n')
+    assert [(row.line, row.cell(0)) for row in table.rows] == [(3, "1"), (6, "2"), (7, "3")]
+
+
+def test_ragged_rows_are_kept_and_reported() -> None:
+    table = parsed("student,a,b\n1,x\n2,x,y,z,=w\n3,x,y,,\n")
+    assert [row.cells for row in table.rows] == [
+        ("1", "x"),
+        ("2", "x", "y", "z", "=w"),
+        ("3", "x", "y", "", ""),
+    ]
+    assert problems(table) == [
+        "2: the line has 2 cells, the header 3",
+        "3: the line has 5 cells, the header 3",
+    ]
+    assert table.complaints[1].content == "z,=w"
+    assert table.rows[0].cell(2) == ""
+
+
+@pytest.mark.parametrize(
+    "stray",
+    ['2,"0,5', '2,"0.5,', '"2,x'],
+)
+def test_a_stray_quotation_mark_does_not_swallow_the_rows_after_it(stray: str) -> None:
+    table = parsed(f'student,a\n1,x\n{stray}\n3,"y"\n4,"z"\n')
+    assert [row.line for row in table.rows] == [2, 3, 4, 5]
+    assert [row.cells for row in table.rows][2:] == [("3", "y"), ("4", "z")]
+    assert "3: a quotation mark is opened and not closed where it should be" in problems(table)
+
+
+def test_many_stray_quotation_marks_cost_no_more_than_a_few_readings() -> None:
+    table = parsed("student,a\n" + 'a"b,"c\n' * 5000)
+    assert len(table.rows) == 5000
+
+
+def test_nul_bytes_and_huge_cells_survive() -> None:
+    huge = "9" * 300_000
+    before = csv.field_size_limit()
+    table = parsed(f"student,name,a\n1,{huge},x\0y\n2,Ann,z\n")
+    assert [row.cells for row in table.rows] == [("1", huge, "x\0y"), ("2", "Ann", "z")]
+    assert csv.field_size_limit() == before
+    assert shortened(huge) == "9" * 1000 + "… (cut; 300000 characters)"
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"", "a.csv: is empty - expected a line of column names"),
+        (b"\xef\xbb\xbf\n , ,\n", "a.csv: is empty"),
+        (
+            b"PK\x03\x04rest",
+            "a.csv: is a spreadsheet or archive - expected a CSV file - save the sheet as CSV",
+        ),
+        (b"\x89PNG\r\n\x1a\n", "is a picture"),
+        ("student,name\n".encode("utf-16-le"), "a.csv: is not text"),
+    ],
+)
+def test_what_is_no_table_is_refused(content: bytes, message: str) -> None:
+    with pytest.raises(TableError, match=message):
+        parse_table(content, "a.csv")
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(TableError, match=r"absent.csv: cannot be read \(No such file or directory\)"):
+        read_table(tmp_path / "absent.csv")
+
+
+@given(st.binary(max_size=300))
+def test_any_bytes_give_a_table_or_a_table_error(content: bytes) -> None:
+    try:
+        table = parse_table(b"student,name\n" + content, "a.csv")
+    except TableError:
+        return
+    assert table.header == ("student", "name")
+
+
+@given(st.lists(st.tuples(ANY_TEXT, ANY_TEXT, st.just("x")), min_size=1))
+def test_what_is_written_is_read_back(rows: list[tuple[str, str, str]]) -> None:
+    text = csv_text(("a", "b", "c"), rows)
+    assert [row.cells for row in parsed(text).rows] == rows
+
+
+def test_written_files_have_lf_and_keep_typed_digits(tmp_path: Path) -> None:
+    write_csv(
+        tmp_path / "a.csv", ("student", "n"), [("007", "1.50"), ("a\rb", 'say "hi", 王'), ("\ud800", "")]
+    )
+    assert (tmp_path / "a.csv").read_bytes() == (
+        'student,n\n007,1.50\n"a\rb","say ""hi"", 王"\n\\ud800,\n'.encode()
+    )
+
+
+@pytest.mark.parametrize(
+    "formula", ["=1+1", "+cmd", "-1 m/s", "@x", "\t=1", "\r=1", "'=1", "=", "--", "'-", "＝1"]
+)
+def test_a_formula_gets_one_apostrophe(formula: str) -> None:
+    assert neutralised(formula) == f"'{formula}"
+
+
+@pytest.mark.parametrize(
+    "plain", ["-", "-12", "+3", "-0,5", "-.5", "-1e-5", "O'Neil", "'t Hooft", "0.5", "", "王"]
+)
+def test_plain_numbers_and_names_stay_as_they_are(plain: str) -> None:
+    assert neutralised(plain) == plain
+
+
+@given(st.one_of(ANY_TEXT, st.text("'=+-@\t\r1.,e", max_size=6)))
+def test_neutralising_can_be_undone(text: str) -> None:
+    assert restored(neutralised(text)) == text
+
+
+@given(ANY_TEXT)
+def test_trimmed_text_has_nothing_left_to_trim(text: str) -> None:
+    assert trimmed(trimmed(text)) == trimmed(text)
+    assert trimmed(f"\u3000\u00a0 {text}\ufeff\t") == trimmed(text)
+
+
+def test_a_complaint_reads_as_one_line() -> None:
+    complaint = Complaint("answers.csv", 7, "q1.v_B", "abc", "not a number", "no points")
+    assert str(complaint) == "answers.csv:7: q1.v_B: not a number - no points"
+    assert next(csv.reader(io.StringIO(csv_text([str(complaint)], []))))[0] == str(complaint)
