@@ -1,0 +1,45 @@
+"""One promised figure: how much faster the product is than a peer, measured in the same run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from statistics import median
+from time import perf_counter
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Seconds per unit of work of ours and of the peer; `promise` is the least ratio peer/ours, None if none is made."""
+
+    name: str
+    ours: float
+    peer: float
+    promise: float | None
+
+    @property
+    def ratio(self) -> float:
+        """How many times faster ours is."""
+        return self.peer / self.ours
+
+    @property
+    def kept(self) -> bool:
+        """Whether the promise is kept."""
+        return self.promise is None or self.ratio >= self.promise
+
+    def line(self) -> str:
+        """The figure as a line of the report."""
+        promise = "" if self.promise is None else f"  promised: {self.promise:g}  {'kept' if self.kept else 'BROKEN'}"
+        return (f"{self.name:<58} ours {self.ours * 1e3:9.3f} ms  peer {self.peer * 1e3:9.3f} ms  "
+                f"ratio {self.ratio:7.2f}{promise}")
+
+
+def seconds(work: Callable[[], object], repeats: int) -> float:
+    """The median time of one call, after one call to warm up."""
+    work()
+    times = []
+    for _ in range(repeats):
+        start = perf_counter()
+        work()
+        times.append(perf_counter() - start)
+    return median(times)
