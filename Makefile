@@ -1,13 +1,14 @@
 # make demo   the main job: an exam for the demonstration class, marked
 # make test   lint, types, tests
-# Both set themselves up in .venv on a machine with Python 3.11 or newer and pip.
+# make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
+# They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test lint types bench golden check-templates clean
+.PHONY: demo demo-answers test lint types bench golden check-templates clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -21,8 +22,13 @@ demo: $(READY)
 	$(BIN)/kinegrade grade demo/EXAM banks/demo-answers.csv -o demo/MARKS --force || test $$? -eq 1
 	@echo "papers: demo/EXAM/papers.pdf   key: demo/EXAM/key.pdf   marks: demo/MARKS/grades.csv   Moodle: demo/MARKS/moodle.csv"
 
+demo-answers: $(READY)
+	mkdir -p demo
+	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --seed demo --force
+	$(BIN)/python -m tests.demo.type_answers demo/EXAM banks/demo-answers.csv
+
 test: lint types $(READY)
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -10,7 +10,7 @@ from time import perf_counter
 
 @dataclass(frozen=True)
 class Figure:
-    """Seconds per unit of work of ours and of the peer; `promise` is the least ratio peer/ours, None if none is made."""
+    """Seconds per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if none is made."""
 
     name: str
     ours: float

@@ -18,6 +18,7 @@ from kinegrade import __version__
 from kinegrade.errors import KinegradeError, TemplateError
 
 if TYPE_CHECKING:
+    from kinegrade.exam.document import PaperSize
     from kinegrade.problem.solving import Solution
     from kinegrade.problem.template import Language
 
@@ -27,6 +28,13 @@ LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"]), d
                         help="Language of the output.")
 FORCE = click.option("--force", is_flag=True, help="Replace an output that kinegrade wrote before.")
 FILE = click.Path(path_type=Path)
+
+
+def writable(context: click.Context, parameter: click.Parameter, seed: str | None) -> str | None:
+    """A seed that can be written down and used again. Raises BadParameter for a blank one and for broken text."""
+    if seed is not None and (not seed.strip() or any("\ud800" <= character <= "\udfff" for character in seed)):
+        raise click.BadParameter("expected some text, like spring-2026")
+    return seed
 
 
 def refusing(command: Callable[..., None]) -> Callable[..., None]:
@@ -73,7 +81,7 @@ def list_templates(language: Language) -> None:
 @click.argument("template_name", metavar="TEMPLATE")
 @LANGUAGE
 @click.option("-o", "--output", type=FILE, help="Also typeset a sample page as PDF.")
-@click.option("--seed", default="sample", show_default=True, help="Which sample is typeset.")
+@click.option("--seed", callback=writable, default="sample", show_default=True, help="Which sample is typeset.")
 @FORCE
 @refusing
 def show(template_name: str, language: Language, output: Path | None, seed: str, force: bool) -> None:
@@ -130,7 +138,7 @@ def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
 
 
 def solution_json(solution: Solution) -> str:
-    """The solution as JSON."""
+    """The solution as JSON. Raises TemplateError for values that no JSON number holds."""
     import json
 
     record = {
@@ -138,14 +146,17 @@ def solution_json(solution: Solution) -> str:
         "parameters": {name: quantity.record() for name, quantity in solution.parameters.items()},
         "answers": {name: quantity.record() for name, quantity in solution.answers.items()},
     }
-    return json.dumps(record, ensure_ascii=False, indent=1)
+    try:
+        return json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
+    except ValueError as error:
+        raise TemplateError("a value is beyond 1e308, which JSON numbers do not reach: give smaller ones") from error
 
 
 def solution_text(solution: Solution) -> str:
     """The solution as a table: name, decimal, unit, exact."""
     lines = []
     for group in (solution.parameters, solution.answers):
-        lines += [f"{name:<14} {quantity.decimal(10):>18} {quantity.unit.printed:<6}  "
+        lines += [f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
                   f"{quantity.exact or '(certified enclosure)'}" for name, quantity in group.items()]
         lines.append("")
     return "\n".join(lines[:-1])
@@ -181,12 +192,12 @@ def check(template_names: tuple[str, ...], sample: int) -> None:
 @click.argument("bank", type=FILE)
 @click.argument("roster", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="EXAM", help="The exam folder to write.")
-@click.option("--seed", help="The exam's secret; drawn and printed if not given.")
+@click.option("--seed", callback=writable, help="The exam's secret; drawn and printed if not given.")
 @LANGUAGE
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
 @FORCE
 @refusing
-def generate(bank: Path, roster: Path, output: Path, seed: str | None, language: Language, paper_size: Any,
+def generate(*, bank: Path, roster: Path, output: Path, seed: str | None, language: Language, paper_size: PaperSize,
              force: bool) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 

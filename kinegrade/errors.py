@@ -7,7 +7,6 @@ ends with status 2. An error may carry several problems, because all faults of a
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 
 class KinegradeError(Exception):
@@ -64,7 +63,18 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     >>> did_you_mean("phy", ["phi", "omega"])
     'did you mean "phi"? (known here: omega, phi)'
     """
+    from difflib import get_close_matches  # only refusals need it, and it would slow every start
+
     known = sorted(choices)
-    near = get_close_matches(word, known, n=1)
+    near = [name for name in known if name.lower() == word.lower()] or get_close_matches(word, known, n=1)
     listing = ", ".join(known) if known else "none"
     return f'did you mean "{near[0]}"? (known here: {listing})' if near else f"known here: {listing}"
+
+
+def one_line(text: str) -> str:
+    """A text from a file as a message can hold it: what does not print is shown by a dot.
+
+    >>> one_line("1 +\\n2")
+    '1 +·2'
+    """
+    return "".join(letter if letter.isprintable() else "·" for letter in text)

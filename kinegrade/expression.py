@@ -19,7 +19,9 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError, did_you_mean
+from kinegrade.errors import ExpressionError, did_you_mean, one_line
+from kinegrade.exact.angle import Inexact
+from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
 
 MAX_LENGTH = 400
 MAX_DEPTH = 40
@@ -99,8 +101,9 @@ class Reader:
 
     def fail(self, expected: str) -> ExpressionError:
         """The error at this place."""
-        found = f'"{self.token}"' if self.token else "the end"
-        return ExpressionError(f'"{self.text}", character {self.start + 1}: found {found}, expected {expected}')
+        found = f'"{one_line(self.token)}"' if self.token else "the end"
+        return ExpressionError(f'"{one_line(self.text)}", character {self.start + 1}: found {found}, '
+                               f"expected {expected}")
 
     def take(self, *marks: str) -> str | None:
         """The mark just here if it is one of `marks`, gone past; else None."""
@@ -118,7 +121,7 @@ class Reader:
     def sum(self, depth: int) -> Expression:
         """sum = product (("+" | "-") product)*"""
         if depth > MAX_DEPTH:
-            raise ExpressionError(f'"{self.text}": nested deeper than {MAX_DEPTH}: write it more simply')
+            raise ExpressionError(f'"{one_line(self.text)}": nested deeper than {MAX_DEPTH}: write it more simply')
         tree = self.product(depth)
         while mark := self.take("+", "-"):
             tree = Operation(mark, tree, self.product(depth))
@@ -223,7 +226,8 @@ def evaluate(tree: Expression, values: Mapping[str, Any], functions: Mapping[str
     """The value of the tree; `values` names what is known, `functions` what may be called.
 
     Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by zero, roots of
-    negative numbers and combinations that make no sense (a point plus a number).
+    negative numbers and combinations that make no sense (a point plus a number); Inexact for exact values that no small
+    field holds.
     """
     if isinstance(tree, Number):
         return arithmetic.number(tree.value)
@@ -242,6 +246,8 @@ def evaluate(tree: Expression, values: Mapping[str, Any], functions: Mapping[str
 
 def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]) -> Any:
     """A function's value, its refusals turned into ExpressionErrors."""
+    if not name and name not in functions:
+        raise ExpressionError("a pair (x, y): expected a number or an angle here")
     if name not in functions:
         raise ExpressionError(f'unknown function "{name}": {did_you_mean(name, [f for f in functions if f])}')
     try:
@@ -256,15 +262,19 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
 
 
 def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
-    """base ** whole number, at most MAX_POWER in size."""
+    """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow without bound."""
     negative = isinstance(exponent, Operation) and exponent.sign == "-" and exponent.left == Number(fmpq(0))
     literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
     if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > MAX_POWER:
         raise ExpressionError(f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)")
+    if isinstance(base, (fmpq, Surd)) and height(base) * literal.value > MAX_HEIGHT:
+        raise Inexact("a power of too many digits")
     try:
         power = base ** int(literal.value)
     except TypeError as error:
         raise ExpressionError("only a number can be raised to a power") from error
+    except OverflowError as error:
+        raise ExpressionError("a power too large for a double: check the values given") from error
     return combined("/", arithmetic.number(fmpq(1)), power, exponent) if negative else power
 
 

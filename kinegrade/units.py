@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import fmpq
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import ExpressionError, one_line
 
 FACTORS: dict[str, tuple[Any, str]] = {
     "m": (fmpq(1), "length"), "cm": (fmpq(1, 100), "length"), "mm": (fmpq(1, 1000), "length"),
@@ -45,7 +45,7 @@ class Unit:
         """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure numbers."""
         if self.degrees:
             return r"^\circ"
-        body = re.sub(r"([a-z]+)", r"\\mathrm{\1}", self.text)
+        body = re.sub(r"([a-z]+)", r"\\mathrm{\1}", re.sub(r"\^(-\d)", r"^{\1}", self.text))
         return "" if self.text == "1" else body
 
     @property
@@ -64,7 +64,8 @@ def read_unit(text: str) -> Unit:
     while place < len(text) or not place:
         match = PART.match(text, place)
         if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
-            raise ExpressionError(f'unit "{text}": expected a product like m/s^2 of {", ".join(sorted(FACTORS))}')
+            raise ExpressionError(f'unit "{one_line(text)}": expected a product like m/s^2 of '
+                                  f"{', '.join(sorted(FACTORS))}")
         size, dimension = FACTORS[match["name"]]
         power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
         factor, place = factor * size**power, match.end()

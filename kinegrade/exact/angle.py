@@ -45,10 +45,10 @@ class Angle:
         return self * fmpq(-1)
 
     def __sub__(self, other: Any) -> Angle:
-        return self + (-other)
+        return self.__add__(-other)
 
     def __rsub__(self, other: Any) -> Angle:
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, factor: Any) -> Angle:
         if not isinstance(factor, (int, fmpq)):
@@ -63,6 +63,9 @@ class Angle:
         if self.parts or divisor.parts:
             raise Inexact("the ratio of two angles")
         return self.half_turns / divisor.half_turns
+
+    def __rtruediv__(self, number: Any) -> Any:
+        raise Inexact("a number over an angle")
 
     def direction(self, field: Field) -> Direction:
         """(cosine, sine) in `field`; raises Inexact where they lie in no small field."""

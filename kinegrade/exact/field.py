@@ -48,7 +48,9 @@ class Field:
         return fmpq(rational)
 
     def turns(self, half_turns: Any) -> Angle:
-        """The angle of `half_turns` times pi."""
+        """The angle of `half_turns` times pi. Raises Inexact for an irrational number of half turns."""
+        if not isinstance(half_turns, (int, fmpq)):
+            raise Inexact("an irrational part of a turn")
         return Angle(fmpq(half_turns))
 
     def is_zero(self, number: Real) -> bool:
@@ -78,6 +80,10 @@ class Field:
     def _adjoin(self, number: Real) -> Real:
         if len(self.roots) >= MAX_LEVEL:
             raise Inexact("the exact field would be too large")
+        simpler = denesting(number, self.roots)
+        if simpler is not None:
+            self.sqrt(simpler)
+            return self.sqrt(number)
         factor, radicand = primitive(number)
         shared = self._shared(radicand)
         if shared is not None:
@@ -91,9 +97,9 @@ class Field:
         if isinstance(radicand, Surd):
             return None
         for root in self.roots:
-            if not isinstance(root.radicand, Surd) and 1 < root.radicand < radicand:
-                if (radicand / root.radicand).q == 1:
-                    return root
+            plain = not isinstance(root.radicand, Surd) and 1 < root.radicand < radicand
+            if plain and (radicand / root.radicand).q == 1:
+                return root
         return None
 
     def embed(self, value: Any) -> Any:
@@ -144,6 +150,8 @@ def as_angle(value: Any) -> Angle:
     """An Angle as it is; the number 0 is the zero angle; any other number has no exact sine."""
     if isinstance(value, Angle):
         return value
+    if not isinstance(value, (Surd, fmpq, int)):
+        raise TypeError("an angle is a number or an Angle")
     if value == 0:
         return Angle(fmpq(0))
     raise Inexact("the sine of a number of radians")
@@ -185,6 +193,17 @@ def square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
         if part is not None:
             return Surd(top, part, number.b / (2 * part))
     return None
+
+
+def denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
+    """A number lower in the tower whose root gives the root of `number` too, or None: sqrt(5 - 2 sqrt 6) needs sqrt 3.
+
+    With a^2 - b^2 d = n^2, the root of a + b sqrt d is u + b sqrt d/(2 u) where u^2 = (a + n)/2.
+    """
+    if not isinstance(number, Surd):
+        return None
+    norm = square_root(number.a * number.a - number.b * number.b * number.root.radicand, roots[:number.root.level - 1])
+    return None if norm is None else (number.a + abs(norm)) / 2
 
 
 def rational_root(number: Any) -> Any | None:

@@ -7,7 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from kinegrade.exact.elimination import Singular
 from kinegrade.exact.surd import Surd
+
+DEPENDENT = 1e-13  # rows of unit and metre mixed have condition numbers to 1e6; dependent ones leave about 1e-16
 
 
 class Floats:
@@ -63,12 +66,20 @@ class Floats:
         return np.arctan2(y, x)
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """The unknowns of rows * unknowns = right for every instance; surplus rows by least squares."""
+        """The unknowns of rows * unknowns = right for every instance; surplus rows by least squares.
+
+        Not a number in instances that do not determine them; raises Singular when no instance does.
+        """
         shape = np.broadcast_shapes(*(np.shape(entry) for row in rows for entry in row), *map(np.shape, right))
         matrix = np.moveaxis(np.array([[np.broadcast_to(e, shape) for e in row] for row in rows]), (0, 1), (-2, -1))
         vector = np.moveaxis(np.array([np.broadcast_to(e, shape) for e in right]), 0, -1)
         finite = np.isfinite(matrix).all(axis=(-2, -1))[..., None, None]
-        solution = np.linalg.pinv(np.where(finite, matrix, 0.0)) @ vector[..., None]
+        left, sizes, across = np.linalg.svd(np.where(finite, matrix, 0.0), full_matrices=False)
+        regular = (sizes.min(axis=-1) > DEPENDENT * sizes.max(axis=-1)) & (len(rows) >= len(rows[0]))
+        if not regular.any():
+            raise Singular("the equations do not determine every unknown")
+        along = (left.swapaxes(-2, -1) @ vector[..., None]) / np.where(regular[..., None], sizes, np.nan)[..., None]
+        solution = across.swapaxes(-2, -1) @ along
         return list(np.moveaxis(solution[..., 0], -1, 0))
 
     def require_zero(self, number: Any) -> None:

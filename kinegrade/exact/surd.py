@@ -17,6 +17,7 @@ from flint import arb, ctx, fmpq
 
 Real = Any  # flint.fmpq or Surd: flint ships no types
 MAX_SIGN_PRECISION = 1 << 16
+MAX_HEIGHT = 1 << 14  # bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
 
 
 @dataclass(frozen=True)
@@ -132,6 +133,13 @@ def surd(root: Root, a: Real, b: Real) -> Real:
     return Surd(root, a, b) if b != 0 else a
 
 
+def height(number: Real) -> int:
+    """The bits of the longest numerator or denominator among the number's rational coefficients."""
+    if isinstance(number, Surd):
+        return max(height(number.a), height(number.b))
+    return max(int(number.p).bit_length(), int(number.q).bit_length())
+
+
 def require_same_tower(first: Surd, second: Surd) -> None:
     """Refuse to mix numbers of different towers, which have no common form."""
     if first.root is not second.root and first.root != second.root:
@@ -154,7 +162,7 @@ def enclosure(number: Real, precision: int) -> Any:
 def sign(number: Real) -> int:
     """-1, 0 or 1. Exact: a form that is not zero is separated from zero by raising the precision."""
     if not isinstance(number, Surd):
-        return (number > 0) - (number < 0)
+        return int(number > 0) - int(number < 0)
     precision = 64
     while precision <= MAX_SIGN_PRECISION:
         value = enclosure(number, precision)

@@ -36,7 +36,7 @@ def exact_text(number: Real, form: Form = PLAIN) -> str:
     '2*sqrt(3)/3'
     """
     terms = sorted(radical_terms(number), key=lambda term: (term[0] < 0, term[2], term[1]))
-    parts = [signed_term(*term, form) for term in terms]
+    parts = [signed_term(factor, free, nested, form) for factor, free, _, nested in terms]
     if not parts:
         return "0"
     return joined(parts)
@@ -75,7 +75,7 @@ def products(number: Real, roots: tuple[Root, ...] = ()) -> Iterator[tuple[Any, 
         yield number, roots
 
 
-def signed_term(factor: Any, free: int, keys: tuple[str, ...], nested: tuple[Root, ...], form: Form) -> tuple[bool, str]:
+def signed_term(factor: Any, free: int, nested: tuple[Root, ...], form: Form) -> tuple[bool, str]:
     """(negative, text of the size) of one term."""
     radicals = [form.root.format(free)] if free != 1 else []
     radicals += [form.root.format(exact_text(root.radicand, form)) for root in nested]
@@ -138,8 +138,8 @@ def pi_text(half_turns: Any, form: Form = PLAIN) -> str:
 def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
     """The number rounded to `digits` significant digits, half to even, certified; no exponent within 1e-7..1e21.
 
-    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the digits asked is given to as
-    many as it holds. A ball about zero gives "0".
+    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the digits asked is
+    given to as many as it holds. A ball about zero gives "0".
 
     >>> decimal_text(fmpq(2, 3), 5)
     '0.66667'

@@ -15,22 +15,32 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from datetime import date
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import BankError, KinegradeError, did_you_mean
+from kinegrade.exact.angle import Inexact
+from kinegrade.exact.field import Field
+from kinegrade.expression import read
+from kinegrade.problem.assemble import parameter_value
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.library import load_template
+from kinegrade.problem.reading import TOO_LARGE, shortened, too_large
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.template import Template, Translated
 
+TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 KEYS = {"title", "course", "date", "tolerance", "questions"}
 QUESTION_KEYS = {"template", "asks", "draw", "tolerance"}
 MAX_QUESTIONS, MAX_POINTS, MAX_BYTES = 50, 1000, 200_000
-DECIMAL = re.compile(r"(\d+(?:\.\d+)?)\s*(%?)", re.ASCII)
+NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
+DECIMAL = re.compile(NUMBER, re.ASCII)
+SHARE = re.compile(NUMBER + r"\s*(%?)", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -80,13 +90,18 @@ class Bank:
 def read_bank(path: Path) -> Bank:
     """The blueprint in a file. Raises BankError with all faults at once."""
     try:
-        data = path.read_bytes()
-        text = data[:MAX_BYTES].decode("utf-8")
+        with path.open("rb") as file:
+            data = file.read(MAX_BYTES + 1)
+        if len(data) > MAX_BYTES:
+            raise BankError(f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank file")
+        text = data.decode("utf-8-sig")
         table = tomllib.loads(text, parse_float=str)
     except OSError as error:
         raise BankError(f"{path}: cannot be read: {error.strerror}: give the path of a bank file") from error
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
-        raise BankError(f"{path}: not readable as TOML in UTF-8: {error}") from error
+    except (ValueError, RecursionError) as error:  # no UTF-8, no TOML, an integer of thousands of digits
+        raise BankError(f"{path}: not readable as TOML in UTF-8: {error}: mend it, or give a bank file") from error
+    if too_large(table):
+        raise BankError(f"{path}: {TOO_LARGE}")
     return Reader(path, table, text).bank()
 
 
@@ -99,7 +114,8 @@ class Reader:
 
     def fault(self, place: str, problem: str) -> None:
         """Note a fault."""
-        self.faults.append(f"{self.path}: {place}: {problem}" if place else f"{self.path}: {problem}")
+        place = f"{shortened(place)}: " if place else ""
+        self.faults.append(f"{self.path}: {place}{shortened(problem)}")
 
     def bank(self) -> Bank:
         """The whole; raises BankError when anything is at fault."""
@@ -110,8 +126,9 @@ class Reader:
             self.fault("questions", f"expected 1 to {MAX_QUESTIONS} tables [[questions]]")
             entries = []
         questions = [self.question(number, entry, tolerance) for number, entry in enumerate(entries, start=1)]
-        bank = Bank(self.translated("title"), self.translated("course"), str(self.table.get("date", "")), tolerance,
-                    tuple(question for question in questions if question is not None), self.text)
+        found = tuple(question for question in questions if question is not None)
+        self.same_names(found)
+        bank = Bank(self.translated("title"), self.translated("course"), self.date(), tolerance, found, self.text)
         if self.faults:
             raise BankError(*self.faults)
         return bank
@@ -126,10 +143,27 @@ class Reader:
         value = self.table.get(key)
         if isinstance(value, str) and value.strip():
             return Translated(value, value)
-        if isinstance(value, dict) and set(value) == {"en", "zh"} and all(isinstance(v, str) for v in value.values()):
+        if isinstance(value, dict) and set(value) == {"en", "zh"} and all(
+                isinstance(text, str) and text.strip() for text in value.values()):
             return Translated(value["en"], value["zh"])
         self.fault(key, 'expected a text, or texts { en = "...", zh = "..." }')
         return Translated("", "")
+
+    def date(self) -> str:
+        """The date as it is printed; none prints nothing."""
+        value = self.table.get("date", "")
+        if not isinstance(value, str | date):
+            self.fault("date", 'expected a text or a date, like "spring 2026" or 2026-05-01')
+        return str(value)
+
+    def same_names(self, questions: Iterable[BankQuestion]) -> None:
+        """A fault where two different template files share a name: the exam folder keeps one file of a name."""
+        texts: dict[str, str] = {}
+        for question in questions:
+            name, text = question.template.name, question.template.text
+            if texts.setdefault(name, text) != text:
+                self.fault(f"questions[{question.identifier[1:]}].template",
+                           f'another template of this bank has the name "{name}": rename the file')
 
     def question(self, number: int, entry: Any, tolerance: Tolerance) -> BankQuestion | None:
         """One question, or None when its template cannot be had."""
@@ -147,6 +181,9 @@ class Reader:
 
     def template(self, place: str, name: str) -> Template | None:
         """A shipped template, or a file beside the bank."""
+        if name.endswith(".toml") and not TEMPLATE_FILE.fullmatch(name):
+            self.fault(f"{place}.template", f"{name!r:.60}: expected a file beside the bank, without folders")
+            return None
         try:
             template = load_template(str(self.path.parent / name) if name.endswith(".toml") else name)
             check_statements(template)
@@ -156,7 +193,8 @@ class Reader:
             return None
         return template
 
-    def asks(self, place: str, entry: Mapping[str, Any], template: Template, tolerance: Tolerance) -> tuple[BankAsk, ...]:
+    def asks(self, place: str, entry: Mapping[str, Any], template: Template,
+             tolerance: Tolerance) -> tuple[BankAsk, ...]:
         """What is asked: as the bank says, or everything the template gives points."""
         chosen = entry.get("asks", {name: template.asks[name].points for name in template.asked()})
         if not isinstance(chosen, dict) or not chosen:
@@ -166,16 +204,17 @@ class Reader:
         return tuple(ask for ask in found if ask is not None)
 
     def ask(self, place: str, name: str, value: Any, template: Template, tolerance: Tolerance) -> BankAsk | None:
-        """One ask: points, or a table with points and tolerance."""
+        """One ask: points, or a table with points (default: the template's) and tolerance."""
         if name not in template.asks:
             self.fault(place, f'{template.name} has no ask "{name}": {did_you_mean(name, template.asks)}')
             return None
         table = value if isinstance(value, dict) else {"points": value}
         self.unknown_keys(place, table, {"points", "tolerance"})
-        points = self.amount(f"{place}.points", table.get("points"))
+        points = self.amount(f"{place}.points", table.get("points", template.asks[name].points))
         if points is not None and not 0 < points <= MAX_POINTS:
             self.fault(f"{place}.points", f"expected more than 0 and at most {MAX_POINTS}")
-        return BankAsk(name, points or Fraction(1), self.tolerance(f"{place}.tolerance", table.get("tolerance"), tolerance))
+        own = self.tolerance(f"{place}.tolerance", table.get("tolerance"), tolerance)
+        return BankAsk(name, points or Fraction(1), own)
 
     def domains(self, place: str, entry: Mapping[str, Any], template: Template) -> dict[str, tuple[str, ...]]:
         """Domains that replace the template's."""
@@ -190,6 +229,9 @@ class Reader:
                 continue
             try:
                 found[name] = read_choices(draw)
+                for text in found[name]:
+                    with suppress(Inexact):  # then it is a number all the same
+                        parameter_value(template.parameters[name], read(text), Field())
             except KinegradeError as error:
                 self.fault(f"{place}.draw.{name}", error.problems[0])
         return found
@@ -202,8 +244,8 @@ class Reader:
             self.fault(place, 'expected a table like { relative = "1 %" } or { absolute = 0.01 }')
             return default
         self.unknown_keys(place, value, {"relative", "absolute"})
-        relative = self.amount(f"{place}.relative", value["relative"]) if "relative" in value else Fraction(0)
-        absolute = self.amount(f"{place}.absolute", value["absolute"]) if "absolute" in value else Fraction(0)
+        relative = self.share(f"{place}.relative", value.get("relative", 0))
+        absolute = self.amount(f"{place}.absolute", value.get("absolute", 0))
         if relative is None or absolute is None:
             return default
         if relative >= 1 or relative + absolute == 0:
@@ -211,9 +253,25 @@ class Reader:
         return Tolerance(relative, absolute)
 
     def amount(self, place: str, value: Any) -> Fraction | None:
-        """A number of zero or more, or a percentage as text, exactly."""
-        match = None if isinstance(value, bool) else DECIMAL.fullmatch(str(value).strip())
+        """A number of zero or more, exactly."""
+        match = DECIMAL.fullmatch(written(value))
         if match is None:
-            self.fault(place, f'expected a number like 0.01 or a text like "1 %", not {str(value)[:40]!r}')
+            self.fault(place, "expected a number like 0.01, at most 4 digits before the point and 9 after it, "
+                              f"not {written(value)!r}")
+            return None
+        return Fraction(match[1])
+
+    def share(self, place: str, value: Any) -> Fraction | None:
+        """A number of zero or more, or a percentage as text, exactly."""
+        match = SHARE.fullmatch(written(value))
+        if match is None:
+            self.fault(place, f'expected a text like "1 %" or a number like 0.01, not {written(value)!r}')
             return None
         return Fraction(match[1]) / (100 if match[2] else 1)
+
+
+def written(value: Any) -> str:
+    """A number or a text as it stands in the file, cut where it is long; of anything else its kind."""
+    if isinstance(value, bool) or not isinstance(value, int | str):
+        return f"a {type(value).__name__}"
+    return str(value).strip()[:40]

@@ -54,7 +54,7 @@ def prose(markdown: str, where: str) -> str:
     Raises TypesetError with every fault of the text, each naming `where`.
 
     >>> print(prose("The crank $OA$ turns.", "q1"))
-    {"The crank ";$O A$;" turns.";}
+    {"The crank ";box($O A$);" turns.";}
     """
     tokens = _reader().parse(markdown)
     _refuse_faults(tokens, where)
@@ -65,7 +65,7 @@ def line(markdown: str, where: str) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
     >>> print(line("speed of $B$", "q1"))
-    {"speed of ";$B$;}
+    {"speed of ";box($B$);}
     """
     tokens = _reader().parseInline(markdown)
     _refuse_faults(tokens, where)
@@ -116,7 +116,7 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
         case "softbreak":
             return "" if _between_wide(leaves, index) else '" ";'
         case "math_inline":
-            return f"${formula(token.content.strip(), where)}$;"
+            return f"box(${formula(token.content.strip(), where)}$);"  # a value is not torn from its symbol
         case "math_inline_double" | "math_block":
             return f"$ {formula(token.content.strip(), where)} $;"
         case "ordered_list_open":

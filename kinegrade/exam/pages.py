@@ -22,7 +22,7 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import statement
-from kinegrade.problem.template import Language
+from kinegrade.problem.template import Ask, Language
 
 WARNING = {
     "en": "For the instructor only: this key shows every answer.",
@@ -41,14 +41,15 @@ def paper_pages(bank: Bank, paper: SetPaper, language: Language) -> Paper:
 def question_sheet(number: int, question: SetQuestion, language: Language) -> QuestionSheet:
     """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
-    rows = tuple(AnswerRow(template.asks[entry.ask.name].symbol,
-                           template.asks[entry.ask.name].means.in_language(language),
-                           template.asks[entry.ask.name].unit.text,
-                           template.asks[entry.ask.name].sign.in_language(language), entry.ask.points)
-                 for entry in question.asks)
+    figure = sketch(drawable_mechanism(solution.motion.frames.mechanism), template.figure)
+    rows = tuple(answer_row(template.asks[entry.ask.name], entry.ask.points, language) for entry in question.asks)
     return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
-                         question.question.points, statement(template, solution.parameters, language),
-                         sketch(drawable_mechanism(solution.motion.frames.mechanism), template.figure), rows, template.source)
+                         question.question.points, statement(template, solution.parameters, language), figure, rows)
+
+
+def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
+    """The box of one answer."""
+    return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, ask.sign.in_language(language), points)
 
 
 def key_book(bank: Bank, papers: Sequence[KeyPaper], language: Language) -> KeyBook:
@@ -66,11 +67,12 @@ def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
 def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     """The key of one question."""
     template, solution = question.question.template, question.drawn.solution
-    parameters = tuple(KeyParameter(template.parameters[name].symbol, quantity.latex, quantity.decimal(6),
-                                    quantity.unit.text)
+    parameters = tuple(KeyParameter(template.parameters[name].symbol, quantity.closed_form, quantity.decimal(6),
+                                    quantity.unit)
                        for name, quantity in solution.parameters.items())
-    answers = tuple(KeyAnswer(template.asks[entry.ask.name].symbol, entry.answer.latex, entry.answer.decimal(6),
-                              entry.answer.unit.text, interval(entry), entry.ask.points)
+    answers = tuple(KeyAnswer(template.asks[entry.ask.name].symbol, entry.answer.closed_form,
+                              entry.answer.decimal(6),
+                              entry.answer.unit, interval(entry), entry.ask.points)
                     for entry in question.asks)
     return KeyEntry(question.question.identifier, template.title.in_language(language), parameters, answers)
 
@@ -85,5 +87,3 @@ def interval(entry: SetAsk) -> str:
 def decimal_fraction(quantity: Quantity) -> Fraction:
     """The value to 40 digits as a fraction."""
     return Fraction(quantity.decimal(40))
-
-

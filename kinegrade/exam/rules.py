@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from fractions import Fraction
 
 from kinegrade.exam.bank import Bank, Tolerance
@@ -15,12 +16,15 @@ WRITING = {
 AXES = {
     "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive for angles, angular "
           "velocities and angular accelerations unless the table says otherwise. Figures are drawn to scale.",
-    "zh": "$x$ 轴向右，$y$ 轴向上；角度、角速度与角加速度除表中另有说明外均以逆时针为正。附图按比例绘制。",
+    "zh": "$x$ 轴向右，$y$ 轴向上；角度、角速度与角加速度除表中另有说明外均以逆时针为正。"
+          "附图按比例绘制。",
 }
 RELATIVE = {
-    "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. Where the "
-          "exact value is zero, it may differ by at most {relative} of the largest quantity of its kind in the mechanism.",
-    "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确；精确值为零时，允许的偏差为该机构中同类量最大值的 {relative}。",
+    "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. Where "
+          "the exact value is zero, it may differ by at most {relative} of the largest quantity of its kind in the "
+          "mechanism.",
+    "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确；"
+          "精确值为零时，允许的偏差为该机构中同类量最大值的 {relative}。",
 }
 ABSOLUTE = {
     "en": "An answer is right if it differs from the exact value by at most {amount} in the unit of the table.",
@@ -64,9 +68,9 @@ def percent(share: Fraction) -> str:
 
 
 def plain(number: Fraction) -> str:
-    """A decimal without trailing zeros; tolerances are decimals of at most 12 digits.
+    """A decimal without trailing zeros or power of ten; tolerances have at most 13 digits.
 
-    >>> plain(Fraction(1, 8))
-    '0.125'
+    >>> plain(Fraction(1, 8)), plain(Fraction(1, 100000))
+    ('0.125', '0.00001')
     """
-    return f"{float(number):.12g}"
+    return f"{Decimal(f'{float(number):.15g}'):f}"

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-from base64 import b32encode
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,6 +16,8 @@ from kinegrade.exam.roster import Roster, Student
 from kinegrade.problem.drawing import Deck, Drawn, address
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.scale import scale
+
+LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are misread
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def effective(ask: BankAsk, drawn: Drawn) -> Tolerance:
     answer = drawn.solution[ask.name]
     if not answer.is_zero:
         return ask.tolerance
-    room = ask.tolerance.relative * two_figures(scale(drawn.solution.motion, answer.unit))
+    room = ask.tolerance.relative * two_figures(scale(drawn.solution.motion, answer.measure))
     return Tolerance(ask.tolerance.relative, max(ask.tolerance.absolute, room))
 
 
@@ -106,6 +107,6 @@ def two_figures(size: float) -> Fraction:
 
 def paper_code(secret: str, student: str) -> str:
     """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret and the student's id."""
-    bits = address(secret, "paper", student) % (1 << 40)
-    text = b32encode(bits.to_bytes(5, "big")).decode()
+    number = address(secret, "paper", student)
+    text = "".join(LETTERS[number >> 5 * place & 31] for place in range(8))
     return f"{text[:4]}-{text[4:]}"

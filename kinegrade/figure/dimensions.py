@@ -1,148 +1,114 @@
-"""Dimensions, angles and radii: thin marks with a symbol, each in several ways to choose from."""
+"""Distances between points: dimension lines at several distances, or the symbol alone at a drawn line."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from math import pi
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
-from kinegrade.errors import TemplateError, did_you_mean
-from kinegrade.figure.bars import Bar
-from kinegrade.figure.layers import Drawing
-from kinegrade.figure.mark import Mark, along_bow, direction, sampled
-from kinegrade.figure.place import Wish, around, beside
-from kinegrade.figure.plane import angle_of, length, on_line, polar, shorter_way, unit
-from kinegrade.figure.rims import Rim
-from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, PIN, arrowhead
-from kinegrade.mechanics.joints import Line
+from kinegrade.figure.mark import Mark
+from kinegrade.figure.obstacles import Obstacles, Segment
+from kinegrade.figure.place import Wish, beside
+from kinegrade.figure.plane import NEAR, length, nearest_of, unit
+from kinegrade.figure.scene import THIN, Primitive, Strokes
+from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Angle, Length, Radius
+from kinegrade.problem.hints import Length
 
-SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
-SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
+OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)  # millimetres, of dimension lines
+LEAVING = 2.2  # millimetres an extension line runs beside what is drawn at its point anyhow
+DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
-def length_marks(at: Mapping[str, Vector], hint: Length) -> list[Mark]:
+def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
+    """Dimension lines, and the symbol alone where a line is drawn between the two points and no farther."""
     start, end = at[hint.start], at[hint.end]
     measured = {"horizontal": Vector(1.0, 0.0), "vertical": Vector(0.0, 1.0)}.get(
         hint.along or "", unit(end - start)
     )
-    across = measured.turned()
-    found = []
-    for offset in (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0):
-        level = (
-            max(across.dot(start), across.dot(end)) if offset > 0 else min(across.dot(start), across.dot(end))
-        )
-        feet = [point + across * (level + offset - across.dot(point)) for point in (start, end)]
-        found.append(_dimension((start, end), (feet[0], feet[1]), hint.symbol, 0.3 * abs(offset)))
+    found: list[Mark] = [_dimension((start, end), measured, offset, hint.symbol) for offset in OFFSETS]
+    others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
+    whole = hint.along is None and not _between(start, end, others)
+    if whole and drawn.joins(start, end, DRAWN_GAP):
+        found.append(Lettered(start, end, hint.symbol))
     return found
 
 
-def _dimension(
-    points: tuple[Vector, Vector], feet: tuple[Vector, Vector], symbol: str, demerit: float
-) -> Mark:
-    """Extension lines from the points to their feet, and the dimension line between the feet."""
-    extensions = []
-    for point, end in zip(points, feet, strict=True):
-        away = unit(end - point)
-        if length(end - point) > 2.5:
-            extensions.append((point + away * 1.6, end + away * 1.2))
-    along = unit(feet[1] - feet[0])
-    room = length(feet[1] - feet[0])
-    outside = room < 2 * HEAD_LENGTH + 1.5
-    tails = 3.0 if outside else 0.0
-    line = (feet[0] - along * tails, feet[1] + along * tails)
-    inward = 1.0 if outside else -1.0
-    heads = (arrowhead(feet[0], along * inward), arrowhead(feet[1], along * -inward))
-    path = (*sampled(*line), *(point for extension in extensions for point in sampled(*extension)))
-    return Mark(
-        (Strokes((*extensions, line), THIN), *heads), path, Wish(symbol, beside(symbol, *line)), demerit
+def _dimension(points: Segment, measured: Vector, offset: float, symbol: str) -> Dimension:
+    """The dimension line at an offset from the outer one of the two points."""
+    across = measured.turned()
+    outer = max if offset > 0 else min
+    level = outer(across.dot(point) for point in points) + offset
+    feet = [point + across * (level - across.dot(point)) for point in points]
+    return Dimension(points, (feet[0], feet[1]), symbol, 0.3 * abs(offset))
+
+
+def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
+    """Whether one of the other points divides the line, so that a letter beside it could mean a part."""
+    return any(
+        length(point - nearest_of(point, start, end)) < NEAR and length(point - start) > NEAR < length(point - end)
+        for point in others
     )
 
 
-def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iterator[list[Mark]]:
-    """Arcs of several radii; nothing when the angle is too small to be seen."""
-    vertex = at[hint.at]
-    start, end = (angle_of(direction(at, vertex, name)) for name in (hint.start, hint.end))
-    sweep = shorter_way(end - start)
-    if hint.sense is not None and abs(sweep) > SMALLEST_ANGLE:
-        sweep = sweep % (2 * pi) if hint.sense == "ccw" else -((-sweep) % (2 * pi))
-    legs = [
-        (angle, length(at[name] - vertex) if name in at else 0.0)
-        for angle, name in ((start, hint.start), (end, hint.end))
-        if name not in at or not _on_one_bar(vertex, at[name], drawing)
-    ]
-    if abs(sweep) > SMALLEST_ANGLE:
-        yield [_arc(vertex, radius, (start, sweep), legs, hint) for radius in (7.0, 8.5, 10.0, 5.5, 12.0)]
+@dataclass(frozen=True)
+class Dimension:
+    """Extension lines from two points to their feet, and the dimension line between the feet."""
+
+    points: Segment
+    feet: Segment
+    symbol: str
+    demerit: float
+    shared: bool = True
+
+    def path(self) -> tuple[Segment, ...]:
+        """The dimension line, and the extension lines from where they have left their points."""
+        return (self._line(), *self._extensions(LEAVING))
+
+    def wish(self) -> Wish:
+        """Beside the dimension line."""
+        return Wish(self.symbol, beside(self.symbol, *self._line()))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Thin lines and two arrowheads, from outside where there is no room between the feet."""
+        along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
+        heads = (arrowhead(self.feet[0], along), arrowhead(self.feet[1], -along))
+        return (Strokes((*self._extensions(1.6), self._line()), THIN), *heads)
+
+    def _outside(self) -> bool:
+        return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
+
+    def _line(self) -> Segment:
+        tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
+        return (self.feet[0] - tail, self.feet[1] + tail)
+
+    def _extensions(self, gap: float) -> tuple[Segment, ...]:
+        """From a gap beyond each point to a little beyond its foot."""
+        found = []
+        for point, end in zip(self.points, self.feet, strict=True):
+            away = unit(end - point)
+            if length(end - point) > gap + 0.9:
+                found.append((point + away * gap, end + away * 1.2))
+        return tuple(found)
 
 
-def _on_one_bar(one: Vector, other: Vector, drawing: Drawing) -> bool:
-    """Whether a bar is drawn through both points, so that no thin line is needed between them."""
-    axes = [Line(part.start, part.end - part.start) for part in drawing.parts if isinstance(part, Bar)]
-    return any(on_line(one, axis) and on_line(other, axis) for axis in axes)
+@dataclass(frozen=True)
+class Lettered:
+    """The symbol alone, close beside a line that is drawn between the two points: the clearest where it fits."""
 
+    start: Vector
+    end: Vector
+    symbol: str
+    demerit: float = 0.0
+    shared: bool = True
 
-def _arc(
-    vertex: Vector, radius: float, span: tuple[float, float], legs: list[tuple[float, float]], hint: Angle
-) -> Mark:
-    start, sweep = span
-    bow = Bow(vertex, radius, start, sweep, THIN)
-    references = tuple(
-        (
-            vertex + polar(angle, PIN + 0.15),
-            vertex + polar(angle, max(reach, radius + 4.0 * (reach == 0.0) + 1.0)),
-        )
-        for angle, reach in legs
-    )
-    parts: tuple[Primitive, ...] = (Strokes(references, THIN),) if references else ()
-    if hint.sense is not None and abs(sweep) * radius > 2 * HEAD_LENGTH:
-        tangent = polar(start + sweep).turned() * (1.0 if sweep > 0 else -1.0)
-        parts += (arrowhead(vertex + polar(start + sweep, radius), tangent),)
-    wish = Wish(hint.symbol, along_bow(vertex, radius, start, sweep, hint.symbol))
-    return Mark((*parts, bow), bow.path(), wish, 0.6 * abs(radius - 7.0))
+    def path(self) -> tuple[Segment, ...]:
+        """Nothing more is drawn."""
+        return ()
 
+    def wish(self) -> Wish:
+        """Close beside the line."""
+        return Wish(self.symbol, beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3))
 
-def _rim_about(found: tuple[Rim, ...], hint: Radius) -> Rim:
-    for rim in found:
-        if rim.centre == hint.centre and hint.of in (None, rim.body):
-            return rim
-    of = f" of {hint.of!r}" if hint.of else ""
-    centres = {rim.centre for rim in found}
-    raise TemplateError(
-        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints; "
-        f"{did_you_mean(hint.centre, centres)}"
-    )
-
-
-def radius_marks(found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
-    """The radius of a circle: for a cam to the contact, for other circles wherever there is room.
-
-    Raises TemplateError when no circle of the mechanism has that centre.
-    """
-    rim = _rim_about(found, hint)
-    if rim.kind == "cam":
-        angles = [angle_of(rim.touch - rim.at)]
-    else:
-        angles = [turn + pi / 24 * shift for shift in (0, 2, -2) for turn in _preferred()]
-    way = _small_radius if rim.radius < SMALL_RADIUS else _large_radius
-    return [way(rim, polar(angle), hint.symbol) for angle in angles]
-
-
-def _large_radius(rim: Rim, toward: Vector, symbol: str) -> Mark:
-    """An arrow from the centre to the rim."""
-    end = rim.at + toward * rim.radius
-    line = Strokes(((rim.at + toward * 1.3, end - toward * HEAD_LENGTH * 0.8),), THIN)
-    path = sampled(rim.at + toward * 2.0, end - toward * min(3.0, rim.radius / 2))
-    return Mark((line, arrowhead(end, toward)), path, Wish(symbol, beside(symbol, rim.at, end)))
-
-
-def _small_radius(rim: Rim, toward: Vector, symbol: str) -> Mark:
-    """An arrow that points at the rim from outside, where there is no room inside."""
-    tip, tail = rim.at + toward * rim.radius, rim.at + toward * (rim.radius + 7.0)
-    line = Strokes(((tip + toward * HEAD_LENGTH * 0.8, tail),), THIN)
-    wish = Wish(symbol, around(symbol, tail, away=toward))
-    return Mark((line, arrowhead(tip, -toward)), sampled(tip + toward * 1.2, tail), wish)
-
-
-def _preferred() -> tuple[float, ...]:
-    return tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
+    def primitives(self) -> tuple[Primitive, ...]:
+        """Nothing more is drawn."""
+        return ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 FONT_SIZE = 9.0  # points
 EM = FONT_SIZE * 0.352778  # millimetres
@@ -35,6 +36,7 @@ _NARROW = {
 _SCRIPT = 0.72
 
 
+@lru_cache(maxsize=1024)
 def symbol_size(symbol: str) -> tuple[float, float]:
     """Width and height in millimetres of a LaTeX symbol at the figure's font size."""
     width, scripts, scripted, depth_of_script = 0.0, 0, False, -1

@@ -93,13 +93,17 @@ def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
 
 def _cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
     """The profile, with a thin line from the centre of curvature to the contact."""
+    return (Outline(cam_outline(mechanism, rim), FIRM, "grey"), Strokes(((rim.at, rim.touch),), THIN))
+
+
+def cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
+    """The profile of a cam about its fixed pin, in the unit of the mechanism."""
     pivots = [
         mechanism.points[joint.point]
         for joint in mechanism.joints
         if isinstance(joint, Pin) and GROUND in joint.bodies and rim.body in joint.bodies
     ]
-    profile = cam_profile(pivots[0] if pivots else rim.at, rim.touch, rim.at, rim.radius)
-    return (Outline(profile, FIRM, "grey"), Strokes(((rim.at, rim.touch),), THIN))
+    return cam_profile(pivots[0] if pivots else rim.at, rim.touch, rim.at, rim.radius)
 
 
 def _tracks(mechanism: Mechanism) -> tuple[Primitive, ...]:

@@ -1,30 +1,37 @@
-"""One way to draw a mark (a dimension, an angle, a motion), and what its spots for a label are."""
+"""One way to draw a mark (a dimension, an angle, a motion): every mark has several to choose from."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from itertools import pairwise
+from typing import Protocol
 
-import numpy as np
-
-from kinegrade.figure.extent import symbol_size
-from kinegrade.figure.place import Floats, Wish, around
-from kinegrade.figure.plane import SIDE_VECTORS, length, polar
-from kinegrade.figure.scene import Primitive
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.place import Wish
+from kinegrade.figure.plane import SIDE_VECTORS
+from kinegrade.figure.scene import Bow, Primitive
 from kinegrade.mechanics.vector import Vector
 
 
-@dataclass(frozen=True)
-class Mark:
-    """One way to draw a mark: its parts, the points it passes, its label, how much less nice it is.
+class Mark(Protocol):
+    """One way to draw a mark; few of them are ever asked for their wish, and one for its primitives."""
 
-    A demerit of 10 weighs as much as one thin line crossed.
-    """
+    @property
+    def demerit(self) -> float:
+        """How much less nice it is than the nicest way; 10 weighs as much as one firm line crossed."""
 
-    primitives: tuple[Primitive, ...]
-    path: tuple[Vector, ...]
-    wish: Wish
-    demerit: float = 0.0
+    @property
+    def shared(self) -> bool:
+        """Whether its lines may lie on thin ones and be one with them."""
+
+    def path(self) -> tuple[Segment, ...]:
+        """The straight pieces that should not cross anything."""
+
+    def wish(self) -> Wish:
+        """Its symbol and where that may stand."""
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The mark without its symbol."""
 
 
 def direction(at: Mapping[str, Vector], vertex: Vector, name: str) -> Vector:
@@ -32,20 +39,6 @@ def direction(at: Mapping[str, Vector], vertex: Vector, name: str) -> Vector:
     return at[name] - vertex if name in at else SIDE_VECTORS[name]
 
 
-def sampled(start: Vector, end: Vector) -> tuple[Vector, ...]:
-    count = max(2, round(length(end - start) / 1.5))
-    return tuple(start + (end - start) * (index / count) for index in range(count + 1))
-
-
-def along_bow(vertex: Vector, radius: float, start: float, sweep: float, symbol: str) -> Floats:
-    """Outside the arc, then inside it, near its middle first; then round about."""
-    size = np.array(symbol_size(symbol))
-    angles = start + sweep * np.array((0.5, 0.38, 0.62, 0.25, 0.75))
-    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    half = np.abs(toward) @ size / 2
-    levels = [
-        radius + side * (half + more) for side, more in ((1, 0.4), (-1, 0.9), (1, 1.4), (-1, 1.8), (1, 2.4))
-    ]
-    spots = np.array(vertex) + toward * np.array(levels)[:, :, None]
-    near = around(symbol, vertex + polar(start + sweep / 2, radius))
-    return np.concatenate((spots.reshape(-1, 2), near))
+def chords(bow: Bow) -> tuple[Segment, ...]:
+    """An arc as straight pieces, accurate enough to ask what it crosses."""
+    return tuple(pairwise(bow.path(0.35)))

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import pi
-
-import numpy as np
 
 from kinegrade.figure.bars import Bar
 from kinegrade.figure.layers import Drawing
-from kinegrade.figure.mark import Mark, along_bow, direction, sampled
-from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.mark import Mark, chords, direction
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.place import Wish, along_bow, beside
 from kinegrade.figure.plane import angle_of, length, mean, shorter_way, unit
 from kinegrade.figure.rims import Rim
-from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.scene import THIN, Bow, Primitive
 from kinegrade.figure.symbols import PIN, arrow, curved_arrow
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Pin
@@ -27,19 +27,39 @@ TWELFTHS = tuple(index * pi / 6 for index in range(12))
 
 
 def turning_marks(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
-    centre = _pivot(mechanism, hint.body, drawing.rims)
+    """Arrows about the pivot of a body, the nicest close to it, where the body leaves it."""
+    centre = pivot_of(mechanism, hint.body, drawing.rims)
     sense = 1.0 if (hint.sense or _imposed_sense(mechanism, hint.body)) == "ccw" else -1.0
     crank = _crank(mechanism, hint.body, centre, drawing)
-    marks_found = []
+    found: list[Mark] = []
     for radius in (*TURNING_RADII, *(rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body)):
+        span = TURNING_ARC / radius * sense
         for angle in TWELFTHS:
-            span = TURNING_ARC / radius * sense
-            arc = curved_arrow(centre, radius, angle - span / 2, span)
-            wish = Wish(hint.symbol, along_bow(centre, radius, angle - span / 2, span, hint.symbol))
-            path = Bow(centre, radius, angle - span / 2, span, THIN).path()
-            demerit = 2.0 * abs(radius - TURNING_RADII[0]) + 4.0 * abs(shorter_way(angle - crank))
-            marks_found.append(Mark(arc, path, wish, demerit))
-    return marks_found
+            demerit = 1.5 * abs(radius - TURNING_RADII[0]) + 2.5 * abs(shorter_way(angle - crank))
+            found.append(TurningArrow(Bow(centre, radius, angle - span / 2, span, THIN), hint.symbol, demerit))
+    return found
+
+
+@dataclass(frozen=True)
+class TurningArrow:
+    """A curved arrow along an arc."""
+
+    bow: Bow
+    symbol: str
+    demerit: float
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        """The arc."""
+        return chords(self.bow)
+
+    def wish(self) -> Wish:
+        """Along the arc."""
+        return along_bow(self.symbol, self.bow)
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The arc and its arrowhead."""
+        return curved_arrow(self.bow.centre, self.bow.radius, self.bow.start, self.bow.sweep)
 
 
 def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) -> float:
@@ -50,8 +70,8 @@ def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) ->
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
-def _pivot(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
-    """The fixed pin of the body, else the centre of its circle, else the middle of its points."""
+def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
+    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the middle of its points."""
     for joint in mechanism.joints:
         if isinstance(joint, Pin) and GROUND in joint.bodies and body in joint.bodies:
             return mechanism.points[joint.point]
@@ -67,6 +87,7 @@ def _imposed_sense(mechanism: Mechanism, body: str) -> str:
 
 
 def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
+    """Arrows in the direction of the motion: from the point, then beside it, off the mechanism first."""
     point = mechanism.points[hint.point]
     toward = (
         unit(direction(mechanism.points, point, hint.along))
@@ -74,6 +95,7 @@ def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
         else _imposed(mechanism, hint.point)
     )
     across = toward.turned()
+    across = across if across.dot(mean(mechanism.points.values()) - point) <= 1e-6 else -across
     starts = [point + toward * gap for gap in (PIN + 0.2, 3.4, 6.0)]
     starts += [
         point + across * (side * offset) + toward * shift
@@ -81,13 +103,34 @@ def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
         for shift in (0.0, -ARROW / 2, 3.0)
         for side in (1.0, -1.0)
     ]
-    found: list[Mark] = []
-    for start in starts:
-        end = start + toward * ARROW
-        spots = np.concatenate((beside(hint.symbol, start + toward * 3, end), around(hint.symbol, end)))
-        demerit = 0.5 * len(found)
-        found.append(Mark(arrow(start, end), sampled(start + toward, end), Wish(hint.symbol, spots), demerit))
-    return found
+    return [MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)]
+
+
+@dataclass(frozen=True)
+class MovingArrow:
+    """A straight arrow from `start` in the direction `toward`."""
+
+    start: Vector
+    toward: Vector
+    symbol: str
+    demerit: float
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        """The arrow but for its very start."""
+        return ((self.start + self.toward, self._end()),)
+
+    def wish(self) -> Wish:
+        """Beside the arrow, else about its tip."""
+        shaft = beside(self.symbol, self.start + self.toward * 3, self._end())
+        return Wish(self.symbol, shaft, self._end())
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The shaft and its arrowhead."""
+        return arrow(self.start, self._end())
+
+    def _end(self) -> Vector:
+        return self.start + self.toward * ARROW
 
 
 def _imposed(mechanism: Mechanism, point: str) -> Vector:

@@ -35,14 +35,8 @@ def point_symbol(name: str) -> str:
     return letter + (f"_{{{digits}}}" if digits else "") + "'" * len(primes)
 
 
-def wishes(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
-    """The labels of bodies, then of points, then of free ends.
-
-    Raises TemplateError for the label of a body of which nothing is drawn.
-    """
-    for body, symbol in hints.labels.items():
-        if symbol and body not in mechanism.points:
-            yield from _body(body, symbol, drawing)
+def letters(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+    """The labels of points, then of free ends: each has to stand close to its point."""
     for name in _named_points(mechanism, drawing):
         symbol = hints.labels.get(name, point_symbol(name))
         if symbol:
@@ -50,6 +44,16 @@ def wishes(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterat
             yield Wish(symbol, around(symbol, at, away=_away(at, drawing)))
     for name, end in _free_ends(mechanism, drawing):
         yield Wish(point_symbol(name), around(point_symbol(name), end, away=_away(end, drawing)))
+
+
+def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
+    """The labels of bodies, which may stand anywhere in or at them.
+
+    Raises TemplateError for the label of a body of which nothing is drawn.
+    """
+    for body, symbol in hints.labels.items():
+        if symbol and body not in mechanism.points:
+            yield _body(body, symbol, drawing)
 
 
 def _away(at: Vector, drawing: Drawing) -> Vector | None:
@@ -93,18 +97,17 @@ def _letters(name: str) -> list[str]:
     return re.findall(r"[A-Z]\d*p?", name)
 
 
-def _body(body: str, symbol: str, drawing: Drawing) -> Iterator[Wish]:
+def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
     own: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
     if own:
         shares = (0.7, 0.55, 0.4)
         inner = [
             own[0].at + polar(pi / 4 * turn, own[0].radius * share) for share in shares for turn in range(8)
         ]
-        yield Wish(symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius))))
-        return
+        return Wish(symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius))))
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
         raise TemplateError(
             f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its points"
         )
-    yield Wish(symbol, around(symbol, (parts[0].start + parts[0].end) / 2))
+    return Wish(symbol, around(symbol, (parts[0].start + parts[0].end) / 2))

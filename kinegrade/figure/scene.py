@@ -69,11 +69,12 @@ class Bow:
     sweep: float
     pen: Pen
 
-    def path(self) -> tuple[Vector, ...]:
-        """Points along the arc, at most 10 degrees apart."""
-        count = max(2, ceil(abs(self.sweep) / 0.17)) + 1
-        angles = (self.start + self.sweep * index / (count - 1) for index in range(count))
-        return tuple(self.centre + Vector(cos(angle), sin(angle)) * self.radius for angle in angles)
+    def path(self, apart: float = 0.17) -> tuple[Vector, ...]:
+        """Points along the arc, at most that many radians apart (0.17: 10 degrees)."""
+        count = max(2, ceil(abs(self.sweep) / apart)) + 1
+        x, y = self.centre
+        angles = [self.start + self.sweep * index / (count - 1) for index in range(count)]
+        return tuple([Vector(x + self.radius * cos(turn), y + self.radius * sin(turn)) for turn in angles])
 
 
 @dataclass(frozen=True)
@@ -163,7 +164,7 @@ def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
 def moved(primitive: Primitive, by: Vector) -> Primitive:
     """The primitive carried along by a vector."""
     if isinstance(primitive, Strokes):
-        return replace(primitive, lines=tuple((start + by, end + by) for start, end in primitive.lines))
+        return Strokes(tuple((start + by, end + by) for start, end in primitive.lines), primitive.pen)
     if isinstance(primitive, Outline):
         return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
     return replace(primitive, centre=primitive.centre + by)

@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-from kinegrade.figure.layers import draw
-from kinegrade.figure.marks import marks
-from kinegrade.figure.names import wishes
+from kinegrade.figure.angles import angle_marks
+from kinegrade.figure.dimensions import length_marks
+from kinegrade.figure.layers import Drawing, cam_outline, draw
+from kinegrade.figure.layout import Layout
+from kinegrade.figure.motions import moving_marks, pivot_of, turning_marks
+from kinegrade.figure.names import body_names, letters
 from kinegrade.figure.paper import to_paper
-from kinegrade.figure.place import Obstacles, Wish, around, place
+from kinegrade.figure.place import Wish, around
+from kinegrade.figure.plane import length
+from kinegrade.figure.radii import radius_marks
 from kinegrade.figure.rims import rims
-from kinegrade.figure.scene import (
-    THIN,
-    Box,
-    Primitive,
-    Scene,
-    Strokes,
-    box_around,
-    moved,
-)
+from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around, moved
 from kinegrade.figure.symbols import arrowhead
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.hints import FigureHints, Moving, Turning
 
 WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
-SURROUND = 14.0  # millimetres that symbols and labels take beside the mechanism, as a first guess
+SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first guess
+WRITING = 4.0, 5.6  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
+ARROWS = 6.6, 2.2  # millimetres that straight arrows take beside the symbols, as a rule
+LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
 ATTEMPTS = 6
 PLAIN = FigureHints()
 
@@ -34,46 +34,83 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     span = _span(mechanism, hints)
-    scale = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))
-    primitives = _compose(mechanism, hints, scale)
+    scale = _first_scale(mechanism, hints, span)
     for _ in range(ATTEMPTS):
+        primitives = _compose(mechanism, hints, scale)
         box = box_around(primitives)
         if box.width <= WIDTH and box.height <= HEIGHT:
             break
         scale *= min(_shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, HEIGHT, span[1] * scale))
-        primitives = _compose(mechanism, hints, scale)
-    return _trimmed(primitives, scale)
+    home = Vector(-box.left, -box.bottom)
+    return Scene(box.width, box.height, scale, tuple(moved(primitive, home) for primitive in primitives))
 
 
 def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
-    """Mechanism, then marks, then labels, each against what is already there."""
+    """The mechanism, then what has least choice of place first, each against what is already there.
+
+    Letters must stand near their points, after the marks that are bound to points but before the radii, which
+    may go anywhere; the name of a body may stand anywhere in it.
+    """
     paper = to_paper(mechanism, scale)
     drawing = draw(paper, hints.shapes)
-    drawn = Obstacles(drawing.primitives)
-    marked, mark_wishes = marks(paper, hints, drawing, drawn)
-    lines = (*drawing.primitives, *marked)
-    frame, frame_wishes = _axes(box_around(lines)) if hints.axes else ((), ())
-    wanted = (*mark_wishes, *frame_wishes, *wishes(paper, hints, drawing))
-    return (*lines, *frame, *place(wanted, drawn.with_drawn((*marked, *frame))))
+    named = tuple(letters(paper, hints, drawing))
+    layout = _with_bound_marks(Layout.of(drawing.primitives), paper, hints, drawing, named).written(named)
+    for radius in hints.radii:
+        layout = layout.marked(radius_marks(drawing.rims, radius))
+    if hints.axes:
+        layout = _with_axes(layout)
+    return layout.written(body_names(paper, hints, drawing)).primitives
 
 
-def _axes(box: Box) -> tuple[tuple[Primitive, ...], tuple[Wish, ...]]:
+def _with_bound_marks(
+    layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
+) -> Layout:
+    """Marks bound to points: angles, rotations (which spare the letters at their pivots), distances, motions."""
+    for angle in hints.angles:
+        for arcs in angle_marks(paper.points, angle, drawing):
+            layout = layout.marked(arcs)
+    for given in hints.arrows:
+        if isinstance(given, Turning):
+            pivot = pivot_of(paper, given.body, drawing.rims)
+            close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < LETTERED]
+            layout = layout.marked(turning_marks(paper, given, drawing), layout.written(close).labels)
+    for distance in hints.lengths:
+        layout = layout.marked(length_marks(paper.points, distance, layout.obstacles))
+    for straight in hints.arrows:
+        if isinstance(straight, Moving):
+            layout = layout.marked(moving_marks(paper, straight))
+    return layout
+
+
+def _with_axes(layout: Layout) -> Layout:
     """A small frame x, y at the lower left, outside everything else."""
+    box = box_around(layout.lines)
     corner, reach = Vector(box.left - 4.0, box.bottom - 1.0), 7.0
     ends = {"x": corner + Vector(reach, 0.0), "y": corner + Vector(0.0, reach)}
     lines = Strokes(tuple((corner, end) for end in ends.values()), THIN)
     heads = (arrowhead(ends["x"], Vector(1.0, 0.0)), arrowhead(ends["y"], Vector(0.0, 1.0)))
-    labels = (
-        Wish("x", around("x", ends["x"])),
-        Wish("y", around("y", ends["y"])),
-    )
-    return (lines, *heads), labels
+    names = (Wish(name, around(name, end)) for name, end in ends.items())
+    return layout.drawn((lines, *heads)).written(names)
+
+
+def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]) -> float:
+    """The scale that leaves room for the symbols, which do not scale, and for the writing about them."""
+    guess = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))
+    box = box_around(draw(to_paper(mechanism, guess), hints.shapes).primitives)
+    straight = any(isinstance(given, Moving) for given in hints.arrows)
+    factors = []
+    for axis, (limit, drawn) in enumerate(((WIDTH, box.width), (HEIGHT, box.height))):
+        beside = drawn - span[axis] * guess + WRITING[axis] + straight * ARROWS[axis]
+        factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
+    return min(factors)
 
 
 def _span(mechanism: Mechanism, hints: FigureHints) -> tuple[float, float]:
-    """Width and height in metres of what scales: points and circles, but no cam's circle of curvature."""
+    """Width and height in metres of what scales: points, circles, profiles of cams."""
     boxes = [(point, 0.0) for point in mechanism.points.values()]
-    boxes += [(rim.at, rim.radius) for rim in rims(mechanism, hints.shapes) if rim.kind != "cam"]
+    for rim in rims(mechanism, hints.shapes):
+        cam = rim.kind == "cam"
+        boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)] if cam else [(rim.at, rim.radius)]
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
     upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
     return max(across) - min(across), max(upward) - min(upward)
@@ -84,9 +121,3 @@ def _shrink(size: float, limit: float, scaled: float) -> float:
     if size <= limit or scaled <= 0:
         return 1.0
     return min(0.98, max(0.5, (limit - (size - scaled)) / scaled))
-
-
-def _trimmed(primitives: tuple[Primitive, ...], scale: float) -> Scene:
-    box = box_around(primitives)
-    home = Vector(-box.left, -box.bottom)
-    return Scene(box.width, box.height, scale, tuple(moved(primitive, home) for primitive in primitives))

@@ -112,4 +112,5 @@ def _at(point: Vector) -> str:
 
 
 def _mm(value: float) -> str:
-    return f"{round(value, 3) + 0.0:g}mm"
+    """Rounded twice, so that the last bits of a sine, which differ between machines, never show."""
+    return f"{round(round(value, 6), 3) + 0.0:g}mm"

@@ -26,7 +26,7 @@ _MINUS_SIGNS = {
 _FOLDED: dict[int, int | str] = {**_ASCII_FORMS, **_POINTS, **_MINUS_SIGNS}
 _NUMBER = re.compile(r"([+-]?)\s*([0-9]*)(?:([.,])([0-9]*))?(?:[eE]([+-]?[0-9]+))?\s*")
 _THOUSANDS_LIKE = re.compile(r"[1-9][0-9]{0,2},[0-9]{3}")
-_CALCULATION = re.compile(r"[-+*/^(]+\s*[0-9.,(-]")
+_CALCULATION = re.compile(r"[-+*/^(]+\s*[0-9.,(a-z\u221a-]")
 _POWER_OF_TEN = re.compile(r"[x\u00d7*\u00b7\u22c5]\s*10")
 
 
@@ -87,7 +87,7 @@ def _remark(digits: str, read_as: str) -> str:
 
 def _too_long(found: re.Match[str]) -> str:
     _, whole, _, decimals, exponent = (group or "" for group in found.groups())
-    if len(whole) + len(decimals) > MOST_DIGITS:
+    if len((whole + decimals).lstrip("0")) > MOST_DIGITS or len(whole + decimals) > LONGEST_ANSWER:
         return f"more than {MOST_DIGITS} digits"
     if abs(int(exponent or 0)) > LARGEST_EXPONENT:
         return f"a power of ten beyond {LARGEST_EXPONENT}"

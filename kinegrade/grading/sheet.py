@@ -180,7 +180,7 @@ def _missing_students(table: Table, entries: Mapping[str, Entry]) -> Iterator[Co
     for student, entry in entries.items():
         if entry.line is None:
             yield Complaint(
-                table.file, None, "", student, "no row for this student", "all answers count as blank"
+                table.file, None, "", student, f'no row for student "{student}"', "all answers count as blank"
             )
 
 

@@ -6,8 +6,8 @@ that is reached already. Every joint that is not used up by that closes a loop a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from kinegrade.errors import MechanismError
@@ -36,6 +36,7 @@ from kinegrade.mechanics.vector import Vector
 class Guided:
     """A joint seen as: `point` of `body` moves along one direction or arc in the body `of`."""
 
+    joint: Joint
     point: str
     body: str
     of: str
@@ -66,8 +67,10 @@ class Frames:
 
 def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
     """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies or points."""
-    bases = find_bases(mechanism)
-    relations = [relation for joint in mechanism.joints for relation in joint_relations(mechanism, bases, joint)]
+    guides = find_guides(mechanism)
+    bases = find_bases(mechanism, guides)
+    relations = [relation for joint, guide in zip(mechanism.joints, guides, strict=True)
+                 for relation in joint_relations(mechanism, bases, joint, guide)]
     relations += [driver_relation(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers]
     return Frames(mechanism, bases, tuple(relations))
 
@@ -83,30 +86,43 @@ def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str
     return (*base.chain, Term("rotation", omega_of(body), arm, point + base.point))
 
 
+def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
+    """For each joint the guided point that it states; where one point is guided twice the rates are told apart."""
+    guides: list[Guided | None] = []
+    taken: set[str] = set()
+    for joint in mechanism.joints:
+        guide = guided(mechanism, joint)
+        if guide and guide.term.rate in taken:
+            term = replace(guide.term, rate=f"{guide.term.rate} {len(guides)}")
+            guide = replace(guide, term=term)
+        if guide:
+            taken.add(guide.term.rate)
+        guides.append(guide)
+    return tuple(guides)
+
+
 def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
     """The guided point that a joint states, or None for joints that guide no point."""
-    if isinstance(joint, Slide):
-        return slid(joint.point, joint.body, joint.line, joint.of)
-    if isinstance(joint, Sleeve):
-        return slid(sleeve_point(mechanism, joint), joint.body, joint.line, joint.of)
-    if isinstance(joint, Arc):
-        return circled(mechanism, joint.point, joint.body, joint.circle, joint.of)
-    if isinstance(joint, (Contact, Roll)):
-        if isinstance(joint.on, Line):
-            return slid(joint.circle.centre, joint.body, joint.on, joint.of)
-        return circled(mechanism, joint.circle.centre, joint.body, joint.on, joint.of)
+    track: Line | Circle
+    match joint:
+        case Slide(point, body, track, of) | Arc(point, body, track, of):
+            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
+        case Sleeve(body, track, of):
+            point = sleeve_point(mechanism, joint)
+            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
+        case Contact(body, circle, of, track) | Roll(body, circle, of, track):
+            point = circle.centre
+            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
     return None
 
 
-def slid(point: str, body: str, line: Line, of: str) -> Guided:
-    """`point` of `body` moves along `line` seen from `of`."""
-    return Guided(point, body, of, Term("sliding", f"slide {point} {body}/{of}", line.direction, f"{point}/{of}", of))
-
-
-def circled(mechanism: Mechanism, point: str, body: str, circle: Circle, of: str) -> Guided:
-    """`point` of `body` moves about the centre of `circle` seen from `of`."""
-    arm = mechanism.points[point] - mechanism.points[circle.centre]
-    return Guided(point, body, of, Term("arc", f"circle {point} {body}/{of}", arm, f"{point}/{of}", of))
+def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str) -> Term:
+    """`point` of `body` moves along a line, or about the centre of a circle, seen from `of`."""
+    name = f"{point}/{of}"
+    if isinstance(track, Line):
+        return Term("sliding", f"slide {point} {body}/{of}", track.direction, name, of)
+    arm = mechanism.points[point] - mechanism.points[track.centre]
+    return Term("arc", f"circle {point} {body}/{of}", arm, name, of)
 
 
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
@@ -116,21 +132,22 @@ def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
     return next((point for point in pinned if point in points), points[0])
 
 
-def find_bases(mechanism: Mechanism) -> dict[str, Base]:
+def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[str, Base]:
     """A base for every body, the best candidates first, from the ground outwards."""
     bases: dict[str, Base] = {}
     waiting = {body.name: body for body in mechanism.bodies}
     while waiting:
         candidates = [(rank, order, name, base)
                       for order, (name, body) in enumerate(waiting.items())
-                      for rank, base in base_candidates(mechanism, bases, body)]
+                      for rank, base in base_candidates(mechanism, bases, guides, body)]
         _, _, name, base = min(candidates, key=lambda candidate: candidate[:2])
         bases[name] = base
         del waiting[name]
     return bases
 
 
-def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], body: Body) -> Iterator[tuple[int, Base]]:
+def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guided | None],
+                    body: Body) -> Iterator[tuple[int, Base]]:
     """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2, pin on a reached
     body 3, other guide 4, slot of a reached body 5, free point 6."""
     for joint in mechanism.joints:
@@ -140,11 +157,11 @@ def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], body: Body)
                     yield 0, Base(joint.point, (), joint)
                 elif other in bases:
                     yield 3, Base(joint.point, chain(mechanism, bases, other, joint.point), joint)
-        guide = guided(mechanism, joint)
+    for guide in guides:
         if guide and guide.body == body.name and guide.of == GROUND:
-            yield ground_rank(mechanism, guide), Base(guide.point, (guide.term,), joint)
+            yield ground_rank(mechanism, guide), Base(guide.point, (guide.term,), guide.joint)
         elif guide and guide.body == body.name and guide.of in bases:
-            yield 5, Base(guide.point, (*chain(mechanism, bases, guide.of, guide.point), guide.term), joint)
+            yield 5, Base(guide.point, (*chain(mechanism, bases, guide.of, guide.point), guide.term), guide.joint)
     yield 6, Base(body.points[0], free_terms(body.points[0], body.name), None)
 
 
@@ -163,9 +180,9 @@ def free_terms(point: str, body: str) -> Chain:
             Term("sliding", f"free {point} {body} y", Vector(0, 1), f"{point}y"))
 
 
-def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint) -> Iterator[Relation]:
+def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint,
+                    guide: Guided | None) -> Iterator[Relation]:
     """What a joint states beyond what the bases have used of it."""
-    guide = guided(mechanism, joint)
     if isinstance(joint, Pin):
         yield from pin_relations(mechanism, bases, joint)
     elif guide and not any(base.joint is joint for base in bases.values()):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.exact.text import decimal_text
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
@@ -49,7 +50,8 @@ class Constructions:
 
     def polar(self, centre: Vector, radius: Any, angle: Any) -> Vector:
         """The point at `radius` from `centre` in the direction `angle`."""
-        return centre + self.unit(angle) * radius
+        arm: Vector = self.unit(angle) * radius
+        return centre + arm
 
     def unit(self, angle: Any) -> Vector:
         """The unit vector in the direction `angle`."""
@@ -57,6 +59,8 @@ class Constructions:
 
     def line(self, point: Vector, toward: Any) -> Line:
         """The line through `point` and another point, or in the direction of an angle."""
+        if not isinstance(point, Vector):
+            raise TypeError("a line goes through a point")
         return Line(point, toward - point if isinstance(toward, Vector) else self.unit(toward))
 
     def distance(self, first: Vector, second: Any) -> Any:
@@ -67,7 +71,8 @@ class Constructions:
 
     def toward(self, start: Vector, end: Vector, distance: Any) -> Vector:
         """The point at `distance` from `start` on the way to `end` and beyond."""
-        return start + (end - start) * (distance / self.distance(start, end))
+        step: Vector = (end - start) * (distance / self.distance(start, end))
+        return start + step
 
     def direction(self, start: Vector, end: Vector) -> Any:
         """The angle of the vector from `start` to `end`."""
@@ -76,12 +81,13 @@ class Constructions:
     def meet(self, first: Line | Round, second: Line | Round, branch: Branch | None = None) -> Vector:
         """The common point of two lines, or the one on the named side of a line and a circle or of two circles.
 
-        right, left, upper, lower compare the two candidates; counterclockwise and clockwise say on which side of
-        the directed line from the first centre (or along the line) the point lies.
+        right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for two circles, say on
+        which side of the directed line from the first centre to the second the point lies. Raises MechanismError
+        when there is no common point, or when the name does not tell the two apart.
         """
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)
-        if branch is None:
+        if branch not in BRANCHES:
             raise ExpressionError(f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}")
         if isinstance(first, Round) and isinstance(second, Round):
             return self._circles(first, second, branch)
@@ -92,7 +98,9 @@ class Constructions:
         across = first.direction.cross(second.direction)
         if self.arithmetic.is_zero(across):
             raise MechanismError(f"{self.name(first)} and {self.name(second)} are parallel and do not meet")
-        return first.point + first.direction * ((second.point - first.point).cross(second.direction) / across)
+        share = (second.point - first.point).cross(second.direction) / across
+        step: Vector = first.direction * share
+        return first.point + step
 
     def _line_circle(self, line: Line, circle: Round, branch: Branch) -> Vector:
         nearest = foot(circle.centre, line)
@@ -122,7 +130,11 @@ class Constructions:
             ahead = axis.cross(first - origin) * TURNS[branch] - axis.cross(second - origin) * TURNS[branch]
         else:
             ahead = SIDES[branch](first) - SIDES[branch](second)
-        first_wins = self.arithmetic.sign(ahead) >= 0
+        side = self.arithmetic.sign(ahead)
+        if self.arithmetic.certified and side == 0 and not self.arithmetic.is_zero((first - second).squared()):
+            raise MechanismError(f"{branch} does not tell the two common points apart: "
+                                 f"name another side, one of {', '.join(BRANCHES)}")
+        first_wins = side >= 0
         choose = self.arithmetic.choose
         return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
 
@@ -146,10 +158,16 @@ class Constructions:
 
 def foot(point: Vector, line: Line) -> Vector:
     """The foot of the perpendicular from `point` to `line`."""
-    along = (point - line.point).dot(line.direction) / line.direction.squared()
-    return line.point + line.direction * along
+    share = (point - line.point).dot(line.direction) / line.direction.squared()
+    step: Vector = line.direction * share
+    return line.point + step
 
 
 def short(number: Any) -> str:
-    """A number to four figures, for messages."""
-    return f"{float(number):.4g}"
+    """A number of any arithmetic to four figures, for messages."""
+    return f"{size(number):.4g}"
+
+
+def size(number: Any) -> float:
+    """A number of any arithmetic as a double; infinite where no double holds it."""
+    return float(number) if isinstance(number, float) else float(decimal_text(number, 12))

@@ -18,7 +18,7 @@ from kinegrade.mechanics.frames import Frames, build
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.refusal import looseness, refusal
+from kinegrade.mechanics.refusal import looseness, refusal, unrelated
 from kinegrade.mechanics.relations import omega_of, total
 from kinegrade.mechanics.vector import Vector
 
@@ -39,13 +39,11 @@ class Motion:
 
     def omega(self, body: str, of: str = GROUND) -> Any:
         """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body `of`."""
-        own = 0 if body == GROUND else self.rates[omega_of(body)]
-        return own - (0 if of == GROUND else self.rates[omega_of(of)])
+        return turning_of(self.rates, body) - turning_of(self.rates, of)
 
     def alpha(self, body: str, of: str = GROUND) -> Any:
         """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body `of`."""
-        own = 0 if body == GROUND else self.changes[omega_of(body)]
-        return own - (0 if of == GROUND else self.changes[omega_of(of)])
+        return turning_of(self.changes, body) - turning_of(self.changes, of)
 
     def velocity(self, point: str, body: str) -> Vector:
         """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another passes there)."""
@@ -61,7 +59,8 @@ class Motion:
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration 2 omega_e x v_r of `point` of `body` seen from `frame`, m/s^2."""
-        return self.relative_velocity(point, body, frame).turned() * (self.omega(frame) * 2)
+        acceleration: Vector = self.relative_velocity(point, body, frame).turned() * (self.omega(frame) * 2)
+        return acceleration
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
         """Acceleration of `point` of `body` seen from `frame`: a_r = a_a - a_e - a_C."""
@@ -74,7 +73,8 @@ class Motion:
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
             raise MechanismError(f"the velocity pole of {body} is at infinity: {body} does not turn at this instant")
-        return self.points[base] + self.velocity(base, body).turned() / rate
+        arm: Vector = self.velocity(base, body).turned() / rate
+        return self.points[base] + arm
 
 
 def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
@@ -86,6 +86,7 @@ def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Mo
     if arithmetic.certified:
         require_assembled(mechanism, arithmetic)
     frames = build(mechanism, arithmetic)
+    require_all_related(frames)
     equations = [relation.equations() for relation in frames.relations]
     if plan is not None:
         try:
@@ -103,15 +104,24 @@ def followed(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic:
     """Run the plan for velocities, then for accelerations."""
     relations = frames.relations
     rates = plans.run(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
-    require_all_turning(frames, rates)
-    changes = plans.run(plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic)
+    try:
+        changes = plans.run(plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic)
+    except Contradiction:
+        sides = [relation.acceleration_side(rates) for relation in relations]
+        raise refusal(frames, equations, sides, arithmetic) from None
     return Motion(frames, plan, rates, changes)
 
 
-def require_all_turning(frames: Frames, rates: Mapping[str, Any]) -> None:
-    """Refuse bodies that no relation keeps from turning."""
-    free = [body.name for body in frames.mechanism.bodies if not body.particle and omega_of(body.name) not in rates]
-    if free:
+def require_all_related(frames: Frames) -> None:
+    """Refuse motions that no joint and no driver speaks of."""
+    if unrelated(frames):
         raise MechanismError(looseness(frames, []))
 
 
+def turning_of(rates: Mapping[str, Any], body: str) -> Any:
+    """The angular rate of a body among `rates`; the ground has none, and a particle cannot be asked for one."""
+    if body == GROUND:
+        return 0
+    if omega_of(body) not in rates:
+        raise MechanismError(f"{body} is a particle: it does not turn: ask for the motion of its point")
+    return rates[omega_of(body)]

@@ -90,5 +90,3 @@ def run(plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]],
             for side in sides:
                 arithmetic.require_zero(side)
     return rates
-
-

@@ -9,6 +9,7 @@ from kinegrade.errors import MechanismError
 from kinegrade.exact.elimination import consistent, null_vectors
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
+from kinegrade.mechanics.relations import omega_of
 
 
 def refusal(frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any) -> MechanismError:
@@ -30,22 +31,23 @@ def refusal(frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]]
 
 def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
     """Which bodies can still turn and which points can still move."""
-    moving = set().union(*motions) if motions else set()
+    idle = unrelated(frames)
+    moving = set().union(*motions, idle)
     bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if rate.startswith("omega ")]
     points = sorted({rate.split(" ")[1] for rate in moving if not rate.startswith("omega ")})
     parts = [f"body {body} can still turn" for body in bodies]
     parts += [f"{point} can still move" for point in points]
-    unconstrained = [body.name for body in frames.mechanism.bodies
-                     if not body.particle and f"omega {body.name}" not in known_rates(frames)]
-    parts += [f"body {name} can still turn" for name in unconstrained]
-    count = len(motions) + len(unconstrained)
+    count = len(motions) + len(idle)
     noun = "degree of freedom" if count == 1 else "degrees of freedom"
     return f"{', '.join(parts)} ({count} {noun} left): add a joint or a driver"
 
 
-def known_rates(frames: Frames) -> set[str]:
-    """The rates that occur in any relation."""
-    return {rate for relation in frames.relations for rate in relation.unknowns()}
+def unrelated(frames: Frames) -> list[str]:
+    """The rates of bodies and base points that occur in no relation, so that nothing determines them."""
+    known = {rate for relation in frames.relations for rate in relation.unknowns()}
+    rates = [omega_of(body.name) for body in frames.mechanism.bodies if not body.particle]
+    rates += [term.rate for base in frames.bases.values() for term in base.chain]
+    return [rate for rate in dict.fromkeys(rates) if rate not in known]
 
 
 def contradiction(matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]],

@@ -47,19 +47,22 @@ class Term:
 
     def velocity(self, rates: Rates) -> Vector:
         """The term's velocity, m/s."""
-        return self.coefficient() * rates[self.rate]
+        velocity: Vector = self.coefficient() * rates[self.rate]
+        return velocity
 
     def normal(self, rates: Rates) -> Vector:
         """The centripetal part of the term's acceleration, m/s^2: towards the base point or the centre."""
         if self.kind == "sliding":
             return Vector(0, 0)
-        return self.vector * (-rates[self.rate] * rates[self.rate])
+        centripetal: Vector = self.vector * (-rates[self.rate] * rates[self.rate])
+        return centripetal
 
     def coriolis(self, rates: Rates) -> Vector:
         """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own rotation."""
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
-        return self.velocity(rates).turned() * (rates[omega_of(self.frame)] * 2)
+        coriolis: Vector = self.velocity(rates).turned() * (rates[omega_of(self.frame)] * 2)
+        return coriolis
 
     def remainder(self, rates: Rates) -> Vector:
         """All of the term's acceleration that the velocities decide."""
@@ -67,7 +70,8 @@ class Term:
 
     def acceleration(self, rates: Rates, changes: Rates) -> Vector:
         """The term's acceleration, m/s^2, from the rates and their changes."""
-        return self.coefficient() * changes[self.rate] + self.remainder(rates)
+        tangential: Vector = self.coefficient() * changes[self.rate]
+        return tangential + self.remainder(rates)
 
 
 Chain = tuple[Term, ...]

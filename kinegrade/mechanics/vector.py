@@ -23,8 +23,13 @@ class Vector(NamedTuple):
     def __neg__(self) -> Vector:
         return Vector(-self.x, -self.y)
 
-    def __mul__(self, factor: Any) -> Vector:  # type: ignore[override]
+    def __mul__(self, factor: Any) -> Vector:
+        if isinstance(factor, Vector):
+            return NotImplemented
         return Vector(self.x * factor, self.y * factor)
+
+    def __rmul__(self, factor: Any) -> Vector:
+        return self * factor  # type: ignore[no-any-return]
 
     def __truediv__(self, divisor: Any) -> Vector:
         return Vector(self.x / divisor, self.y / divisor)

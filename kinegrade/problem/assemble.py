@@ -9,11 +9,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from flint import fmpq
+
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
 from kinegrade.expression import Call, Expression, Name, elementary, evaluate, is_angle
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.geometry import BRANCHES, Constructions, constructions
+from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, constructions
 from kinegrade.mechanics.joints import Arc, Circle, Contact, Joint, Line, Mesh, Parallel, Pin, Roll, Sleeve, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -59,18 +62,35 @@ def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any) -> A
     points: dict[str, Vector] = {}
     functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
     for name, tree in template.lengths.items():
-        values[name] = located(f"lengths.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
-            tree, values, functions, arithmetic))
+        values[name] = bounded(located(f"lengths.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
+            tree, values, functions, arithmetic)))
     for name, tree in template.points.items():
         place = located(f"points.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
             tree, values, functions, arithmetic))
         if not isinstance(place, Vector):
             raise ExpressionError(f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)")
-        points[name] = values[name] = Vector(place.x, place.y)
+        points[name] = values[name] = located(f"points.{name}", lambda place=place: Vector(  # type: ignore[misc]
+            measure(place.x), measure(place.y)))
     parts = Parts(values, functions, points, arithmetic)
     joints = tuple(located(s.text, lambda s=s: parts.joint(s)) for s in template.joints)  # type: ignore[misc]
     drivers = tuple(located(s.text, lambda s=s: parts.driver(s)) for s in template.drivers)  # type: ignore[misc]
     return Assembly(Mechanism(points, template.bodies, joints, drivers), values, functions)
+
+
+def measure(value: Any) -> Any:
+    """A coordinate, radius or rate as it is. Raises ExpressionError for what is no number, Inexact for pi in it."""
+    if isinstance(value, (Vector, Line, Round, str)):
+        raise ExpressionError("expected a number")
+    if isinstance(value, Angle):
+        raise Inexact("a length with pi in it")
+    return bounded(value)
+
+
+def bounded(value: Any) -> Any:
+    """A value as it is. Raises Inexact for an exact number of absurdly many digits."""
+    if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
+        raise Inexact("a number of too many digits")
+    return value
 
 
 def located(place: str, make: Callable[[], Any]) -> Any:
@@ -96,22 +116,21 @@ class Parts:
         """The value of an expression, which may name points."""
         return evaluate(tree, self.values, self.functions, self.arithmetic)
 
-    def shape(self, tree: Call) -> Any:
-        """A line as a value, a circle with its centre by name."""
+    def shape(self, tree: Call | None) -> Any:
+        """A line as a value, a circle with its centre by name; None where the sentence has no such shape."""
+        if tree is None:
+            return None
         if tree.function == "circle" and isinstance(tree.arguments[0], Name):
-            return Circle(tree.arguments[0].name, self.value(tree.arguments[1]))
-        return self.value(tree)
-
-    def line(self, tree: Call) -> Line:
-        """The line of a guide or slot."""
-        line: Line = self.value(tree)
+            return Circle(tree.arguments[0].name, measure(self.value(tree.arguments[1])))
+        line = self.value(tree)
+        if not isinstance(line, Line):
+            raise ExpressionError("expected line(POINT, angle or point) or circle(POINT, radius)")
         return line
 
     def joint(self, sentence: JointSentence) -> Joint:
         """The joint that a sentence states."""
         point, body, of = sentence.point, sentence.body, sentence.of
-        on = self.shape(sentence.on) if sentence.on is not None else None
-        circle = self.shape(sentence.circle) if sentence.circle is not None else None
+        on, circle = self.shape(sentence.on), self.shape(sentence.circle)
         match sentence.kind:
             case "pin":
                 return Pin(point, sentence.bodies)
@@ -131,12 +150,15 @@ class Parts:
 
     def driver(self, sentence: DriverSentence) -> Driver:
         """The driver that a sentence states."""
-        velocity, acceleration = self.value(sentence.velocity), self.value(sentence.acceleration)
+        velocity, acceleration = measure(self.value(sentence.velocity)), measure(self.value(sentence.acceleration))
         if sentence.kind == "rotation":
             return Rotation(sentence.body, velocity, acceleration, sentence.of)
         if sentence.along is None:
             return Circulation(sentence.point, sentence.body, sentence.centre, velocity, acceleration)
-        direction = Constructions(self.arithmetic, self.points).unit(self.value(sentence.along))
+        along = self.value(sentence.along)
+        if isinstance(along, (Vector, Line, Round, str)):
+            raise ExpressionError("moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)")
+        direction = Constructions(self.arithmetic, self.points).unit(along)
         return Component(sentence.point, sentence.body, direction, velocity, acceleration, sentence.of)
 
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
-from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
 from kinegrade.problem.drawing import Deck, Refused, address, examine
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.statement import check_statements
-from kinegrade.problem.template import Ask, Published, Template
+from kinegrade.problem.statement import statement_faults
+from kinegrade.problem.template import LANGUAGES, Ask, Published, Template
 
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
@@ -35,7 +35,8 @@ class Report:
 def check(template: Template, sample: int = 200) -> Report:
     """Check published results exactly, and `sample` drawn instances (all, where there are no more)."""
     report = Report(template)
-    check_statements(template)
+    for language in LANGUAGES:
+        report.faults += statement_faults(template, language)
     if not template.published:
         report.faults.append("no published result: a template is finished when [[published]] proves it")
     for published in template.published:
@@ -82,26 +83,35 @@ def note(report: Report, solution: Solution) -> None:
 
 def prove(report: Report, published: Published) -> None:
     """Hold the published results against the engine: at the stated values, and at several for those left open."""
-    template = report.template
-    deck = Deck(template, template.asked(), "published", published.source,
-                {name: (text,) for name, text in published.given.items()})
-    wanted = 1 if set(published.given) == set(template.parameters) else INSTANCES
-    shown = 0
-    for attempt in range(20 * INSTANCES):
-        values = {**deck.values("check", attempt), **published.given}
+    where, complete = f"published ({published.source})", set(published.given) == set(report.template.parameters)
+    solutions, problem = [], ""
+    for values in stated(report.template, published, 1 if complete else 20 * INSTANCES):
         try:
-            solution = solve_template(template, values, published.gives)
-        except MechanismError as error:
-            if wanted == 1:
-                report.faults.append(f"published ({published.source}): {error.problems[0]}")
-                return
-            continue
-        report.faults += [f"published ({published.source}) at {values}: {fault}"
-                          for fault in differences(template, published, solution)]
-        shown += 1
-        if shown == wanted:
+            solutions.append(solve_template(report.template, values, published.gives))
+        except KinegradeError as error:
+            problem = error.problems[0]
+        if len(solutions) == INSTANCES:
             break
-    report.proved += shown * len(published.gives)
+    for solution in solutions:
+        faults = [f"{where} at {at(solution)}: {fault}"
+                  for fault in differences(report.template, published, solution)]
+        report.faults += faults
+        report.proved += len(published.gives) - len(faults)
+    if not solutions:
+        report.faults.append(f"{where}: no instance can be solved: {problem}")
+
+
+def stated(template: Template, published: Published, count: int) -> Iterator[Mapping[str, str]]:
+    """The values that a source states, with `count` draws of those it leaves open."""
+    fixed = {name: (text,) for name, text in published.given.items()}
+    deck = Deck(template, template.asked(), "published", published.source, fixed)
+    return ({**deck.values("check", attempt), **published.given} for attempt in range(count))
+
+
+def at(solution: Solution) -> str:
+    """The values of an instance, for a message."""
+    return ", ".join(f"{name} = {quantity.exact or quantity.decimal(6)}"
+                     for name, quantity in solution.parameters.items())
 
 
 def differences(template: Template, published: Published, solution: Solution) -> Iterator[str]:

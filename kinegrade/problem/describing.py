@@ -20,12 +20,13 @@ def lines(template: Template, language: Language) -> Iterator[str]:
     solution = solve_template(template, {})
     yield f"{template.name}: {template.title.in_language(language)}"
     yield f"family: {template.family}; source: {template.source}"
-    yield f"drawable combinations: {template.combinations}"
+    yield f"drawable combinations: {template.combinations}, less those that `kinegrade check` finds unfit"
     yield ""
     yield statement(template, solution.parameters, language)
     yield "parameters"
     for name, parameter in template.parameters.items():
-        yield f"  {name:<12} {parameter.unit.printed:<7} {domain(parameter):<34} {parameter.means.in_language(language)}"
+        means = parameter.means.in_language(language)
+        yield f"  {name:<12} {parameter.unit.printed:<7} {domain(parameter):<34} {means}"
     yield "asks"
     for name, ask in template.asks.items():
         points = f"{ask.points} points" if ask.points else "on request"

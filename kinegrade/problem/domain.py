@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from kinegrade.errors import ExpressionError
+from kinegrade.exact.balls import PRECISIONS, Balls
 from kinegrade.exact.text import decimal_text
-from kinegrade.expression import rational, read
+from kinegrade.expression import MAX_LENGTH, elementary, evaluate, rational, read
 
 MAX_CHOICES = 2000
 RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
@@ -23,20 +24,25 @@ def read_choices(draw: Any) -> tuple[str, ...]:
     >>> read_choices("15 .. 60 step 15")
     ('15', '30', '45', '60')
     """
-    if isinstance(draw, list):
-        texts = [str(value) for value in draw]
-        for text in texts:
-            read(text)
-    else:
-        texts = read_range(str(draw))
-    if not texts or len(texts) > MAX_CHOICES or len(set(texts)) != len(texts):
+    texts = [str(value) for value in draw] if isinstance(draw, list) else read_range(str(draw))
+    if not texts or len(texts) > MAX_CHOICES or len({digits(text) for text in texts}) != len(texts):
         raise ExpressionError(f"draw: expected 1 to {MAX_CHOICES} values, each once")
     return tuple(texts)
 
 
+def digits(text: str) -> str:
+    """The value of an expression without names to 30 digits, by which equal ones are found: 1/2 and 0.5."""
+    balls = Balls(PRECISIONS[0])
+    with balls.context():
+        value = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)
+    if not isinstance(value, arb):
+        raise ExpressionError(f'draw: "{text}" is not a number')
+    return decimal_text(value, 30)
+
+
 def read_range(text: str) -> list[str]:
     """The values of "first .. last step s"."""
-    match = RANGE.fullmatch(text)
+    match = RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
         raise ExpressionError(f'draw: "{text}": expected a list, or a range like "0.1 .. 0.5 step 0.05"')
     first, last, step = (signed(part) for part in match.groups())

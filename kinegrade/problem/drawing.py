@@ -12,14 +12,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from hmac import new as hmac
+from typing import Any
 
-from kinegrade.errors import DrawError, MechanismError
-from kinegrade.expression import evaluate, elementary
-from kinegrade.problem.assemble import parameter_value
-from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution, certified, read_values, solve_template
-from kinegrade.problem.template import Condition, Template
+from kinegrade.errors import DrawError, ExpressionError, MechanismError
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.expression import Operation, elementary, evaluate
 from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution, certified, parameter_values, read_values, solve_template
+from kinegrade.problem.template import Condition, Template
 
 MAX_ATTEMPTS = 400
 SMALLEST, LARGEST = 1e-3, 1e5  # sizes of answers, in the ask's own unit, that a student can be asked to write
@@ -108,10 +109,10 @@ def address(secret: str, *parts: str | int) -> int:
 
 def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None) -> Solution:
     """The solution of an instance fit for students. Raises Refused with the reason."""
-    for condition in template.conditions:
-        if not holds(template, condition, values):
-            raise Refused("condition", condition.text)
     try:
+        for condition in template.conditions:
+            if not holds(template, condition, values):
+                raise Refused("condition", condition.text)
         solution = solve_template(template, values, asks, plan)
     except MechanismError as error:
         raise Refused("mechanism", error.problems[0]) from error
@@ -126,20 +127,27 @@ def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], 
 
 def sized(answer: Quantity) -> str:
     """An answer with its unit, for a message."""
-    return f"{answer.decimal(3)} {answer.unit.text}"
+    return f"{answer.decimal(3)} {answer.unit}"
 
 
 def holds(template: Template, condition: Condition, given: Mapping[str, str]) -> bool:
-    """Whether a condition holds at given values; decided exactly."""
+    """Whether a condition holds at given values; decided exactly. One that cannot be worked out does not hold."""
     trees = read_values(template, given)
 
-    def decide(arithmetic: object) -> bool:
-        values = {name: parameter_value(parameter, trees[name], arithmetic)
-                  for name, parameter in template.parameters.items()}
-        values["pi"] = arithmetic.turns(1)  # type: ignore[attr-defined]
-        sides = [evaluate(tree, values, elementary(arithmetic), arithmetic)
-                 for tree in (condition.left, condition.right)]
-        sign = arithmetic.sign(sides[1] - sides[0])  # type: ignore[attr-defined]
+    def decide(arithmetic: Any) -> bool:
+        values = {**parameter_values(template, trees, arithmetic), "pi": arithmetic.turns(1)}
+        room = evaluate(Operation("-", condition.right, condition.left), values, elementary(arithmetic), arithmetic)
+        sign = arithmetic.sign(half_turns(room) if isinstance(room, Angle) else room)
         return bool(sign > 0 or (sign == 0 and not condition.strict))
 
-    return certified(decide)
+    try:
+        return certified(decide)
+    except ExpressionError:  # a division by zero or the root of a negative number
+        return False
+
+
+def half_turns(angle: Angle) -> Any:
+    """An angle over pi, as a rational. Raises Inexact where it is none."""
+    if angle.parts:
+        raise Inexact("the sign of an arctangent")
+    return angle.half_turns

@@ -39,7 +39,9 @@ def template_text(path: Path) -> str:
     try:
         with path.open("rb") as file:
             data = file.read(4 * MAX_CHARACTERS + 1)
-        return data.decode("utf-8")
+        if len(data) > 4 * MAX_CHARACTERS:
+            raise TemplateError(f"{path}: too large: at most {MAX_CHARACTERS} characters are read: shorten it")
+        return data.decode("utf-8-sig")
     except OSError as error:
         raise TemplateError(f"{path}: cannot be read: {error.strerror}: give the path of a template file") from error
     except UnicodeDecodeError as error:

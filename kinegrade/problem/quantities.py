@@ -16,7 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.errors import ExpressionError, did_you_mean
+from kinegrade.errors import ExpressionError
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
@@ -79,7 +79,8 @@ class Quantities:
         owners = [other.name for other in mechanism.bodies if point in other.points]
         pins = [joint.bodies for joint in mechanism.joints if isinstance(joint, Pin) and joint.point == point]
         if not owners:
-            raise ExpressionError(f'point {point} belongs to no body: {did_you_mean(point, self.motion.points)}')
+            raise ExpressionError(f"point {point} belongs to no body: name the body that carries it, "
+                                  f"like velocity({point}, {mechanism.bodies[0].name})")
         if len(owners) > 1 and not any(set(owners) <= set(bodies) for bodies in pins):
             raise ExpressionError(f"point {point} belongs to {' and '.join(owners)}, which are not pinned there: "
                                   f"name the body, like velocity({point}, {owners[0]})")
@@ -118,11 +119,13 @@ class Quantities:
     def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
         """Centripetal part of the acceleration of a point relative to a base point of the same body."""
         rate = self.motion.omega(self.body(body))
-        return (base - place) * (rate * rate)
+        acceleration: Vector = (base - place) * (rate * rate)
+        return acceleration
 
     def tangential(self, place: Vector, base: Vector, body: Any) -> Vector:
         """Tangential part of the acceleration of a point relative to a base point of the same body."""
-        return (place - base).turned() * self.motion.alpha(self.body(body))
+        acceleration: Vector = (place - base).turned() * self.motion.alpha(self.body(body))
+        return acceleration
 
     def pole(self, body: Any) -> Vector:
         """Velocity pole of a body."""

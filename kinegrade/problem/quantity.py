@@ -12,15 +12,21 @@ from kinegrade.exact.text import LATEX, angle_text, decimal_text, exact_text
 from kinegrade.units import Unit
 
 CERTIFIED_DIGITS = 40
+LONGEST_CLOSED_FORM = 60  # characters: longer ones do not fit beside their decimal on a page of the key
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """`number` counts `unit`s: a rational, a surd, an Angle, or a ball when no small field holds it."""
+    """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small field holds it."""
 
     name: str
     number: Any
-    unit: Unit
+    measure: Unit
+
+    @property
+    def unit(self) -> str:
+        """The unit as text, "m/s^2"."""
+        return self.measure.text
 
     @property
     def is_exact(self) -> bool:
@@ -33,7 +39,7 @@ class Quantity:
         if not self.is_exact:
             return None
         if isinstance(self.number, Angle):
-            return angle_text(self.number, self.unit.degrees)
+            return angle_text(self.number, self.measure.degrees)
         return exact_text(self.number)
 
     @property
@@ -42,8 +48,17 @@ class Quantity:
         if not self.is_exact:
             return None
         if isinstance(self.number, Angle):
-            return angle_text(self.number, self.unit.degrees, LATEX)
+            return angle_text(self.number, self.measure.degrees, LATEX)
         return exact_text(self.number, LATEX)
+
+    @property
+    def closed_form(self) -> str | None:
+        """The exact number in LaTeX math where that says more than its decimal and fits a line, else None."""
+        degrees = self.measure.degrees and isinstance(self.number, Angle)
+        number = self.number.half_turns * 180 if degrees else self.number
+        decimal_says_all = isinstance(number, fmpq) and is_short_decimal(number)
+        text = self.exact
+        return None if text is None or decimal_says_all or len(text) > LONGEST_CLOSED_FORM else self.latex
 
     @property
     def is_zero(self) -> bool:
@@ -54,18 +69,18 @@ class Quantity:
 
     @property
     def value(self) -> float:
-        """The nearest double to within its last digit."""
-        return float(self.decimal(17))
+        """The nearest double."""
+        return float(self.decimal(CERTIFIED_DIGITS))  # from 17 digits one in a hundred would be off by one bit
 
     def decimal(self, digits: int) -> str:
         """The number to `digits` significant digits, correctly rounded."""
-        return decimal_text(self.number, digits, self.unit.degrees)
+        return decimal_text(self.number, digits, self.measure.degrees)
 
     @property
     def given_text(self) -> str:
         """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees as degrees."""
         number = self.number
-        if isinstance(number, Angle) and self.unit.degrees and not number.parts:
+        if isinstance(number, Angle) and self.measure.degrees and not number.parts:
             number = number.half_turns * 180
         if isinstance(number, fmpq) and is_short_decimal(number):
             return decimal_text(number, 12)
@@ -73,7 +88,7 @@ class Quantity:
 
     def record(self) -> dict[str, Any]:
         """exact, value and unit, as the key and `solve --json` write them."""
-        return {"exact": self.exact, "value": self.value, "unit": self.unit.text,
+        return {"exact": self.exact, "value": self.value, "unit": self.unit,
                 "decimal": self.decimal(CERTIFIED_DIGITS)}
 
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Mapping
+from itertools import combinations
 from typing import Any, TypeVar
 
-from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean
-from kinegrade.expression import Expression, names, read
+from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean, one_line
+from kinegrade.expression import MAX_DIGITS, Expression, Number, is_angle, names, read
+from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.domain import read_choices
@@ -27,7 +29,10 @@ MAX_CHARACTERS = 100_000
 KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
         "asks", "statement", "published", "figure")
 NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
-RESERVED = frozenset({"pi", GROUND})
+RESERVED = frozenset({"pi", GROUND, *BRANCHES})
+MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, and what was expected
+TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
+NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', '.join(sorted(RESERVED))}"
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
 Part = TypeVar("Part")
 
@@ -57,15 +62,20 @@ class Reader:
         try:
             table = tomllib.loads(self.text, parse_float=str)
         except (tomllib.TOMLDecodeError, RecursionError) as error:
-            raise TemplateError(f"{self.where}: not readable as TOML: {error}") from error
+            raise TemplateError(f"{self.where}: not readable as TOML: {shortened(str(error))}") from error
+        except ValueError as error:  # Python reads no integer of more than 4,300 digits
+            raise TemplateError(f"{self.where}: {TOO_LARGE}") from error
+        if too_large(table):
+            raise TemplateError(f"{self.where}: {TOO_LARGE}")
         self.faults += [f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KEYS)}"
                         for key in table if key not in KEYS]
-        self.faults += [f"{self.where}: {key} is missing: every template needs it" for key in NEEDED if key not in table]
+        self.faults += [f"{self.where}: {key} is missing: every template needs it"
+                        for key in NEEDED if key not in table]
         return table
 
     def fault(self, path: str, problem: str) -> None:
         """Note a fault at a path of the file."""
-        self.faults.append(f"{self.where}: {path}: {problem}")
+        self.faults.append(f"{self.where}: {shortened(path)}: {shortened(problem)}")
 
     def part(self, path: str, make: Callable[[], Part]) -> Part | None:
         """What `make` gives; its refusal becomes a fault at `path`."""
@@ -169,8 +179,11 @@ class Reader:
         parameters, lengths, points, bodies = groups
         for name in [*parameters, *lengths, *points, *(body.name for body in bodies)]:
             if not IDENTIFIER.fullmatch(name) or name in RESERVED:
-                self.fault(name, "not usable as a name: letters, digits and _ , not pi or ground")
-        for name in set(parameters) & (set(lengths) | set(points)) | (set(lengths) & set(points)):
+                self.fault(name, NAMING)
+        groups_of_names = (parameters, lengths, points), (parameters, lengths, {body.name for body in bodies})
+        twice = {name for group in groups_of_names for first, second in combinations(group, 2)
+                 for name in set(first) & set(second)}
+        for name in sorted(twice):
             self.fault(name, "one name for two things: rename one of them")
 
     def joints(self) -> tuple[JointSentence, ...]:
@@ -204,7 +217,9 @@ class Reader:
         keys = {"quantity", "unit", "means", "sign", "points", "vanishes", "symbol"}
         for name, entry in self.section("asks", dict).items():
             path = f"asks.{name}"
-            if self.is_table(path, entry, keys, {"quantity", "unit"}):
+            if not IDENTIFIER.fullmatch(name):
+                self.fault(path, NAMING)
+            elif self.is_table(path, entry, keys, {"quantity", "unit"}):
                 ask = self.part(path, lambda name=name, entry=entry: self.ask(name, entry))  # type: ignore[misc]
                 found.update({name: ask} if ask is not None else {})
         return found
@@ -214,6 +229,8 @@ class Reader:
         points = entry.get("points", 0)
         if not isinstance(points, int) or isinstance(points, bool) or not 0 <= points <= 100:
             raise ExpressionError("points: expected a whole number from 0 to 100")
+        if not isinstance(entry.get("vanishes", False), bool):
+            raise ExpressionError("vanishes: expected true or false")
         english, chinese = read_sign(entry.get("sign", "magnitude"))
         return Ask(name, str(entry.get("symbol", symbol(name))), read(str(entry["quantity"])),
                    read_unit(str(entry["unit"])), self.translated(entry, "means", f"asks.{name}"),
@@ -226,11 +243,14 @@ class Reader:
             path = f"published[{index}]"
             if not self.is_table(path, entry, {"source", "given", "gives"}, {"source", "gives"}):
                 continue
-            given = {key: str(value) for key, value in dict(entry.get("given", {})).items()}
+            if not isinstance(entry.get("given", {}), dict) or not isinstance(entry["gives"], dict):
+                self.fault(path, 'given and gives: expected tables, like { v_B = "2*omega*r" }')
+                continue
+            given = {key: str(value) for key, value in entry.get("given", {}).items()}
             for key in given:
                 if key not in parameters:
                     self.fault(path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}')
-            texts = {key: str(value) for key, value in dict(entry["gives"]).items()}
+            texts = {key: str(value) for key, value in entry["gives"].items()}
             trees = {key: self.part(f"{path}.gives.{key}", lambda value=value: read(value))  # type: ignore[misc]
                      for key, value in texts.items()}
             known = {key: tree for key, tree in trees.items() if tree is not None}
@@ -245,23 +265,75 @@ class Reader:
 
     def check_uses(self, template: Template) -> None:
         """Names in expressions are known where they are used; published results and asks belong together."""
-        known = {*template.parameters, *template.lengths, "pi"}
-        for index, driver in enumerate(template.drivers):
-            for tree in (driver.velocity, driver.acceleration):
-                self.check_known(f"inputs[{index}]", tree, known)
-        for name, tree in template.lengths.items():
-            self.check_known(f"lengths.{name}", tree, known)
+        parameters = {*template.parameters, "pi"}
+        self.check_order("lengths", template.lengths, parameters)
+        self.check_order("points", template.points, {*parameters, *template.lengths, *BRANCHES})
+        self.check_sentences(template, {*parameters, *template.lengths, *BRANCHES, *template.points})
+        for index, condition in enumerate(template.conditions):
+            for tree in (condition.left, condition.right):
+                self.check_known(f"conditions[{index}]", tree, parameters)
+            if mixed(condition, template.angles):
+                self.fault(f"conditions[{index}]", f'"{condition.text}": an angle against a number: '
+                                                   "write degrees as parts of pi, like phi < pi/2")
         for index, result in enumerate(template.published):
             for name, tree in result.gives.items():
                 if name not in template.asks:
                     self.fault(f"published[{index}]", f'no ask "{name}": {did_you_mean(name, template.asks)}')
-                self.check_known(f"published[{index}].gives.{name}", tree, known)
+                self.check_known(f"published[{index}].gives.{name}", tree, parameters)
 
-    def check_known(self, path: str, tree: Expression, known: set[str]) -> None:
+    def check_order(self, key: str, trees: Mapping[str, Expression], known: set[str]) -> None:
+        """Lengths and points may name what stands before them."""
+        for name, tree in trees.items():
+            self.check_known(f"{key}.{name}", tree, known)
+            known = {*known, name}
+
+    def check_sentences(self, template: Template, known: set[str]) -> None:
+        """Joints, inputs and asks name bodies, points and values that there are."""
+        bodies = {GROUND, *(body.name for body in template.bodies)}
+        for joint in template.joints:
+            self.check_listed(joint.text, "body", (joint.body, joint.of, joint.carrier, *joint.bodies), bodies)
+            self.check_listed(joint.text, "point", (joint.point,), set(template.points))
+            for shape in (joint.circle, joint.on):
+                self.check_known(joint.text, shape, known)
+        for driver in template.drivers:
+            self.check_listed(driver.text, "body", (driver.body, driver.of), bodies)
+            self.check_listed(driver.text, "point", (driver.point, driver.centre), set(template.points))
+            for tree in (driver.velocity, driver.acceleration, driver.along):
+                self.check_known(driver.text, tree, known)
+        for name, ask in template.asks.items():
+            self.check_known(f"asks.{name}", ask.quantity, known | bodies)
+
+    def check_listed(self, path: str, kind: str, named: tuple[str, ...], there: set[str]) -> None:
+        """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
+        for name in named:
+            if name and name not in there:
+                self.fault(path, f'no {kind} "{name}": {did_you_mean(name, there)}')
+
+    def check_known(self, path: str, tree: Expression | None, known: set[str]) -> None:
         """A fault for every name that is not known at this place."""
-        for name in dict.fromkeys(names(tree)):
+        for name in dict.fromkeys(names(tree)) if tree is not None else ():
             if name not in known:
                 self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
+
+
+def shortened(text: str) -> str:
+    """A text as one line of a message can hold it."""
+    line = one_line(text)
+    return line if len(line) <= MAX_PROBLEM else f"{line[:MAX_PROBLEM - 1]}…"
+
+
+def too_large(value: Any) -> bool:
+    """Whether a whole number of absurdly many digits stands anywhere in a TOML value."""
+    if isinstance(value, (dict, list)):
+        return any(too_large(part) for part in (value.values() if isinstance(value, dict) else value))
+    return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS
+
+
+def mixed(condition: Condition, angles: frozenset[str]) -> bool:
+    """Whether a condition holds an angle against a number other than zero."""
+    sides = (condition.left, condition.right)
+    zero = any(isinstance(side, Number) and side.value == 0 for side in sides)
+    return not zero and is_angle(sides[0], angles) != is_angle(sides[1], angles)
 
 
 def read_condition(text: str) -> Condition:

@@ -17,7 +17,7 @@ import re
 from dataclasses import dataclass
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expression import Call, Expression, Name, read
+from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read
 from kinegrade.mechanics.joints import GROUND
 
 SHAPE = r"(?:line|circle)\(.+?\)"
@@ -75,18 +75,25 @@ class DriverSentence:
 
 def read_joint(text: str) -> JointSentence:
     """The joint that a sentence states. Raises ExpressionError saying which sentences there are."""
+    require_short(text)
     for kind, pattern in JOINTS.items():
         match = pattern.fullmatch(text.strip())
         if match:
             found = {key: value for key, value in match.groupdict().items() if value is not None}
+            bodies = tuple(re.split(r"[ ,]+", found["bodies"])) if "bodies" in found else ()
             return JointSentence(
                 "parallel" if kind == "translate" else kind, text, found.get("point", ""), found.get("body", ""),
-                found.get("of", GROUND), tuple(re.split(r"[ ,]+", found.get("bodies", "")))if "bodies" in found else (),
-                read_shape(found.get("circle")), read_shape(found.get("on")), found.get("carrier", ""),
-                "inside" in found)
+                found.get("of", GROUND), bodies, read_shape(found.get("circle")), read_shape(found.get("on")),
+                found.get("carrier", ""), "inside" in found)
     raise ExpressionError(f'"{text}": no such joint: write one of "pin A: OA AB", "B of AB slides on line(O, 0)", '
                           '"... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", '
                           '"... meshes with ... on ...", "... slides through ... along ...", "... translates"')
+
+
+def require_short(text: str) -> None:
+    """Refuse what is too long for a sentence, before it keeps the patterns busy."""
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"a sentence of {len(text)} characters: at most {MAX_LENGTH} are read")
 
 
 def read_shape(text: str | None) -> Call | None:
@@ -101,6 +108,7 @@ def read_shape(text: str | None) -> Call | None:
 
 def read_driver(text: str, velocity: str, acceleration: str) -> DriverSentence:
     """The input that a sentence states. Raises ExpressionError saying which sentences there are."""
+    require_short(text)
     for kind, pattern in DRIVERS.items():
         match = pattern.fullmatch(text.strip())
         if match:

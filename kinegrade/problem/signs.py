@@ -9,8 +9,8 @@ from kinegrade.errors import ExpressionError, did_you_mean
 CONVENTIONS = {
     "magnitude": ("magnitude, not negative", "大小，取非负值"),
     "ccw": ("counter-clockwise positive", "逆时针为正"),
-    "+x": ("positive in the direction of +x", "沿 x 轴正向为正"),
-    "+y": ("positive in the direction of +y", "沿 y 轴正向为正"),
+    "+x": ("positive in the direction of $+x$", "沿 $x$ 轴正向为正"),
+    "+y": ("positive in the direction of $+y$", "沿 $y$ 轴正向为正"),
     "unsigned": ("between 0° and 180°", "取 0° 至 180°"),
     "signed": ("with its sign", "带正负号"),
 }

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-from flint import arb
+from flint import arb, fmpq
 
-from kinegrade.errors import ExpressionError, KinegradeError, MechanismError, TemplateError, did_you_mean
-from kinegrade.exact.angle import Inexact
+from kinegrade.errors import ExpressionError, KinegradeError, MechanismError, TemplateError, did_you_mean, one_line
+from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
 from kinegrade.exact.field import Field
+from kinegrade.exact.surd import Surd
 from kinegrade.expression import Expression, evaluate, read
 from kinegrade.mechanics.motion import Motion, solve
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.assemble import Assembly, assemble, parameter_value
 from kinegrade.problem.quantities import body_names, quantities
 from kinegrade.problem.quantity import Quantity, in_unit
-from kinegrade.problem.template import Ask, Parameter, Template
+from kinegrade.problem.template import Ask, Template
 
 Result = TypeVar("Result")
 CERTIFIED = 120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
@@ -59,7 +61,8 @@ def certified(work: Callable[[Any], Result]) -> Result:
 
     Raises MechanismError when even the narrowest balls leave a sign or a pivot open.
     """
-    for arithmetic in (Field(), *(Balls(precision) for precision in PRECISIONS)):
+    arithmetics: tuple[Field | Balls, ...] = (Field(), *(Balls(precision) for precision in PRECISIONS))
+    for arithmetic in arithmetics:
         try:
             with arithmetic.context():
                 return work(arithmetic)
@@ -79,21 +82,25 @@ def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expre
         text = given.get(name, parameter.default)
         try:
             trees[name] = read(text)
-            check_number(parameter, trees[name])
-        except KinegradeError as error:
-            faults += [f"{template.name}: {name} = {text[:60]}: {problem}" for problem in error.problems]
+        except ExpressionError as error:
+            faults += [f"{template.name}: {name} = {one_line(text[:60])}: {problem}" for problem in error.problems]
     if faults:
         raise TemplateError(*faults)
     return trees
 
 
-def check_number(parameter: Parameter, tree: Expression) -> None:
-    """Raises ExpressionError for a value that is no number at all (unknown names, roots of negative numbers)."""
-    try:
-        parameter_value(parameter, tree, Field())
-    except Inexact:
-        with Balls(PRECISIONS[0]).context():
-            parameter_value(parameter, tree, Balls(PRECISIONS[0]))
+def parameter_values(template: Template, trees: Mapping[str, Expression], arithmetic: Any) -> dict[str, Any]:
+    """All parameters in SI. Raises TemplateError with every value that is no number (roots of negative numbers,
+    unknown names), Inexact where the exact field does not hold them."""
+    faults, values = [], {}
+    for name, parameter in template.parameters.items():
+        try:
+            values[name] = parameter_value(parameter, trees[name], arithmetic)
+        except ExpressionError as error:
+            faults += [f"{template.name}: {name}: {problem}" for problem in error.problems]
+    if faults:
+        raise TemplateError(*faults)
+    return values
 
 
 def require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, ...]:
@@ -109,12 +116,13 @@ def require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, .
 def attempt(template: Template, trees: Mapping[str, Expression], asks: Iterable[Ask], plan: Plan | None,
             arithmetic: Any) -> Solution:
     """Solve in one arithmetic. Raises Inexact or Undecided when another is needed."""
-    values = {name: parameter_value(parameter, trees[name], arithmetic)
-              for name, parameter in template.parameters.items()}
+    values = parameter_values(template, trees, arithmetic)
     assembly = assemble(template, values, arithmetic)
     motion = solve(assembly.mechanism, arithmetic, plan)
     answers = {ask.name: answer(ask, assembly, motion, arithmetic) for ask in asks}
-    return Solution(template, givens(template, trees, values), answers, assembly, motion, arithmetic)
+    known = values if arithmetic.exact else certain(template, trees, values)
+    parameters = {name: in_unit(name, number, template.parameters[name].unit) for name, number in known.items()}
+    return Solution(template, parameters, answers, assembly, motion, arithmetic)
 
 
 def answer(ask: Ask, assembly: Assembly, motion: Motion, arithmetic: Any) -> Quantity:
@@ -123,26 +131,36 @@ def answer(ask: Ask, assembly: Assembly, motion: Motion, arithmetic: Any) -> Qua
     values = {**body_names(assembly.mechanism), **assembly.values}
     functions = {**assembly.functions, **quantities(motion, own)}
     try:
-        quantity = in_unit(ask.name, evaluate(ask.quantity, values, functions, own), ask.unit)
+        number = evaluate(ask.quantity, values, functions, own)
+        require_number(number, ask)
+        quantity = in_unit(ask.name, number, ask.unit)
     except KinegradeError as error:
         raise type(error)(*(f"{ask.name}: {problem}" for problem in error.problems)) from error
     require_certified(quantity.number)
     return quantity
 
 
+def require_number(number: Any, ask: Ask) -> None:
+    """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle where one is due."""
+    if not isinstance(number, (int, fmpq, Surd, arb, Angle)):
+        raise ExpressionError("expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector")
+    if ask.unit.degrees and not isinstance(number, (Angle, arb)):
+        raise ExpressionError("expected an angle: degrees count angle(...), between(...), direction(...) or atan(...)")
+
+
 def require_certified(number: Any) -> None:
-    """Raises Undecided for a ball that is too wide to be a reference."""
-    if isinstance(number, arb) and 0 not in number and number.rel_accuracy_bits() < CERTIFIED:
+    """Raises Undecided for a ball that is too wide to be a reference; one about zero must be narrow in itself."""
+    if not isinstance(number, arb):
+        return
+    narrow = number.rad() < arb(2) ** -CERTIFIED if 0 in number else number.rel_accuracy_bits() >= CERTIFIED
+    if not narrow:
         raise Undecided("an enclosure is too wide")
 
 
-def givens(template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]) -> dict[str, Quantity]:
-    """The parameters in their units, exact wherever they are, whatever arithmetic the instance needed."""
-    found = {}
+def certain(template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters in SI, exact wherever they can be, although the instance is solved by balls."""
+    found = dict(values)
     for name, parameter in template.parameters.items():
-        try:
-            number = parameter_value(parameter, trees[name], Field())
-        except Inexact:
-            number = values[name]
-        found[name] = in_unit(name, number, parameter.unit)
+        with suppress(Inexact):
+            found[name] = parameter_value(parameter, trees[name], Field())
     return found

@@ -39,7 +39,7 @@ class Given:
 
 def with_unit(quantity: Quantity) -> str:
     """A quantity in LaTeX math: number and upright unit."""
-    unit = quantity.unit
+    unit = quantity.measure
     if unit.degrees:
         return f"{quantity.given_text}^\\circ"
     return quantity.given_text if unit.text == "1" else rf"{quantity.given_text}\,\unit{{{unit.text}}}"
@@ -70,9 +70,9 @@ def statement_faults(template: Template, language: Language) -> list[str]:
     where = f"{template.name}.toml: statement.{language}"
     try:
         tree = ENVIRONMENT.parse(template.statement.in_language(language))
-    except TemplateSyntaxError as error:
-        return [f"{where}: {error.message}: only {{{{ parameter }}}} is filled in"]
-    strange = sorted({type(node).__name__ for node in tree.find_all(nodes.Node) if not isinstance(node, ALLOWED)})
+    except (TemplateSyntaxError, RecursionError) as error:
+        return [f"{where}: {getattr(error, 'message', 'nested too deeply')}: only {{{{ parameter }}}} is filled in"]
+    strange = sorted({kind for node in tree.find_all(nodes.Node) if (kind := forbidden(node))})
     named = {node.name for node in tree.find_all(nodes.Name)}
     faults = [f"{where}: {kind}: only {{{{ parameter }}}} and {{{{ parameter.value }}}} are filled in"
               for kind in strange]
@@ -80,3 +80,10 @@ def statement_faults(template: Template, language: Language) -> list[str]:
     faults += [f"{where}: the parameter {name} is not given to the student: write {{{{ {name} }}}}"
                for name in template.parameters if name not in named]
     return faults
+
+
+def forbidden(node: nodes.Node) -> str:
+    """What of Jinja a node is that statements may not use; "" for what they may."""
+    if isinstance(node, nodes.Getattr) and not (node.attr == "value" and isinstance(node.node, nodes.Name)):
+        return f"attribute .{node.attr}"
+    return "" if isinstance(node, ALLOWED) else type(node).__name__

@@ -11,15 +11,15 @@ from hypothesis import strategies as st
 from kinegrade.errors import TypesetError
 from kinegrade.exam.markup import line, prose
 
-WORDS = {"strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
+WORDS = {"box", "strong", "emph", "list", "enum", "start", "parbreak", "linebreak"}
 
 
 @pytest.mark.parametrize(
     ("markdown", "expected"),
     [
-        ("The *crank* $OA$", '{"The ";emph({"crank";});" ";$O A$;}'),
+        ("The *crank* $OA$", '{"The ";emph({"crank";});" ";box($O A$);}'),
         ("a\n\n**b**", '{"a";parbreak();strong({"b";});}'),
-        ("- a\n- $b$", '{list({"a";},{$b$;},);}'),
+        ("- a\n- $b$", '{list({"a";},{box($b$);},);}'),
         ("3. a", '{enum(start: 3, {"a";},);}'),
         ("so $$x = 1$$", '{"so ";$ x = 1 $;}'),
         ("$$\nx\n$$", "{$ x $;}"),

@@ -61,7 +61,7 @@ def test_plain_text_never_becomes_code(press: TypstPress, tmp_path: Path) -> Non
     [
         (
             ENGLISH,
-            ["MidtermexaminationName", "Question1", "7points", "Total7", "PaperA-0001", "page1of1", "m/s"],
+            ["MidtermexaminationName", "Question1", "7points", "Points/7", "PaperA-0001", "page1of1", "m/s"],
         ),
         (CHINESE, ["理论力学", "第1题", "7分", "试卷编号A-0001", "第1页，共1页", "“图示瞬时”", "向右为正"]),
     ],

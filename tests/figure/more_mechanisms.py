@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import cos, radians, sin, sqrt
 
-from mechanisms import RIGHT, UP, Case, hinted, polar
-
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -23,6 +21,7 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar
 
 ORIGIN = Vector(0.0, 0.0)
 

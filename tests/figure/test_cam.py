@@ -17,7 +17,7 @@ from kinegrade.mechanics.vector import Vector
 def test_the_profile_lies_below_the_face_touches_it_and_holds_the_pivot(
     r: float, theta: int, rho: float
 ) -> None:
-    contact = polar(r, radians(90 - theta))
+    contact = polar(radians(90 - theta), r)
     profile = cam_profile(Vector(0.0, 0.0), contact, contact - Vector(0.0, rho), rho)
     assert max(corner.y for corner in profile) == pytest.approx(contact.y, abs=1e-3 * rho)
     edges = list(zip(profile, profile[1:] + profile[:1], strict=True))
@@ -26,7 +26,7 @@ def test_the_profile_lies_below_the_face_touches_it_and_holds_the_pivot(
 
 @given(st.floats(0.1, 0.5), st.integers(-40, 40), st.floats(0.05, 0.6))
 def test_the_profile_has_the_given_curvature_around_the_contact(r: float, theta: int, rho: float) -> None:
-    contact = polar(r, radians(90 - theta))
+    contact = polar(radians(90 - theta), r)
     centre = contact - Vector(0.0, rho)
     profile = cam_profile(Vector(0.0, 0.0), contact, centre, rho)
     near = sorted(profile, key=lambda corner: length(corner - contact))[:5]

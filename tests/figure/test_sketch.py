@@ -11,24 +11,28 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanisms import (
+
+from kinegrade.errors import TemplateError
+from kinegrade.figure.layers import draw
+from kinegrade.figure.obstacles import Obstacles
+from kinegrade.figure.paper import to_paper
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes, box_of
+from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.drawing import Deck
+from kinegrade.problem.library import load_template, template_names
+from tests.figure.mechanisms import (
     EIGHT,
     Case,
     follower_curvature,
     hinted,
+    planetary_accelerations,
     planetary_velocities,
     slider_crank,
     slotted_bar,
 )
-from more_mechanisms import MORE
-
-from kinegrade.errors import TemplateError
-from kinegrade.figure.layers import draw
-from kinegrade.figure.paper import to_paper
-from kinegrade.figure.place import Obstacles, boxes_about
-from kinegrade.figure.scene import BOLD, FIRM, Bow, Disc, Label, Outline, Scene, Strokes, box_of
-from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
-from kinegrade.mechanics.vector import Vector
+from tests.figure.more_mechanisms import MORE
 
 CASES = [
     pytest.param(build, values, id=f"{name}-{number}")
@@ -43,8 +47,8 @@ def check(scene: Scene) -> None:
     lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen is not None]
     bold = Obstacles(part for part in lines if part.pen and part.pen.width >= BOLD.width)
     for label in scene.labels:
-        room = boxes_about(np.array([label.centre]), label.width, label.height)
-        assert bold.costs(room).sum() == 0, label.symbol
+        covered = bold.under_boxes(np.array([label.centre]), label.width, label.height)
+        assert covered.sum() == 0, label.symbol
     for part in scene.primitives:
         box = box_of(part)
         assert min(box.left, box.bottom) > -1e-6
@@ -71,6 +75,15 @@ def test_slider_cranks_of_any_draw_are_clear(r: float, k: float, phi: int) -> No
 @given(st.floats(0.04, 0.12), st.integers(15, 70))
 def test_slotted_bars_of_any_draw_are_clear(length: float, theta: int) -> None:
     check(sketch(*slotted_bar(length, theta)))
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_shipped_templates_are_clear_at_ten_draws(name: str) -> None:
+    template = load_template(name)
+    deck = Deck(template, template.asked(), "secret", "q1")
+    for student in range(10):
+        mechanism = deck.draw(str(student)).solution.motion.frames.mechanism
+        check(sketch(drawable_mechanism(mechanism), template.figure))
 
 
 def centres(scene: Scene) -> list[Vector]:
@@ -105,6 +118,18 @@ def symbols(case: Case) -> set[str]:
 
 def test_free_ends_carry_the_letters_of_their_bodies() -> None:
     assert {"A", "B", "C", "D", "E"} <= symbols(slotted_bar(0.06, 30))
+
+
+def test_a_link_between_its_two_points_carries_its_length_as_a_letter() -> None:
+    scene = sketch(*slider_crank(0.2, 1.75, 60))
+    thin = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN]
+    assert {"r", "k r"} <= {label.symbol for label in scene.labels}
+    assert sum(len(part.lines) for part in thin if len(part.lines) == 3) == 0  # no dimension: two extensions and a line
+
+
+def test_a_length_divided_by_another_point_gets_a_dimension_line() -> None:
+    scene = sketch(*planetary_accelerations(0.6, 0.2, 40))  # C lies between O1 and O
+    assert any(isinstance(part, Strokes) and part.pen == THIN and len(part.lines) == 3 for part in scene.primitives)
 
 
 def test_an_angle_of_zero_has_no_mark() -> None:

@@ -6,7 +6,6 @@ import json
 
 import pytest
 import typst
-from mechanisms import EIGHT
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import symbol_size
@@ -15,6 +14,7 @@ from kinegrade.figure.scene import Label, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.typst import math_to_typst, to_typst
 from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import EIGHT
 
 SYMBOLS = [
     "O",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from small_exam import STUDENTS, exam, paper, write_exam
+
+from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 
 
 @pytest.fixture

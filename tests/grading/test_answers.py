@@ -148,7 +148,7 @@ UNREADABLE = [
     ("1e-100", "a power of ten beyond 99"),
     ("1e" + "9" * 90, "a power of ten beyond 99"),
     ("1" * 41, "more than 40 digits"),
-    ("0." + "3" * 40, "more than 40 digits"),
+    ("0." + "3" * 41, "more than 40 digits"),
     ("1" * 101, "longer than 100 characters"),
     ("9" * 1_000_000, "longer than 100 characters"),
 ]
@@ -233,7 +233,7 @@ def test_a_pure_number_has_no_unit() -> None:
     assert read("2 m", "1").reason == '"m" stands after the number; no unit was expected'
 
 
-FULL_WIDTH = str.maketrans("0123456789.,-+eE", "０１２３４５６７８９．，－＋ｅＥ")  # noqa: RUF001
+FULL_WIDTH = str.maketrans("0123456789.,-+eE", "０１２３４５６７８９．，－＋ｅＥ")
 
 
 @st.composite

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.key import Ask, Key
+from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
 
 Change = Callable[[dict[str, Any], list[Any]], object]
 

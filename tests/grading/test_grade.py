@@ -120,7 +120,7 @@ def test_an_id_without_its_zeros_is_not_matched_but_the_student_is_suggested(exa
 def test_a_missing_student_is_listed_with_blank_answers(exam_folder: Path) -> None:
     marks = marked(exam_folder, HEADER + "007,王伟,1,1,1\n\n , , \n0012,x,1,1,1\nS9,x,1,1,1\n")
     assert verdicts(marks, "12") == ["blank"] * 3
-    assert complaints(exam_folder) == [("", "", "12", "no row for this student")]
+    assert complaints(exam_folder) == [("", "", "12", 'no row for student "12"')]
 
 
 def test_of_differing_rows_the_last_counts_and_the_others_are_kept(exam_folder: Path) -> None:

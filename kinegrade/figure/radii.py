@@ -1,0 +1,103 @@
+"""Radii of circles: an arrow from the centre to the rim, or from outside at a small circle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+from kinegrade.errors import TemplateError, did_you_mean
+from kinegrade.figure.mark import Mark
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.plane import angle_of, polar
+from kinegrade.figure.rims import Rim
+from kinegrade.figure.scene import THIN, Primitive, Strokes
+from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import Radius
+
+SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
+PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
+SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
+
+
+def radius_marks(found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
+    """The radius of a circle: for a cam to the contact, for other circles wherever there is room.
+
+    Raises TemplateError when no circle of the mechanism has that centre.
+    """
+    rim = _rim_about(found, hint)
+    angles = [turn + shift for shift in SHIFTS for turn in PREFERRED]
+    if rim.kind == "cam":
+        angles = [angle_of(rim.touch - rim.at)]
+    way = FromOutside if rim.radius < SMALL_RADIUS else FromCentre
+    return [way(rim.at, rim.radius, polar(angle), hint.symbol) for angle in angles]
+
+
+def _rim_about(found: tuple[Rim, ...], hint: Radius) -> Rim:
+    for rim in found:
+        if rim.centre == hint.centre and hint.of in (None, rim.body):
+            return rim
+    of = f" of {hint.of!r}" if hint.of else ""
+    centres = {rim.centre for rim in found}
+    raise TemplateError(
+        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints; "
+        f"{did_you_mean(hint.centre, centres)}"
+    )
+
+
+@dataclass(frozen=True)
+class FromCentre:
+    """An arrow from the centre to the rim."""
+
+    centre: Vector
+    radius: float
+    toward: Vector
+    symbol: str
+    demerit: float = 0.0
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        """The middle of the arrow: centre and rim are reached in any case."""
+        clear = min(3.0, self.radius / 2)
+        return ((self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),)
+
+    def wish(self) -> Wish:
+        """Beside the arrow."""
+        return Wish(self.symbol, beside(self.symbol, self.centre, self._end()))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """A thin line and its arrowhead."""
+        shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
+        return (Strokes((shaft,), THIN), arrowhead(self._end(), self.toward))
+
+    def _end(self) -> Vector:
+        return self.centre + self.toward * self.radius
+
+
+@dataclass(frozen=True)
+class FromOutside:
+    """An arrow that points at the rim from outside, where there is no room inside."""
+
+    centre: Vector
+    radius: float
+    toward: Vector
+    symbol: str
+    demerit: float = 0.0
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        """All of the arrow but its tip."""
+        return ((self._out(1.2), self._out(7.0)),)
+
+    def wish(self) -> Wish:
+        """About the tail."""
+        return Wish(self.symbol, around(self.symbol, self._out(7.0), away=self.toward))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """A thin line and its arrowhead."""
+        shaft = (self._out(HEAD_LENGTH * 0.8), self._out(7.0))
+        return (Strokes((shaft,), THIN), arrowhead(self._out(0.0), -self.toward))
+
+    def _out(self, gap: float) -> Vector:
+        return self.centre + self.toward * (self.radius + gap)

@@ -1,0 +1,220 @@
+"""A bank is read whole, exactly and safely; every fault of the file is told at once, with its place."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from kinegrade.errors import BankError
+from kinegrade.exam.bank import MAX_BYTES, Bank, Tolerance, read_bank
+from kinegrade.problem.library import shipped
+from tests.problem.crank import crank_text
+
+HEAD = 'title = "Midterm"\ncourse = { en = "Mechanics", zh = "力学" }\n'
+AMOUNT = "expected a number like 0.01, at most 4 digits before the point and 9 after it"
+SHARE = 'expected a text like "1 %" or a number like 0.01'
+QUESTION = '[[questions]]\ntemplate = "slider-crank"\n'
+
+
+def bank(folder: Path, text: str) -> Bank:
+    file = folder / "bank.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_bank(file)
+
+
+def faults(folder: Path, text: str) -> list[str]:
+    """The problems, without the file's name that stands before each."""
+    with pytest.raises(BankError) as caught:
+        bank(folder, text)
+    where = f"{folder / 'bank.toml'}: "
+    assert all(problem.startswith(where) and "\n" not in problem for problem in caught.value.problems)
+    return [problem.removeprefix(where) for problem in caught.value.problems]
+
+
+def tolerances(folder: Path, text: str) -> list[Tolerance]:
+    return [ask.tolerance for question in bank(folder, text).questions for ask in question.asks]
+
+
+def test_the_least_a_bank_must_say(tmp_path: Path) -> None:
+    found = bank(tmp_path, HEAD + QUESTION)
+    (question,) = found.questions
+    assert (found.title.en, found.title.zh, found.course.zh, found.date) == ("Midterm", "Midterm", "力学", "")
+    assert (question.identifier, question.template.name, question.domains) == ("q1", "slider-crank", {})
+    assert [ask.name for ask in question.asks] == list(question.template.asked())
+    assert question.points == sum(question.template.asks[ask.name].points for ask in question.asks)
+    assert found.text == HEAD + QUESTION
+
+
+def test_asks_and_domains_of_the_bank_replace_the_templates(tmp_path: Path) -> None:
+    text = HEAD + QUESTION + 'asks = { a_B = 2.5, v_B = 1 }\ndraw = { k = ["sqrt(3)", 2] }'
+    (question,) = bank(tmp_path, text).questions
+    assert [(ask.name, ask.points) for ask in question.asks] == [("a_B", Fraction(5, 2)), ("v_B", Fraction(1))]
+    assert question.points == Fraction(7, 2)
+    assert question.domains == {"k": ("sqrt(3)", "2")}
+
+
+@pytest.mark.parametrize(("written", "tolerance"), [
+    ('{ relative = "1 %" }', (Fraction(1, 100), 0)),
+    ('{ relative = "0.5%" }', (Fraction(1, 200), 0)),
+    ("{ relative = 0.01 }", (Fraction(1, 100), 0)),
+    ("{ absolute = 0.002 }", (0, Fraction(1, 500))),
+    ('{ relative = "2 %", absolute = 1 }', (Fraction(1, 50), 1)),
+    ("{ relative = 0.999999999 }", (Fraction(999999999, 10**9), 0)),
+])
+def test_tolerances_are_read_exactly(tmp_path: Path, written: str, tolerance: tuple[Fraction, Fraction]) -> None:
+    found = tolerances(tmp_path, f"{HEAD}tolerance = {written}\n{QUESTION}")
+    assert set(found) == {Tolerance(Fraction(tolerance[0]), Fraction(tolerance[1]))}
+
+
+def test_the_nearest_tolerance_holds(tmp_path: Path) -> None:
+    text = (HEAD + 'tolerance = { relative = "3 %" }\n' + QUESTION + QUESTION + 'tolerance = { absolute = 0.1 }\n'
+            'asks = { v_B = 1, a_B = { points = 2, tolerance = { relative = "5 %" } } }')
+    found = tolerances(tmp_path, text)
+    assert set(found[:-2]) == {Tolerance(Fraction(3, 100), Fraction(0))}
+    assert found[-2:] == [Tolerance(Fraction(0), Fraction(1, 10)), Tolerance(Fraction(1, 20), Fraction(0))]
+    assert tolerances(tmp_path, HEAD + QUESTION)[0] == Tolerance(Fraction(1, 100), Fraction(0))
+
+
+def test_points_left_out_are_the_templates(tmp_path: Path) -> None:
+    (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = { v_B = { tolerance = { relative = "2 %" } } }').questions
+    assert question.points == question.template.asks["v_B"].points > 0
+
+
+def test_a_template_file_may_lie_beside_the_bank(tmp_path: Path) -> None:
+    (tmp_path / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    (question,) = bank(tmp_path, HEAD + '[[questions]]\ntemplate = "crank.toml"').questions
+    assert question.template.name == "crank"
+    assert question.template.text == crank_text()
+
+
+@pytest.mark.parametrize("name", [
+    "../../x.toml", "/etc/x.toml", "sub/x.toml", "..\\\\x.toml", "C:x.toml", "x\\u0000.toml", "x\\n.toml",
+    "a" * 300 + ".toml",
+])
+def test_a_template_file_lies_nowhere_else(tmp_path: Path, name: str) -> None:
+    (fault,) = faults(tmp_path, HEAD + f'[[questions]]\ntemplate = "{name}"')
+    assert fault.startswith("questions[1].template: '")
+    assert fault.endswith(": expected a file beside the bank, without folders")
+
+
+def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path: Path) -> None:
+    (tmp_path / "crank.toml").write_text(crank_text(("{{ h.value }} above", "above")), encoding="utf-8")
+    found = faults(tmp_path, HEAD + '[[questions]]\ntemplate = "crank.toml"\n[[questions]]\ntemplate = "mine.toml"\n'
+                   '[[questions]]\ntemplate = "slidercrank"\n[[questions]]\ntemplate = "../slider-crank"')
+    assert found[0] == ("questions[1].template: crank.toml: statement.en: the parameter h is not given to the student: "
+                        "write {{ h }}")
+    assert found[1].startswith(f"questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file")
+    assert found[2].startswith('questions[3].template: no template "slidercrank": did you mean "slider-crank"?')
+    assert found[3].startswith('questions[4].template: no template "../slider-crank": ')
+
+
+def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) -> None:
+    text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    mine = HEAD + QUESTION + '[[questions]]\ntemplate = "slider-crank.toml"'
+    (tmp_path / "slider-crank.toml").write_text(text, encoding="utf-8")
+    assert len(bank(tmp_path, mine).questions) == 2
+    (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
+    assert faults(tmp_path, mine) == [
+        'questions[2].template: another template of this bank has the name "slider-crank": rename the file']
+
+
+def test_every_fault_is_told_at_once(tmp_path: Path) -> None:
+    found = faults(tmp_path, """
+titel = "Midterm"
+course = { en = "Mechanics" }
+date = 3
+tolerance = { relative = "100 %", size = 1 }
+[[questions]]
+tempalte = "slider-crank"
+[[questions]]
+template = "slider-crank"
+asks = { v_C = 3, v_B = 0, omega_AB = "2 %", a_B = { points = 1001, weight = 2 } }
+draw = { q = [1], k = [1, 1], r = ["x"], phi = "90 .. 0 step 15" }
+tolerance = { relative = "0 %" }
+points = 3
+""")
+    assert found == [
+        'unknown key "titel": did you mean "title"? (known here: course, date, questions, title, tolerance)',
+        'tolerance: unknown key "size": known here: absolute, relative',
+        "tolerance: expected a tolerance above zero, the relative one below 100 %",
+        'questions[1]: expected a table with template = "..."',
+        'questions[2]: unknown key "points": known here: asks, draw, template, tolerance',
+        "questions[2].tolerance: expected a tolerance above zero, the relative one below 100 %",
+        'questions[2].asks.v_C: slider-crank has no ask "v_C": did you mean "v_B"? '
+        "(known here: a_B, alpha_AB, omega_AB, v_B)",
+        "questions[2].asks.v_B.points: expected more than 0 and at most 1000",
+        f"questions[2].asks.omega_AB.points: {AMOUNT}, not '2 %'",
+        'questions[2].asks.a_B: unknown key "weight": known here: points, tolerance',
+        "questions[2].asks.a_B.points: expected more than 0 and at most 1000",
+        'questions[2].draw: no parameter "q": known here: alpha, k, omega, phi, r',
+        "questions[2].draw.k: draw: expected 1 to 2000 values, each once",
+        'questions[2].draw.r: unknown name "x": known here: pi',
+        'questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, the last value not before the '
+        "first, and there may be at most 2000 values",
+        'title: expected a text, or texts { en = "...", zh = "..." }',
+        'course: expected a text, or texts { en = "...", zh = "..." }',
+        'date: expected a text or a date, like "spring 2026" or 2026-05-01',
+    ]
+
+
+@pytest.mark.parametrize(("line", "fault"), [
+    ("questions = 3", "questions: expected 1 to 50 tables [[questions]]"),
+    ("questions = []", "questions: expected 1 to 50 tables [[questions]]"),
+    ("[[questions]]\n" * 51, "questions: expected 1 to 50 tables [[questions]]"),
+    (QUESTION + "asks = 3", "questions[1].asks: expected a table of asks with their points, like { v_B = 3 }"),
+    (QUESTION + "asks = {}", "questions[1].asks: expected a table of asks with their points, like { v_B = 3 }"),
+    (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
+    (QUESTION + "tolerance = 0.01",
+     'questions[1].tolerance: expected a table like { relative = "1 %" } or { absolute = 0.01 }'),
+    (QUESTION + "tolerance = {}",
+     "questions[1].tolerance: expected a tolerance above zero, the relative one below 100 %"),
+    (QUESTION + 'tolerance = { relative = "-1 %" }',
+     f"questions[1].tolerance.relative: {SHARE}, not '-1 %'"),
+    (QUESTION + "tolerance = { relative = 0.0123456789 }",
+     f"questions[1].tolerance.relative: {SHARE}, not '0.0123456789'"),
+    (QUESTION + "tolerance = { relative = nan }",
+     f"questions[1].tolerance.relative: {SHARE}, not 'nan'"),
+    (QUESTION + 'tolerance = { absolute = "1 %" }', f"questions[1].tolerance.absolute: {AMOUNT}, not '1 %'"),
+    (QUESTION + "asks = { v_B = true }", f"questions[1].asks.v_B.points: {AMOUNT}, not 'a bool'"),
+    (QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}", "a whole number of more than 60 digits: round it"),
+    (QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}", "a whole number of more than 60 digits: round it"),
+    (QUESTION + 'asks = { "v\\nB" = 1 }', 'questions[1].asks.v·B: slider-crank has no ask "v·B": did you mean "v_B"? '
+     "(known here: a_B, alpha_AB, omega_AB, v_B)"),
+])
+def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -> None:
+    assert fault in faults(tmp_path, HEAD + line)
+
+
+@pytest.mark.parametrize(("content", "problem"), [
+    (b"\xff\xfe\x00", "not readable as TOML in UTF-8: "),
+    (b"title = ", "not readable as TOML in UTF-8: "),
+    (b"title = " + b"1" * 5000, "not readable as TOML in UTF-8: "),
+    (b"a = " + b"[" * 20000, "not readable as TOML in UTF-8: "),
+    (b"#" * (MAX_BYTES + 1), f"too large: at most {MAX_BYTES} bytes are read"),
+    (b"", "questions: expected 1 to 50 tables"),
+])
+def test_what_is_no_bank_is_refused(tmp_path: Path, content: bytes, problem: str) -> None:
+    file = tmp_path / "bank.toml"
+    file.write_bytes(content)
+    with pytest.raises(BankError) as caught:
+        read_bank(file)
+    assert caught.value.problems[0].startswith(f"{file}: {problem}")
+
+
+def test_a_bank_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    for file, reason in ((tmp_path / "none.toml", "No such file or directory"), (tmp_path, "Is a directory")):
+        with pytest.raises(BankError, match=f"cannot be read: {reason}: give the path of a bank file"):
+            read_bank(file)
+
+
+def test_an_editor_may_have_put_a_byte_order_mark(tmp_path: Path) -> None:
+    file = tmp_path / "bank.toml"
+    file.write_text(HEAD + "date = 2026-05-01\n" + QUESTION, encoding="utf-8-sig")
+    assert read_bank(file).date == "2026-05-01"
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in shipped("banks").glob("*.toml")))
+def test_shipped_banks_are_sound(name: str) -> None:
+    assert read_bank(shipped("banks") / name).questions

@@ -1,0 +1,85 @@
+"""What stands on a paper and in the key: the student's own numbers, the answers in the key alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kinegrade.exam.bank import Bank, read_bank
+from kinegrade.exam.pages import WARNING, interval, key_book, key_paper, paper_pages
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.exam.typst_source import key_source, paper_source
+from tests.small_class import write_class
+
+CLASS = Roster((Student("007", "王伟", "", "007"), Student("0012", "Zoë", "", "0012")), ())
+
+
+@pytest.fixture(scope="module")
+def bank(tmp_path_factory: pytest.TempPathFactory) -> Bank:
+    folder: Path = tmp_path_factory.mktemp("bank")
+    return read_bank(write_class(folder) / "bank.toml")
+
+
+@pytest.fixture(scope="module")
+def papers(bank: Bank) -> list[SetPaper]:
+    return list(set_exam(bank, CLASS, "spring").papers())
+
+
+def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) -> None:
+    for paper in papers:
+        sheet = paper_pages(bank, paper, "en").questions[0]
+        for quantity in paper.questions[0].drawn.solution.parameters.values():
+            assert quantity.given_text in sheet.statement
+        rows = [(row.symbol, row.unit, row.points) for row in sheet.rows]
+        assert rows == [("v_{B}", "m/s", 3), ("a_{B}", "m/s^2", 2.5)]
+        assert sheet.figure is not None
+        assert sheet.source == ""  # where a problem was published is for the instructor
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_paper_gives_an_answer_away(bank: Bank, papers: list[SetPaper], language: str) -> None:
+    for paper in papers:
+        source = paper_source(paper_pages(bank, paper, language))  # type: ignore[arg-type]
+        answers = [ask.answer for question in paper.questions for ask in question.asks]
+        digits = [answer.decimal(5).lstrip("-") for answer in answers]
+        telling = [text for text in digits if len(text) > 5]
+        assert len(telling) >= 2
+        assert not [text for text in telling if text in source]
+        surds = [answer.latex for answer in answers if answer.latex and "sqrt" in answer.latex]
+        assert not [latex for latex in surds if latex in source]
+        assert "spring" not in source
+
+
+def test_the_key_holds_every_answer_and_warns(bank: Bank, papers: list[SetPaper]) -> None:
+    book = key_book(bank, [key_paper(paper, "en") for paper in papers], "en")
+    assert book.warning == WARNING["en"]
+    source = key_source(book)
+    for paper in papers:
+        assert paper.code in source
+        for question in paper.questions:
+            for ask in question.asks:
+                assert ask.answer.decimal(6).replace("-", "\u2212") in source
+
+
+def test_both_languages_carry_the_same_paper(bank: Bank, papers: list[SetPaper]) -> None:
+    english, chinese = (paper_pages(bank, papers[0], language) for language in ("en", "zh"))  # type: ignore[arg-type]
+    assert (english.title, chinese.title) == ("Midterm", "期中测验")
+    assert english.code == chinese.code
+    assert english.points == chinese.points == sum(question.points for question in bank.questions)
+    for one, other in zip(english.questions, chinese.questions, strict=True):
+        assert one.figure == other.figure
+        assert [row.symbol for row in one.rows] == [row.symbol for row in other.rows]
+        assert one.statement != other.statement
+
+
+def test_the_interval_of_right_answers_is_the_printed_rule(papers: list[SetPaper]) -> None:
+    for paper in papers:
+        (v_B, _), (v_x, v_y), _ = (question.asks for question in paper.questions)
+        low, high = map(float, interval(v_B).strip("[]").split(", "))
+        assert [low, high] == pytest.approx([v_B.answer.value * 0.99, v_B.answer.value * 1.01], 1e-5)
+        low, high = map(float, interval(v_x).strip("[]").split(", "))
+        assert low == -high == -float(v_x.tolerance.absolute)
+        low, high = map(float, interval(v_y).strip("[]").split(", "))
+        assert high - low == 0.5

@@ -1,0 +1,91 @@
+"""Setting: what each student gets, and how far from the right answer is still right."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from kinegrade.errors import DrawError
+from kinegrade.exam.bank import Bank, read_bank
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.setting import SetPaper, paper_code, set_exam, two_figures
+from tests.small_class import BANK, write_class
+
+
+@pytest.fixture
+def bank(tmp_path: Path) -> Bank:
+    return read_bank(write_class(tmp_path) / "bank.toml")
+
+
+def roster(count: int) -> Roster:
+    return Roster(tuple(Student(str(number), "", "", str(number)) for number in range(count)), ())
+
+
+def papers(bank: Bank, count: int, secret: str = "spring") -> list[SetPaper]:
+    return list(set_exam(bank, roster(count), secret).papers())
+
+
+def drawn(paper: SetPaper) -> list[object]:
+    return [question.drawn.values for question in paper.questions]
+
+
+def test_a_student_more_or_a_question_more_changes_nobody_elses_paper(bank: Bank, tmp_path: Path) -> None:
+    before = papers(bank, 4)
+    assert list(map(drawn, papers(bank, 5)[:4])) == list(map(drawn, before))
+    (tmp_path / "bank.toml").write_text(BANK + '[[questions]]\ntemplate = "slider-crank"\n', encoding="utf-8")
+    longer = papers(read_bank(tmp_path / "bank.toml"), 4)
+    assert [drawn(paper)[:3] for paper in longer] == list(map(drawn, before))
+    assert all(drawn(paper)[3] != drawn(paper)[0] for paper in longer)
+    assert [paper.code for paper in longer] == [paper.code for paper in before]
+
+
+def test_papers_differ_in_every_question(bank: Bank) -> None:
+    for first, second in pairwise(papers(bank, 6)):
+        assert all(one != other for one, other in zip(drawn(first), drawn(second), strict=True))
+
+
+def test_only_the_banks_domains_are_drawn(bank: Bank) -> None:
+    for paper in papers(bank, 9):
+        values = paper.questions[1].drawn.values
+        assert (values["h"], values["r"] in "123", values["omega"] in "234") == ("0", True, True)
+
+
+def test_a_class_larger_than_the_combinations_is_refused_before_anything_is_drawn(bank: Bank) -> None:
+    with pytest.raises(DrawError) as caught:
+        set_exam(bank, roster(10), "spring")
+    assert caught.value.problems == ("q2 (crank): 9 combinations are drawable for 10 students: widen the domains",)
+
+
+def test_a_zero_answer_gets_room_from_the_mechanisms_scale(bank: Bank) -> None:
+    for paper in papers(bank, 4):
+        values, (v_x, v_y) = paper.questions[1].drawn.values, paper.questions[1].asks
+        fastest = int(values["r"]) * int(values["omega"])
+        assert v_x.answer.is_zero
+        assert v_x.tolerance.absolute == Fraction(fastest, 100)
+        assert (v_y.tolerance.relative, v_y.tolerance.absolute) == (0, Fraction(1, 4))
+
+
+def test_an_absolute_tolerance_of_the_bank_stands_where_it_is_the_wider(bank: Bank) -> None:
+    question = bank.questions[1]
+    wide = replace(question.asks[0], tolerance=replace(question.asks[0].tolerance, absolute=Fraction(3)))
+    changed = replace(bank, questions=(replace(question, identifier="q2", asks=(wide,)),))
+    assert papers(changed, 1)[0].questions[0].asks[0].tolerance.absolute == 3
+
+
+@pytest.mark.parametrize(("size", "rounded"), [
+    (0.0, 0), (12.0, 12), (0.0123456, "0.012"), (987.6, 990), (9.96, 10), (1.25, "1.2"), (1e-9, "1e-9"), (57.3, 57),
+])
+def test_scales_are_rounded_to_two_figures(size: float, rounded: str | int) -> None:
+    assert two_figures(size) == Fraction(rounded)
+
+
+def test_paper_codes_depend_on_secret_and_student_alone() -> None:
+    assert paper_code("spring", "007") == "WJPK-SNPQ"  # printed on papers: to be the same for ever
+    codes = {paper_code(secret, str(number)) for secret in ("spring", "autumn") for number in range(500)}
+    assert len(codes) == 1000
+    assert all(re.fullmatch("[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}", code) for code in codes)

@@ -1,0 +1,64 @@
+"""Marks and labels take the nicest place that covers nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinegrade.figure.layout import Layout
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.place import Wish, around
+from kinegrade.figure.scene import BOLD, THIN, Label, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A level line with its symbol above its middle."""
+
+    height: float
+    demerit: float
+    shared: bool = False
+
+    def path(self) -> tuple[Segment, ...]:
+        return ((Vector(-5.0, self.height), Vector(5.0, self.height)),)
+
+    def wish(self) -> Wish:
+        return Wish("l", np.array([[0.0, self.height + 2.0]]))
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        return (Strokes(self.path(), THIN),)
+
+
+WALL = Strokes(((Vector(0.0, -1.0), Vector(0.0, 1.0)),), BOLD)
+
+
+def heights(layout: Layout) -> list[float]:
+    return [part.lines[0][0].y for part in layout.lines if isinstance(part, Strokes) and part.pen == THIN]
+
+
+def test_the_nicest_mark_is_taken_when_it_crosses_nothing() -> None:
+    assert heights(Layout.of(()).marked([Rule(6.0, 1.0), Rule(0.0, 0.5)])) == [0.0]
+
+
+def test_a_mark_gives_way_to_what_is_drawn() -> None:
+    assert heights(Layout.of((WALL,)).marked([Rule(0.0, 0.5), Rule(6.0, 1.0)])) == [6.0]
+
+
+def test_a_mark_whose_label_has_no_room_gives_way() -> None:
+    assert heights(Layout.of((WALL,)).marked([Rule(-2.0, 0.5), Rule(6.0, 1.0)])) == [6.0]
+
+
+def test_labels_still_to_come_are_spared() -> None:
+    letter = Label("A", Vector(0.0, 0.0), 2.0, 2.0)
+    layout = Layout.of(()).marked([Rule(0.0, 0.5), Rule(6.0, 1.0)], [letter])
+    assert heights(layout) == [6.0]
+    assert letter not in layout.labels
+
+
+def test_a_letter_stands_as_near_as_what_is_drawn_lets_it() -> None:
+    free = Layout.of(()).written([Wish("A", around("A", Vector(0.0, 0.0)))]).labels[0]
+    crowded = Layout.of((WALL,)).written([Wish("A", around("A", Vector(0.0, 0.0), away=Vector(0.0, 1.0)))]).labels[0]
+    assert abs(free.centre.x) < 3.0
+    assert crowded.centre.y > 1.0 or abs(crowded.centre.x) > 1.0

@@ -1,0 +1,144 @@
+"""Solved mechanisms to hold the laws against: every shipped template at drawn and at arbitrary values, random ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cache
+from typing import Any
+
+from hypothesis import assume
+from hypothesis import strategies as st
+
+from kinegrade.errors import MechanismError
+from kinegrade.exact.balls import Undecided
+from kinegrade.exact.field import Field
+from kinegrade.exact.floats import Floats
+from kinegrade.expression import elementary, evaluate, read
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.assemble import parameter_value
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template import Template
+from tests.laws.growing import mechanisms
+from tests.laws.position import regularity
+
+FLOATS = Floats()
+
+
+@dataclass(frozen=True)
+class Case:
+    """A mechanism solved in an arithmetic; work with its numbers inside `context()`."""
+
+    mechanism: Mechanism
+    arithmetic: Any
+    motion: Motion
+
+    def context(self) -> AbstractContextManager[Any]:
+        return self.arithmetic.context()
+
+    def same(self, first: Any, second: Any) -> bool:
+        """Whether two numbers or vectors are equal: exactly, or as enclosures of one number."""
+        if isinstance(first, Vector):
+            return self.same(first.x, second.x) and self.same(first.y, second.y)
+        return bool(self.arithmetic.is_zero(first - second))
+
+    def solved(self, mechanism: Mechanism) -> Motion:
+        """The motion of a changed mechanism in the same arithmetic."""
+        return solve(mechanism, self.arithmetic)
+
+    def marked(self) -> list[tuple[str, str]]:
+        """Every marked point with its body."""
+        return [(point, body.name) for body in self.mechanism.bodies for point in body.points]
+
+    def turning(self) -> list[str]:
+        """The bodies that have a rotation."""
+        return [body.name for body in self.mechanism.bodies if not body.particle]
+
+
+def changed(part: Any, change: Any) -> Any:
+    """A vector, line, circle, joint or driver with `change` made of each number."""
+    if isinstance(part, Vector):
+        return Vector(change(part.x), change(part.y))
+    if is_dataclass(part) and not isinstance(part, type) and not hasattr(part, "level"):
+        return replace(part, **{entry.name: changed(getattr(part, entry.name), change) for entry in fields(part)})
+    return part if isinstance(part, (str, bool, tuple)) else change(part)
+
+
+def with_numbers(mechanism: Mechanism, change: Any) -> Mechanism:
+    """The same mechanism in other numbers."""
+    return Mechanism({name: changed(point, change) for name, point in mechanism.points.items()}, mechanism.bodies,
+                     tuple(changed(joint, change) for joint in mechanism.joints),
+                     tuple(changed(driver, change) for driver in mechanism.drivers))
+
+
+@cache
+def shipped(name: str) -> Template:
+    """A shipped template, read once."""
+    return load_template(name)
+
+
+@st.composite
+def drawn_values(draw: Any, template: Template) -> dict[str, str]:
+    """Values from the domains of a template that fulfil its conditions."""
+    values = {name: draw(st.sampled_from(parameter.choices)) for name, parameter in template.parameters.items()}
+    assume(fulfils(template, values))
+    return values
+
+
+@st.composite
+def arbitrary_values(draw: Any, template: Template) -> dict[str, str]:
+    """Values between the drawable ones, with several decimals, that fulfil the conditions."""
+    values = {}
+    for name, parameter in template.parameters.items():
+        sizes = [float(number(text)) for text in parameter.choices]
+        share = draw(st.integers(0, 997)) / 997
+        values[name] = f"{min(sizes) + share * (max(sizes) - min(sizes)):.4f}"
+    assume(fulfils(template, values))
+    return values
+
+
+def number(text: str) -> Any:
+    """A drawable value in its own unit, as a double."""
+    return evaluate(read(text), {"pi": 3.141592653589793}, elementary(FLOATS), FLOATS)
+
+
+def fulfils(template: Template, values: Mapping[str, str]) -> bool:
+    """Whether values fulfil a template's conditions, by doubles and clear of the border."""
+    known = {name: parameter_value(parameter, read(values[name]), FLOATS)
+             for name, parameter in template.parameters.items()}
+    return all(evaluate(condition.left, known, elementary(FLOATS), FLOATS) + 1e-9
+               < evaluate(condition.right, known, elementary(FLOATS), FLOATS) for condition in template.conditions)
+
+
+@st.composite
+def template_cases(draw: Any) -> Case:
+    """A shipped template at drawn values, solved exactly, or at arbitrary values, solved by balls."""
+    template = shipped(draw(st.sampled_from(template_names())))
+    values = draw(st.one_of(drawn_values(template), arbitrary_values(template)))
+    solution = solve_template(template, values, ())
+    return Case(solution.assembly.mechanism, solution.arithmetic, solution.motion)
+
+
+@st.composite
+def grown_cases(draw: Any) -> Case:
+    """A random mechanism, solved exactly; those at dead points are left to the law that speaks of them."""
+    mechanism, field = draw(mechanisms()), Field()
+    try:
+        return Case(mechanism, field, solve(mechanism, field))
+    except (MechanismError, Undecided):
+        assume(False)
+        raise
+
+
+def cases() -> st.SearchStrategy[Case]:
+    """All of them."""
+    return st.one_of(template_cases(), grown_cases())
+
+
+def well_conditioned(mechanism: Mechanism) -> bool:
+    """Whether doubles can be expected to hold nine digits of the motion."""
+    return regularity(mechanism) > 1e-3

@@ -1,0 +1,47 @@
+"""Templates are found by name among the shipped ones, and by path anywhere; what cannot be read says why."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kinegrade.errors import TemplateError
+from kinegrade.problem.library import load_template, shipped, template_names
+from kinegrade.problem.reading import MAX_CHARACTERS
+from tests.problem.crank import crank_text
+
+
+def refusal(name: str | Path, folder: Path | None = None) -> str:
+    with pytest.raises(TemplateError) as caught:
+        load_template(str(name), folder)
+    (problem,) = caught.value.problems
+    return problem
+
+
+def test_the_shipped_templates_are_found_by_name() -> None:
+    assert {"slider-crank", "bar-through-swivelling-sleeve"} <= set(template_names())
+    assert all(load_template(name).name == name for name in template_names())
+    text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    assert load_template("slider-crank").text == text
+
+
+def test_any_file_is_found_by_its_path_and_any_folder_may_serve(tmp_path: Path) -> None:
+    (tmp_path / "crank.toml").write_text(crank_text(), encoding="utf-8-sig")
+    assert load_template(str(tmp_path / "crank.toml")) == load_template("crank", tmp_path)
+    assert refusal("slider-crank", tmp_path) == 'no template "slider-crank": known here: crank'
+
+
+@pytest.mark.parametrize("name", ["slider", "Slider-Crank", "../templates/slider-crank", "slider-crank/", ""])
+def test_an_unknown_name_is_refused_with_those_known(name: str) -> None:
+    assert refusal(name).startswith(f'no template "{name}": ')
+    assert "slider-crank" in refusal(name)
+
+
+def test_a_file_that_cannot_be_read_says_why(tmp_path: Path) -> None:
+    file = tmp_path / "crank.toml"
+    assert refusal(file) == f"{file}: cannot be read: No such file or directory: give the path of a template file"
+    file.write_bytes(b"title = '\xff'")
+    assert refusal(file) == f"{file}: not UTF-8 at byte 9: save the template as UTF-8"
+    file.write_text("曲" * (2 * MAX_CHARACTERS), encoding="utf-8")
+    assert refusal(file) == f"{file}: too large: at most {MAX_CHARACTERS} characters are read: shorten it"

@@ -1,0 +1,187 @@
+"""The house stays as it is drawn: floors, siblings that do not know each other, small files, words in two languages."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import kinegrade
+from kinegrade.problem.library import load_template, template_names
+
+PACKAGE = Path(kinegrade.__file__).parent
+ROOT = PACKAGE.parent
+FLOORS = {
+    "errors": 0, "expression": 0, "exact": 0, "units": 0, "files": 0, "tables": 0,
+    "mechanics": 1, "problem": 2, "figure": 3, "exam": 4, "grading": 5, "lms": 6, "cli": 7,
+}
+SIBLINGS = ("figure", "grading", "lms")
+LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
+GRADING_MAY_USE = {"kinegrade.exam.roster"}
+FLINT = {"exact", "expression", "units", "problem"}
+DIRECT_TEXT = (".py", ".toml", ".typ", ".md", ".csv", ".json", ".jsonl", ".yml", ".txt")
+CHINESE = re.compile(r"[\u4e00-\u9fff]")
+
+
+def module_name(file: Path) -> str:
+    parts = file.relative_to(ROOT).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+TEXTS: Mapping[str, str] = {
+    module_name(file): file.read_text(encoding="utf-8") for file in sorted(PACKAGE.rglob("*.py"))
+}
+TREES: Mapping[str, ast.Module] = {module: ast.parse(text) for module, text in TEXTS.items()}
+
+
+def imported(nodes: Iterator[ast.AST] | list[ast.stmt]) -> Iterator[str]:
+    """The modules that import statements name; `from package import module` names the module."""
+    for node in nodes:
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            module = node.module or ""
+            for name in node.names:
+                inner = f"{module}.{name.name}"
+                yield inner if inner in TREES else module
+
+
+def floor(module: str) -> str:
+    return module.split(".")[1]
+
+
+def edges() -> Iterator[tuple[str, str]]:
+    """Who imports whom inside the package, wherever in the file."""
+    for module, tree in TREES.items():
+        for target in imported(ast.walk(tree)):
+            if target.startswith("kinegrade.") and not {module, target} & LOBBY:
+                yield module, target
+
+
+def functions(tree: ast.Module) -> Iterator[ast.FunctionDef]:
+    return (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
+
+
+def undocumented(tree: ast.Module) -> Iterator[str]:
+    """Public functions, classes and methods without a docstring; what stands inside a function is its own business."""
+    stack: list[ast.AST] = [tree]
+    while stack:
+        node = stack.pop()
+        for child in ast.iter_child_nodes(node):
+            if isinstance(child, ast.FunctionDef | ast.ClassDef) and not child.name.startswith("_"):
+                if ast.get_docstring(child) is None:
+                    yield child.name
+                if isinstance(child, ast.ClassDef):
+                    stack.append(child)
+
+
+def test_every_module_has_a_floor() -> None:
+    assert {floor(module) for module in TREES if module not in LOBBY} == set(FLOORS)
+
+
+def test_imports_are_seen_wherever_they_stand() -> None:
+    seen = set(edges())
+    assert ("kinegrade.exam.setting", "kinegrade.problem.drawing") in seen
+    assert ("kinegrade.cli", "kinegrade.grading.grade") in seen  # inside a function
+    assert ("kinegrade.cli", "kinegrade.lms.moodle") in seen  # from a package
+
+
+def test_a_file_imports_only_from_its_own_floor_and_those_below() -> None:
+    assert not [edge for edge in edges() if FLOORS[floor(edge[0])] < FLOORS[floor(edge[1])]]
+
+
+def test_figure_grading_and_lms_do_not_know_each_other() -> None:
+    assert not [edge for edge in edges() if floor(edge[0]) != floor(edge[1])
+                and {floor(edge[0]), floor(edge[1])} <= set(SIBLINGS)]
+
+
+def test_grading_uses_of_setting_nothing_but_the_roster() -> None:
+    below = {target for module, target in edges() if floor(module) == "grading" and floor(target) != "grading"}
+    assert {target for target in below if FLOORS[floor(target)]} <= GRADING_MAY_USE
+
+
+def test_a_template_and_its_mechanics_know_nothing_of_exams() -> None:
+    assert not [edge for edge in edges() if floor(edge[0]) in ("exact", "mechanics") and FLOORS[floor(edge[1])] > 1]
+
+
+def test_nobody_imports_the_command_line() -> None:
+    assert not [edge for edge in edges() if edge[1] == "kinegrade.cli"]
+
+
+def test_no_module_imports_itself_by_way_of_others() -> None:
+    graph: dict[str, set[str]] = {module: set() for module in TREES}
+    for module, tree in TREES.items():
+        graph[module] = {target for target in imported(tree.body) if target in TREES} - {module}
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        pytest.fail(f"a cycle of imports: {' <- '.join(error.args[1])}")
+
+
+def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:
+    libraries = {module: {name.split(".")[0] for name in imported(ast.walk(tree))} for module, tree in TREES.items()}
+    assert {floor(module) for module, names in libraries.items() if "flint" in names} <= FLINT
+    assert not set().union(*libraries.values()) & {"sympy", "mpmath", "scipy", "pandas", "pickle", "subprocess"}
+
+
+def test_modules_are_named_for_what_they_hold() -> None:
+    vague = re.compile(r"utils?|helpers?|common|managers?|misc|base|core|data|info")
+    assert not [module for module in TREES if vague.fullmatch(module.split(".")[-1])]
+
+
+@pytest.mark.parametrize("module", TREES)
+def test_a_module_is_small_documented_and_plain(module: str) -> None:
+    tree, text = TREES[module], TEXTS[module]
+    assert text.count("\n") <= 400
+    assert not text or ast.get_docstring(tree)
+    assert list(undocumented(tree)) == []
+    assert [function.name for function in functions(tree) if (function.end_lineno or 0) - function.lineno >= 40] == []
+    assert not [node for node in ast.walk(tree) if isinstance(node, ast.Assert | ast.Global | ast.Nonlocal)]
+
+
+@pytest.mark.parametrize("module", TREES)
+def test_a_module_runs_nothing_that_it_reads(module: str) -> None:
+    calls = (node.func for node in ast.walk(TREES[module]) if isinstance(node, ast.Call))
+    names = {ast.unparse(function) for function in calls}
+    assert not names & {"eval", "exec", "compile", "__import__", "print", "input", "breakpoint"}
+    assert not [name for name in names if name.endswith((".eval", ".system", ".popen", ".chdir"))]
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> None:
+    template = load_template(name)
+    texts = [template.title, template.statement]
+    texts += [part.means for part in (*template.parameters.values(), *template.asks.values())]
+    texts += [ask.sign for ask in template.asks.values()]
+    for text in texts:
+        assert text.en.strip()
+        assert text.en != text.zh
+        assert CHINESE.search(text.zh), text.zh
+        assert not CHINESE.search(text.en), text.en
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_no_two_sentences_of_a_template_say_the_same(name: str) -> None:
+    template = load_template(name)
+    for language in ("en", "zh"):
+        for parts in (template.parameters, template.asks):
+            sentences = [part.means.in_language(language) for part in parts.values()]  # type: ignore[attr-defined]
+            assert len(set(sentences)) == len(sentences)
+
+
+def test_no_file_knows_the_machine_it_was_written_on() -> None:
+    places = re.compile("/(?:" + "|".join(("work", "root", "home", "Users", "tmp")) + r")/\w")
+    folders = ("kinegrade", "templates", "banks", "tests", "benchmarks", ".ci")
+    files = [file for folder in folders for file in (ROOT / folder).rglob("*") if file.is_file()]
+    files += [file for file in ROOT.iterdir() if file.is_file()]
+    named = {str(file.relative_to(ROOT)) for file in files if "__pycache__" not in file.parts
+             and (file.suffix in DIRECT_TEXT or not file.suffix) and places.search(text_of(file))}
+    assert not named
+
+
+def text_of(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="replace")

@@ -1,0 +1,98 @@
+"""SIGKILL at any moment leaves the old output or the new one, never half; the next run works and clears up."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.small_class import contents, generate, kinegrade, write_class
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals and atomic renaming of POSIX")
+REPLACED = "the output itself"
+Moment = Callable[[Path], bool]  # of the folder that holds the output: whether it is time
+
+
+def killed(arguments: list[str], folder: Path, moment: Moment, delay: float) -> bool:
+    """Runs the command and kills it `delay` seconds after the moment has come; whether it still ran then."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "kinegrade", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    while process.poll() is None and not moment(folder):
+        time.sleep(0.0002)
+    time.sleep(delay)
+    process.kill()
+    return process.wait() < 0
+
+
+def being_made(name: str) -> Moment:
+    """The moment at which a file of that name stands in the hidden folder."""
+    return lambda folder: any((partial / name).exists() for partial in folder.glob(".*.partial-*"))
+
+
+def replaced(output: Path) -> Moment:
+    """The moment at which another folder stands in the output's place, the old one about to be removed."""
+    number = output.stat().st_ino
+    return lambda folder: output.stat().st_ino != number
+
+
+def leftovers(folder: Path) -> list[str]:
+    return [entry.name for entry in folder.iterdir() if entry.name.startswith(".")]
+
+
+@pytest.mark.parametrize(("name", "delay"), [
+    ("papers/007.pdf", 0.0), ("papers.pdf", 0.0), ("key.pdf", 0.0), ("INSTRUCTOR-ONLY.txt", 0.0),
+    ("INSTRUCTOR-ONLY.txt", 0.05), (REPLACED, 0.0),
+])
+def test_a_killed_generate_leaves_the_old_exam_or_the_new(
+    small_class: Path, other_exam: Path, tmp_path: Path, name: str, delay: float
+) -> None:
+    old, new = contents(small_class / "EXAM"), contents(other_exam)
+    shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
+    arguments = ["generate", str(small_class / "bank.toml"), str(small_class / "roster.csv"), "-o",
+                 str(tmp_path / "EXAM"), "--seed", "autumn", "--force"]
+    moment = replaced(tmp_path / "EXAM") if name == REPLACED else being_made(name)
+    assert killed(arguments, tmp_path, moment, delay) or delay or name == REPLACED
+    assert contents(tmp_path / "EXAM") in ((new,) if name == REPLACED else (old, new))
+    if name == "key.pdf":
+        assert leftovers(tmp_path)
+        assert generate(write_class(tmp_path), "EXAM", "--seed", "autumn", "--force").exit_code == 0
+        assert contents(tmp_path / "EXAM") == new
+        assert not leftovers(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The exam of the same class with another seed."""
+    folder = tmp_path_factory.mktemp("other")
+    arguments = (small_class / "bank.toml", small_class / "roster.csv", "-o", folder / "EXAM", "--seed", "autumn")
+    if kinegrade("generate", *arguments).exit_code:
+        raise RuntimeError("the exam cannot be generated")
+    return folder / "EXAM"
+
+
+@pytest.mark.parametrize(("name", "delay"), [
+    (".", 0.0), ("marks.csv", 0.0), ("moodle.csv", 0.0), ("moodle.csv", 0.01), (REPLACED, 0.0),
+])
+def test_a_killed_grade_leaves_the_old_marks_or_the_new(
+    small_class: Path, tmp_path: Path, name: str, delay: float
+) -> None:
+    exam, answers, marks = small_class / "EXAM", tmp_path / "answers.csv", tmp_path / "MARKS"
+    answers.write_text("student,q1.v_B\n" + "007,1\n" * 3000, encoding="utf-8")
+    again = ("grade", exam, answers, "-o", marks, "--force")
+    assert kinegrade(*again).exit_code == 1
+    new = contents(marks)
+    assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks, "--force").exit_code == 0
+    old = contents(marks)
+    moment = replaced(marks) if name == REPLACED else being_made(name)
+    killed(list(map(str, again)), tmp_path, moment, delay)  # or it was faster than the eye, and is done
+    assert contents(marks) in ((new,) if name == REPLACED else (old, new))
+    assert kinegrade(*again).exit_code == 1
+    assert contents(marks) == new
+    assert not leftovers(tmp_path)

@@ -1,0 +1,121 @@
+"""An exam set and marked: the key's own answers are right in every spelling; right ends exactly at the tolerance."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.key import Key
+from tests.small_class import asks_of, kinegrade, table
+
+FULL = "15.5"
+TINY = Fraction(1, 10**30)
+Spelling = Callable[[dict[str, Any]], str]
+
+
+def marked(small_class: Path, tmp_path: Path, spell: Callable[[str, str], str]) -> Path:
+    """The MARKS of a class that types `spell(student, column)`."""
+    exam, file = small_class / "EXAM", tmp_path / "answers.csv"
+    rows = table(exam / "answers.csv")
+    for row in rows:
+        row.update({column: spell(row["student"], column) for column in row if "." in column})
+    with file.open("w", encoding="utf-8", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    result = kinegrade("grade", exam, file, "-o", tmp_path / "MARKS")
+    assert (result.exit_code, result.stdout) == (0, "")
+    return tmp_path / "MARKS"
+
+
+def rounded(digits: int) -> Spelling:
+    return lambda ask: str(Context(prec=digits).create_decimal(ask["decimal"]))
+
+
+@pytest.mark.parametrize("spell", [
+    rounded(37),  # with the zeros about the point as many as are read
+    rounded(6),
+    rounded(4),
+    lambda ask: repr(ask["value"]),
+    lambda ask: rounded(6)(ask).replace(".", ","),
+    lambda ask: f" {rounded(5)(ask)} {ask['unit']} ",
+    lambda ask: f"{Decimal(ask['decimal']):.6e}",
+    lambda ask: rounded(6)(ask).replace("-", "\u2212"),
+    lambda ask: rounded(6)(ask).translate({ord(digit): ord(digit) + 0xFEE0 for digit in "0123456789.-"}),
+], ids=["37 digits", "6 digits", "4 digits", "value", "comma", "unit", "power of ten", "minus", "full width"])
+def test_the_keys_own_answers_get_full_marks(small_class: Path, tmp_path: Path, spell: Spelling) -> None:
+    keys = asks_of(small_class / "EXAM")
+    grades = table(marked(small_class, tmp_path, lambda *place: spell(keys[place])) / "grades.csv")
+    assert [(row["total"], row["out_of"], row["percent"]) for row in grades] == [(FULL, FULL, "100")] * 4
+
+
+def test_every_sign_reversed_is_wrong_but_for_zero(small_class: Path, tmp_path: Path) -> None:
+    keys = asks_of(small_class / "EXAM")
+
+    def reverse(*place: str) -> str:
+        text = keys[place]["decimal"][:20]
+        return text[1:] if text.startswith("-") else f"-{text}"
+
+    marks = table(marked(small_class, tmp_path, reverse) / "marks.csv")
+    for mark in marks:
+        zero = mark["ask"] == "v_x"
+        assert (mark["verdict"], mark["points"]) == (("right", "1") if zero else ("wrong", "0"))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize(("beyond", "verdict"), [(-1, "right"), (1, "wrong")])
+def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
+    small_class: Path, tmp_path: Path, side: int, beyond: int, verdict: str
+) -> None:
+    keys = {examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees}
+
+    def bound(student: str, column: str) -> str:
+        key = keys[student][column]
+        return decimal(key.value + side * (key.tolerance + beyond * TINY), 36, ROUND_FLOOR)
+
+    assert {mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")} == {verdict}
+
+
+def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
+    keys = {examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees}
+    finite: set[tuple[str, str]] = set()
+
+    def bound(student: str, column: str) -> str:
+        key = keys[student][column]
+        if exact(key) is None:
+            return ""
+        finite.add((student, column))
+        return str(exact(key))
+
+    marks = table(marked(small_class, tmp_path, bound) / "marks.csv")
+    verdicts = {(mark["student"], f"{mark['question']}.{mark['ask']}"): mark["verdict"] for mark in marks}
+    assert {column for _, column in finite} >= {"q2.v_x", "q2.v_y", "q3.omega_AB"}
+    assert {verdicts[place] for place in finite} == {"right"}
+
+
+def exact(key: Key) -> str | None:
+    """The upper bound as a decimal, if it has one of few digits."""
+    text = decimal(key.value + key.tolerance, 30, ROUND_CEILING)
+    return text if Fraction(text) == key.value + key.tolerance else None
+
+
+def decimal(number: Fraction, digits: int, rounding: str) -> str:
+    """A fraction as a decimal, rounded."""
+    context = Context(prec=digits, rounding=rounding)
+    return f"{context.divide(Decimal(number.numerator), Decimal(number.denominator)):f}"
+
+
+def test_marking_again_gives_the_same_bytes(small_class: Path, tmp_path: Path) -> None:
+    keys = asks_of(small_class / "EXAM")
+    marks = marked(small_class, tmp_path, lambda *place: rounded(3)(keys[place]))
+    before = {file.name: file.read_bytes() for file in marks.iterdir()}
+    assert kinegrade("grade", small_class / "EXAM", tmp_path / "answers.csv", "-o", marks, "--force").exit_code == 0
+    assert {file.name: file.read_bytes() for file in marks.iterdir()} == before
+    assert sorted(before) == ["complaints.csv", "grades.csv", "marks.csv", "moodle.csv"]
