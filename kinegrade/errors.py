@@ -33,6 +33,10 @@ class MechanismError(KinegradeError):
     """The mechanism cannot be assembled, is loose, is contradictory or stands at a dead point."""
 
 
+class AtInfinity(MechanismError):
+    """A point that is asked for lies at infinity, such as the velocity pole of a body that does not turn."""
+
+
 class DrawError(KinegradeError):
     """No acceptable instance could be drawn."""
 

@@ -41,7 +41,7 @@ def paper_pages(bank: Bank, paper: SetPaper, language: Language) -> Paper:
 def question_sheet(number: int, question: SetQuestion, language: Language) -> QuestionSheet:
     """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
-    figure = sketch(drawable_mechanism(solution.motion.frames.mechanism), template.figure)
+    figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
     rows = tuple(answer_row(template.asks[entry.ask.name], entry.ask.points, language) for entry in question.asks)
     return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
                          question.question.points, statement(template, solution.parameters, language), figure, rows)

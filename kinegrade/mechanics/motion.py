@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.errors import MechanismError
+from kinegrade.errors import AtInfinity, MechanismError
 from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
@@ -68,13 +68,27 @@ class Motion:
         return self.acceleration(point, body) - composed
 
     def pole(self, body: str, arithmetic: Any) -> Vector:
-        """Velocity pole of a body, m. Raises MechanismError when the pole is at infinity or the body at rest."""
+        """Velocity pole of a body, m. Raises AtInfinity when the body does not turn."""
         base = self.frames.bases[body].point
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
-            raise MechanismError(f"the velocity pole of {body} is at infinity: {body} does not turn at this instant")
+            raise AtInfinity(f"the velocity pole of {body} is at infinity: {body} does not turn at this instant")
         arm: Vector = self.velocity(base, body).turned() / rate
         return self.points[base] + arm
+
+
+class Undriven(dict[str, Any]):
+    """The rates of a mechanism that nothing drives: none is known, and asking for one is refused."""
+
+    def __missing__(self, rate: str) -> Any:
+        raise MechanismError("nothing drives this mechanism: it has positions but no velocities: give it an input")
+
+
+def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
+    """A mechanism that is asked for its positions alone. Raises MechanismError when it does not fit together."""
+    if arithmetic.certified:
+        require_assembled(mechanism, arithmetic)
+    return Motion(build(mechanism, arithmetic), Plan(()), Undriven(), Undriven())
 
 
 def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:

@@ -117,6 +117,8 @@ def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], 
     except MechanismError as error:
         raise Refused("mechanism", error.problems[0]) from error
     for name, answer in solution.answers.items():
+        if answer.at_infinity:
+            raise Refused("degenerate", f"{name} is at infinity")
         if answer.is_zero:
             if not template.asks[name].vanishes:
                 raise Refused("degenerate", f"{name} is zero")

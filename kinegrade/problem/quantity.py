@@ -17,7 +17,10 @@ LONGEST_CLOSED_FORM = 60  # characters: longer ones do not fit beside their deci
 
 @dataclass(frozen=True)
 class Quantity:
-    """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small field holds it."""
+    """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small field holds it.
+
+    None stands for a coordinate or distance of a point at infinity.
+    """
 
     name: str
     number: Any
@@ -29,6 +32,11 @@ class Quantity:
         return self.measure.text
 
     @property
+    def at_infinity(self) -> bool:
+        """Whether this is a coordinate or distance of a point at infinity."""
+        return self.number is None
+
+    @property
     def is_exact(self) -> bool:
         """Whether the number is exact, not an enclosure."""
         return not isinstance(self.number, arb)
@@ -38,6 +46,8 @@ class Quantity:
         """The exact number as text that our grammar reads back, or None for an enclosure."""
         if not self.is_exact:
             return None
+        if self.at_infinity:
+            return "infinity"
         if isinstance(self.number, Angle):
             return angle_text(self.number, self.measure.degrees)
         return exact_text(self.number)
@@ -47,6 +57,8 @@ class Quantity:
         """The exact number in LaTeX math, or None for an enclosure."""
         if not self.is_exact:
             return None
+        if self.at_infinity:
+            return r"\infty"
         if isinstance(self.number, Angle):
             return angle_text(self.number, self.measure.degrees, LATEX)
         return exact_text(self.number, LATEX)
@@ -63,17 +75,21 @@ class Quantity:
     @property
     def is_zero(self) -> bool:
         """Whether the number is zero; for an enclosure: a ball about zero."""
+        if self.at_infinity:
+            return False
         if isinstance(self.number, Angle):
             return not self.number.parts and bool(self.number.half_turns == 0)
         return 0 in self.number if isinstance(self.number, arb) else bool(self.number == 0)
 
     @property
     def value(self) -> float:
-        """The nearest double."""
+        """The nearest double; infinity at infinity."""
         return float(self.decimal(CERTIFIED_DIGITS))  # from 17 digits one in a hundred would be off by one bit
 
     def decimal(self, digits: int) -> str:
         """The number to `digits` significant digits, correctly rounded."""
+        if self.at_infinity:
+            return "infinity"
         return decimal_text(self.number, digits, self.measure.degrees)
 
     @property
@@ -87,8 +103,8 @@ class Quantity:
         return self.latex or self.decimal(6)
 
     def record(self) -> dict[str, Any]:
-        """exact, value and unit, as the key and `solve --json` write them."""
-        return {"exact": self.exact, "value": self.value, "unit": self.unit,
+        """exact, value and unit, as the key and `solve --json` write them; no value at infinity."""
+        return {"exact": self.exact, "value": None if self.at_infinity else self.value, "unit": self.unit,
                 "decimal": self.decimal(CERTIFIED_DIGITS)}
 
 

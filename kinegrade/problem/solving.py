@@ -9,15 +9,24 @@ from typing import Any, TypeVar
 
 from flint import arb, fmpq
 
-from kinegrade.errors import ExpressionError, KinegradeError, MechanismError, TemplateError, did_you_mean, one_line
+from kinegrade.errors import (
+    AtInfinity,
+    ExpressionError,
+    KinegradeError,
+    MechanismError,
+    TemplateError,
+    did_you_mean,
+    one_line,
+)
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.expression import Expression, evaluate, read
-from kinegrade.mechanics.motion import Motion, solve
+from kinegrade.mechanics.motion import Motion, pose, solve
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.assemble import Assembly, assemble, parameter_value
+from kinegrade.problem.centrode import Centrodes
 from kinegrade.problem.quantities import body_names, quantities
 from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.problem.template import Ask, Template
@@ -118,22 +127,25 @@ def attempt(template: Template, trees: Mapping[str, Expression], asks: Iterable[
     """Solve in one arithmetic. Raises Inexact or Undecided when another is needed."""
     values = parameter_values(template, trees, arithmetic)
     assembly = assemble(template, values, arithmetic)
-    motion = solve(assembly.mechanism, arithmetic, plan)
-    answers = {ask.name: answer(ask, assembly, motion, arithmetic) for ask in asks}
+    motion = solve(assembly.mechanism, arithmetic, plan) if template.drivers else pose(assembly.mechanism, arithmetic)
+    circles = Centrodes(template, values, plan)
+    answers = {ask.name: answer(ask, assembly, motion, circles, arithmetic) for ask in asks}
     known = values if arithmetic.exact else certain(template, trees, values)
     parameters = {name: in_unit(name, number, template.parameters[name].unit) for name, number in known.items()}
     return Solution(template, parameters, answers, assembly, motion, arithmetic)
 
 
-def answer(ask: Ask, assembly: Assembly, motion: Motion, arithmetic: Any) -> Quantity:
+def answer(ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any) -> Quantity:
     """The answer of one ask; roots that it alone needs stay out of the others' field."""
     own = arithmetic.fork()
     values = {**body_names(assembly.mechanism), **assembly.values}
-    functions = {**assembly.functions, **quantities(motion, own)}
+    functions = {**assembly.functions, **quantities(motion, own), **circles.functions(own)}
     try:
         number = evaluate(ask.quantity, values, functions, own)
         require_number(number, ask)
         quantity = in_unit(ask.name, number, ask.unit)
+    except AtInfinity:
+        return Quantity(ask.name, None, ask.unit)
     except KinegradeError as error:
         raise type(error)(*(f"{ask.name}: {problem}" for problem in error.problems)) from error
     require_certified(quantity.number)

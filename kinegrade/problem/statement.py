@@ -14,6 +14,8 @@ from jinja2 import StrictUndefined, TemplateSyntaxError, UndefinedError, nodes
 from jinja2.sandbox import SandboxedEnvironment
 
 from kinegrade.errors import TemplateError
+from kinegrade.exact.angle import Angle
+from kinegrade.exact.text import LATEX, angle_text
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template import LANGUAGES, Language, Template
 
@@ -40,6 +42,8 @@ class Given:
 def with_unit(quantity: Quantity) -> str:
     """A quantity in LaTeX math: number and upright unit."""
     unit = quantity.measure
+    if isinstance(quantity.number, Angle) and quantity.number.parts:
+        return angle_text(quantity.number, degrees=False, form=LATEX)
     if unit.degrees:
         return f"{quantity.given_text}^\\circ"
     return quantity.given_text if unit.text == "1" else rf"{quantity.given_text}\,\unit{{{unit.text}}}"

@@ -1,0 +1,83 @@
+"""The fixed centrode: the curve that a body's velocity pole describes while one parameter of the template changes.
+
+A curve is asked for where it is a circle. The mechanism is assembled and solved at further values of the parameter,
+the circle goes through three poles, and a fourth must lie on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from typing import Any
+
+from flint import fmpq
+
+from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.mechanics.geometry import Round
+from kinegrade.mechanics.motion import solve
+from kinegrade.mechanics.plan import Plan
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.assemble import assemble
+from kinegrade.problem.quantities import BodyName
+from kinegrade.problem.template import Template
+
+STEPS = (0, 1, -1, 2, -2, 3, -3, 4, -4)  # of 15 degrees from the instant: multiples of 15 stay in a small field
+
+
+@dataclass(frozen=True)
+class Centrodes:
+    """Finds centrodes of a template at the values of an instance (SI)."""
+
+    template: Template
+    values: Mapping[str, Any]
+    plan: Plan | None
+
+    def functions(self, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+        """What a quantity may say of centrodes."""
+        return {"circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
+                "radius": lambda circle: circle.radius, "centre": lambda circle: circle.centre}
+
+    def circle(self, body: Any, angle: Any, arithmetic: Any) -> Round:
+        """The circle on which the pole of `body` moves while the parameter `angle` changes.
+
+        Raises MechanismError when fewer than four configurations can be reached, or the curve is no circle.
+        """
+        if not isinstance(body, BodyName):
+            raise ExpressionError("circle_of_poles(BODY, parameter): expected the name of a body first")
+        parameter = self.parameter(angle)
+        poles = list(islice(self.poles(body.name, parameter, arithmetic), 4))
+        if len(poles) < 4:
+            raise MechanismError(f"the centrode of {body.name}: fewer than four configurations can be reached by "
+                                 f"changing {parameter}: choose another value")
+        circle = through(poles[0], poles[1], poles[2], arithmetic)
+        if not arithmetic.is_zero((poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()):
+            raise MechanismError(f"the centrode of {body.name} is no circle")
+        return circle
+
+    def parameter(self, angle: Any) -> str:
+        """The angular parameter whose value this is."""
+        for name, value in self.values.items():
+            if value is angle and name in self.template.angles:
+                return name
+        raise ExpressionError("circle_of_poles(BODY, parameter): expected the name of an angular parameter second")
+
+    def poles(self, body: str, parameter: str, arithmetic: Any) -> Iterator[Vector]:
+        """The poles at the instant and at the neighbouring configurations that can be reached."""
+        for step in STEPS:
+            changed = self.values[parameter] + arithmetic.turns(fmpq(step, 12))
+            try:
+                mechanism = assemble(self.template, {**self.values, parameter: changed}, arithmetic).mechanism
+                yield solve(mechanism, arithmetic, self.plan).pole(body, arithmetic)
+            except MechanismError:
+                continue
+
+
+def through(first: Vector, second: Vector, third: Vector, arithmetic: Any) -> Round:
+    """The circle through three points. Raises MechanismError when they lie on one line."""
+    across, along = second - first, third - first
+    area = across.cross(along) * 2
+    if arithmetic.is_zero(area):
+        raise MechanismError("the poles lie on one line: the centrode is no circle")
+    offset = (along.turned() * across.squared() - across.turned() * along.squared()) / -area
+    return Round(first + offset, arithmetic.sqrt(offset.squared()))
