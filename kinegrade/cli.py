@@ -189,6 +189,46 @@ def check(template_names: tuple[str, ...], sample: int) -> None:
 
 
 @main.command()
+@click.argument("name")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="The file to write.  [default: NAME.toml]")
+@FORCE
+@refusing
+def new(name: str, output: Path | None, force: bool) -> None:
+    """Write a starter template, complete and sound, to put another mechanism into.
+
+    \b
+    Example: kinegrade new my-mechanism -o templates/my-mechanism.toml
+    """
+    from kinegrade.problem.starter import write_starter
+
+    path = write_starter(name, output, force=force)
+    click.echo(f"{path}: written; prove it with: kinegrade check {path}", err=True)
+
+
+@main.command()
+@click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The PDF to write.")
+@LANGUAGE
+@click.option("--draws", type=click.IntRange(1, 12), default=3, show_default=True,
+              help="At how many draws each figure is shown.")
+@FORCE
+@refusing
+def gallery(*, template_names: tuple[str, ...], output: Path, language: Language, draws: int, force: bool) -> None:
+    """Typeset a contact sheet to choose templates from: what each asks, and its figure (default: all shipped).
+
+    \b
+    Example: kinegrade gallery -o gallery.pdf --lang zh --draws 2
+    """
+    from kinegrade.exam.gallery import contact_sheet
+    from kinegrade.files import write_file
+    from kinegrade.problem.library import template_names as shipped_names
+
+    sheet = contact_sheet(template_names or shipped_names(), language, draws)
+    write_file(output, sheet.pdf, force=force)
+    finish(sheet.complaints)
+
+
+@main.command()
 @click.argument("bank", type=FILE)
 @click.argument("roster", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="EXAM", help="The exam folder to write.")
@@ -201,19 +241,24 @@ def generate(*, bank: Path, roster: Path, output: Path, seed: str | None, langua
              force: bool) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 
+    BANK is the exam's blueprint: a TOML file, or the name of one that is shipped: acceleration-midterm, demo, final,
+    velocity-quiz.
+
     \b
-    Example: kinegrade generate banks/demo.toml banks/demo-roster.csv -o EXAM --seed spring --lang zh
+    Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --seed spring --lang zh
     """
     from secrets import token_hex
 
-    from kinegrade.exam.bank import read_bank
+    from kinegrade.exam.bank import bank_path, read_blueprint
     from kinegrade.exam.generate import generate as write_exam
     from kinegrade.exam.roster import read_roster
 
     secret = seed if seed is not None else token_hex(8)
     click.echo(f"seed: {secret}", err=True)
-    written = write_exam(read_bank(bank), read_roster(roster), output, secret, language, force=force,
+    written = write_exam(read_blueprint(bank_path(bank)), read_roster(roster), output, secret, language, force=force,
                          paper_size=paper_size, progress=progress)
+    for question, template in written.drawn.items():
+        click.echo(f"{question}: drawn from the bank: {template}", err=True)
     for question, combinations in written.combinations.items():
         refused = ", ".join(f"{reason} {count}" for reason, count in written.refusals[question].items())
         click.echo(f"{question}: {combinations} combinations, refused draws: {refused or 'none'}", err=True)

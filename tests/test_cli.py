@@ -299,6 +299,6 @@ def test_the_interface_of_python_refuses_as_the_command_does() -> None:
 def test_a_template_beside_its_bank_serves_every_command(tmp_path: Path) -> None:
     own = write_class(tmp_path) / "crank.toml"
     assert kinegrade("show", own).exit_code == 0
-    assert kinegrade("check", own).exit_code == 0
+    assert "distinct instances: at least 500 are needed" in kinegrade("check", own).stdout
     assert "v_x" in kinegrade("solve", own, "--set", "h=1/2").stdout
     assert generate(tmp_path).exit_code == 0

@@ -38,6 +38,10 @@ class Balls:
         manager: AbstractContextManager[Any] = ctx.workprec(self.precision)
         return manager
 
+    def embed(self, value: Any) -> Any:
+        """A ball is at home everywhere."""
+        return value
+
     def number(self, rational: Any) -> Any:
         """An enclosure of a rational number or of an exact surd."""
         return ball(rational) if isinstance(rational, Surd) else arb(fmpq(rational))

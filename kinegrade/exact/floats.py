@@ -27,6 +27,10 @@ class Floats:
         """Divisions by zero give infinities, to be sorted out by the caller."""
         return np.errstate(all="ignore")
 
+    def embed(self, value: Any) -> Any:
+        """A double is at home everywhere."""
+        return value
+
     def number(self, rational: Any) -> Any:
         """A rational or exact number as a double; arrays stay arrays."""
         if isinstance(rational, (np.ndarray, int, float)):

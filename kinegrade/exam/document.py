@@ -1,9 +1,10 @@
-"""What stands on the pages of an exam and of its key, free of any typesetter.
+"""What stands on the pages of an exam, of its key and of a gallery of templates, free of any typesetter.
 
-The exam's setting fills these values; a press (`kinegrade.exam.typst`) lays them out. Three kinds of text:
+The exam's setting, or the gallery, fills these values; a press (`kinegrade.exam.typst`) lays them out. Three
+kinds of text:
 
 * plain: printed as it is, whatever characters it holds (names, course, codes, units such as "m/s^2");
-* prose: Markdown with `$...$` LaTeX math (statements, titles of questions, meanings, rules);
+* prose: Markdown with `$...$` LaTeX math (statements, titles of questions, meanings, rules, givens);
 * math: LaTeX math without dollar signs (symbols, exact values).
 """
 
@@ -35,7 +36,7 @@ class AnswerRow:
 class QuestionSheet:
     """One question as a student sees it, with that student's numbers and figure."""
 
-    number: int
+    number: int  # where it stands on this paper
     identifier: str  # "q1", as in the answer sheet's columns
     title: str  # prose, one line
     points: Fraction
@@ -105,6 +106,7 @@ class KeyPaper:
     name: str
     code: str
     entries: tuple[KeyEntry, ...]
+    version: str = ""  # plain, a letter where there are versions
 
 
 @dataclass(frozen=True)
@@ -122,3 +124,33 @@ class KeyBook:
         for start in range(0, max(len(self.papers), 1), size):
             part = self.papers[start : start + size]
             yield KeyBook(self.language, self.course, self.title, self.warning, part)
+
+
+@dataclass(frozen=True)
+class GalleryFigure:
+    """One draw of a template: its figure to scale and the values drawn."""
+
+    figure: Scene
+    givens: str  # prose
+
+
+@dataclass(frozen=True)
+class GalleryEntry:
+    """One template as an instructor chooses it; what cannot be shown of it is told by `faults`."""
+
+    family: str  # plain, as are name and faults; "" where nothing but these two can be shown
+    name: str
+    title: str  # prose
+    combinations: int
+    asks: tuple[str, ...]  # math: asked unless an exam chooses otherwise
+    on_request: tuple[str, ...]  # math: asked only where an exam names them
+    figures: tuple[GalleryFigure, ...]
+    faults: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Gallery:
+    """A contact sheet of templates, those of one family one after another."""
+
+    language: Language
+    entries: tuple[GalleryEntry, ...]

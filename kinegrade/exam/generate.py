@@ -12,13 +12,14 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade import __version__
-from kinegrade.exam.bank import Bank, Tolerance
+from kinegrade.exam.blueprint import Blueprint, Tolerance
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import join
 from kinegrade.exam.pages import key_book, key_paper, paper_pages
 from kinegrade.exam.roster import Roster
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion, Setting, set_exam
 from kinegrade.exam.typst import TypstPress
+from kinegrade.exam.versions import version_letters
 from kinegrade.files import output_folder
 from kinegrade.problem.template import Language
 from kinegrade.tables import neutralised, write_csv
@@ -36,29 +37,41 @@ Progress = Callable[[Iterator[SetPaper], int], Iterator[SetPaper]]
 
 @dataclass(frozen=True)
 class Generated:
-    """What was written: how many papers, from how many combinations, and why draws were refused."""
+    """What was written: how many papers, from how many combinations, and why draws were refused.
+
+    `drawn` names the templates of the questions that the bank left to be drawn.
+    """
 
     papers: int
+    drawn: dict[str, str]
     combinations: dict[str, int]
     refusals: dict[str, dict[str, int]]
     complaints: tuple[str, ...]
 
 
-def generate(bank: Bank, roster: Roster, output: Path, secret: str, language: Language, *, force: bool = False,
-             paper_size: PaperSize = "a4", progress: Progress = lambda papers, count: papers) -> Generated:
+def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, language: Language, *,
+             force: bool = False, paper_size: PaperSize = "a4",
+             progress: Progress = lambda papers, count: papers) -> Generated:
     """Write the exam folder `output`. Raises DrawError, TypesetError, OutputError; then nothing is written."""
-    setting = set_exam(bank, roster, secret)
+    setting = set_exam(blueprint.bank(secret), roster, secret)
     press = TypstPress(paper_size)
     with output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
         keys = write_papers(setting, press, folder, language, progress)
         join((folder / "papers" / f"{student.file_name}.pdf" for student in roster.students), folder / "papers.pdf")
-        (folder / "key.pdf").write_bytes(press.key(key_book(bank, keys, language)))
+        (folder / "key.pdf").write_bytes(press.key(key_book(setting.bank, keys, language)))
         write_sources(setting, folder)
         write_blank_answers(setting, folder / "answers.csv")
         write_json(folder / MARKER, exam_record(setting, keys, language))
         (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
-    return Generated(len(keys), {name: deck.combinations() for name, deck in setting.decks.items()},
-                     setting.refusals(), complaints(roster, press))
+    combinations = {name: deck.combinations() for name, deck in setting.decks.items()}
+    return Generated(len(keys), drawn_templates(blueprint, setting), combinations, setting.refusals(),
+                     complaints(roster, press))
+
+
+def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
+    """For each question that was drawn the name of its template."""
+    return {slot.identifier: question.template.name
+            for slot, question in zip(blueprint.slots, setting.bank.questions, strict=True) if slot.drawn}
 
 
 def write_papers(setting: Setting, press: TypstPress, folder: Path, language: Language,
@@ -68,7 +81,7 @@ def write_papers(setting: Setting, press: TypstPress, folder: Path, language: La
     keys = []
     with (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines:
         for paper in progress(setting.papers(), len(setting.roster.students)):
-            lines.write(json.dumps(key_record(paper), ensure_ascii=False) + "\n")
+            lines.write(json.dumps(key_record(paper, shuffled=setting.bank.shuffle), ensure_ascii=False) + "\n")
             pdf = press.paper(paper_pages(setting.bank, paper, language))
             (folder / "papers" / f"{paper.student.file_name}.pdf").write_bytes(pdf)
             keys.append(key_paper(paper, language))
@@ -102,6 +115,7 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
     return {
         "format": FORMAT, "kinegrade": __version__, "warning": WARNING, "title": bank.title.in_language(language),
         "course": bank.course.in_language(language), "date": bank.date, "language": language, "seed": setting.secret,
+        **({"versions": list(version_letters(bank.versions))} if bank.versions else {}),
         "questions": [
             {"question": question.identifier, "template": question.template.name, "points": amount(question.points),
              "combinations": setting.decks[question.identifier].combinations(),
@@ -110,14 +124,16 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
                        "points": amount(ask.points)} for ask in question.asks]}
             for question in bank.questions],
         "students": [{"student": student.student, "name": student.name, "email": student.email, "paper": key.code,
-                      "file": f"papers/{student.file_name}.pdf"}
+                      **({"version": key.version} if key.version else {}), "file": f"papers/{student.file_name}.pdf"}
                      for student, key in zip(setting.roster.students, keys, strict=True)],
     }
 
 
-def key_record(paper: SetPaper) -> dict[str, Any]:
-    """One line of key.jsonl."""
+def key_record(paper: SetPaper, *, shuffled: bool = False) -> dict[str, Any]:
+    """One line of key.jsonl; the questions stand in the bank's order, `printed` tells the paper's."""
     return {"student": paper.student.student, "paper": paper.code,
+            **({"version": paper.version} if paper.version else {}),
+            **({"printed": [question.question.identifier for question in paper.printed]} if shuffled else {}),
             "questions": [question_record(question) for question in paper.questions]}
 
 
@@ -133,7 +149,9 @@ def question_record(question: SetQuestion) -> dict[str, Any]:
 
 def ask_record(entry: SetAsk) -> dict[str, Any]:
     """One ask of a key line; `decimal` has 40 correct digits, by which marks are decided."""
-    return {**entry.answer.record(), "tolerance": tolerance_record(entry.tolerance), "points": amount(entry.ask.points)}
+    turn = {"period": entry.answer.full_turn} if entry.cyclic else {}
+    return {**entry.answer.record(), "tolerance": tolerance_record(entry.tolerance), **turn,
+            "points": amount(entry.ask.points)}
 
 
 def tolerance_record(tolerance: Tolerance) -> dict[str, Any]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
-from kinegrade.exam.bank import Bank
+from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import (
     AnswerRow,
     KeyAnswer,
@@ -18,6 +19,7 @@ from kinegrade.exam.document import (
 )
 from kinegrade.exam.rules import rules
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.exam.words import words_of
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.quantity import Quantity
@@ -29,13 +31,26 @@ WARNING = {
     "zh": "仅供教师使用：本册含全部答案。",
 }
 
+FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
+
 
 def paper_pages(bank: Bank, paper: SetPaper, language: Language) -> Paper:
     """The pages of one student."""
     sheets = tuple(question_sheet(number, question, language)
-                   for number, question in enumerate(paper.questions, start=1))
-    return Paper(language, bank.course.in_language(language), bank.title.in_language(language), bank.date,
+                   for number, question in enumerate(paper.printed, start=1))
+    return Paper(language, bank.course.in_language(language), paper_title(bank, paper, language), bank.date,
                  paper.student.student, paper.student.name, paper.code, rules(bank, language), sheets)
+
+
+def paper_title(bank: Bank, paper: SetPaper, language: Language) -> str:
+    """The exam's title, with the version where there are versions."""
+    title = bank.title.in_language(language)
+    return f"{title} · {version_name(paper.version, language)}" if paper.version else title
+
+
+def version_name(letter: str, language: Language) -> str:
+    """A version as it is printed."""
+    return words_of(language).version.format(letter)
 
 
 def question_sheet(number: int, question: SetQuestion, language: Language) -> QuestionSheet:
@@ -49,19 +64,28 @@ def question_sheet(number: int, question: SetQuestion, language: Language) -> Qu
 
 def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     """The box of one answer."""
-    return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, ask.sign.in_language(language), points)
+    sign = ask.sign.in_language(language) + (FULL_TURNS[language] if ask.cyclic else "")
+    return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
 def key_book(bank: Bank, papers: Sequence[KeyPaper], language: Language) -> KeyBook:
-    """The instructor's book."""
+    """The instructor's book: a key for each paper, or for each version."""
+    shown = each_version(papers, language) if bank.versions else tuple(papers)
     return KeyBook(language, bank.course.in_language(language), bank.title.in_language(language),
-                   WARNING[language], tuple(papers))
+                   WARNING[language], shown)
+
+
+def each_version(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
+    """One key for each version that somebody got, by letter."""
+    first = {paper.version: paper for paper in reversed(papers)}
+    return tuple(replace(first[letter], student="", name=version_name(letter, language), code=letter)
+                 for letter in sorted(first))
 
 
 def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
     """The key of one paper."""
     entries = tuple(key_entry(question, language) for question in paper.questions)
-    return KeyPaper(paper.student.student, paper.student.name, paper.code, entries)
+    return KeyPaper(paper.student.student, paper.student.name, paper.code, entries, paper.version)
 
 
 def key_entry(question: SetQuestion, language: Language) -> KeyEntry:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from fractions import Fraction
 
-from kinegrade.exam.bank import Bank, Tolerance
+from kinegrade.exam.blueprint import Bank, Tolerance
 from kinegrade.problem.template import Language
 
 WRITING = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kinegrade.exam.bank import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion, Tolerance
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_exam

@@ -1,4 +1,4 @@
-"""Setting an exam: for each student of the roster every question is drawn and solved.
+"""Setting an exam: for each student of the roster, or for each version, every question is drawn and solved.
 
 `set_exam` gives the papers one after the other, so that memory does not grow with the class.
 """
@@ -11,8 +11,9 @@ from fractions import Fraction
 from math import floor, log10
 
 from kinegrade.errors import DrawError
-from kinegrade.exam.bank import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion, Tolerance
 from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.versions import version_letters, version_of
 from kinegrade.problem.drawing import Deck, Drawn, address
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.scale import scale
@@ -27,6 +28,7 @@ class SetAsk:
     ask: BankAsk
     answer: Quantity
     tolerance: Tolerance
+    cyclic: bool
 
 
 @dataclass(frozen=True)
@@ -40,11 +42,22 @@ class SetQuestion:
 
 @dataclass(frozen=True)
 class SetPaper:
-    """One student's paper; `code` is printed on it and kept in the key."""
+    """One student's paper; `code` is printed on it and kept in the key.
+
+    `questions` stand in the bank's order, `order` says in which they are printed; `version` is a letter, or "" where
+    the paper is the student's own.
+    """
 
     student: Student
     code: str
     questions: tuple[SetQuestion, ...]
+    order: tuple[int, ...]
+    version: str
+
+    @property
+    def printed(self) -> tuple[SetQuestion, ...]:
+        """The questions as they follow on the paper."""
+        return tuple(self.questions[place] for place in self.order)
 
 
 @dataclass(frozen=True)
@@ -58,10 +71,27 @@ class Setting:
 
     def papers(self) -> Iterator[SetPaper]:
         """The papers in roster order. Raises DrawError when a template has too few instances for the class."""
-        for student in self.roster.students:
-            questions = tuple(set_question(question, self.decks[question.identifier], student.student)
-                              for question in self.bank.questions)
-            yield SetPaper(student, paper_code(self.secret, student.student), questions)
+        letters = version_letters(self.bank.versions)
+        versions = {letter: self.draw(f"version {letter}") for letter in letters}
+        for place, student in enumerate(self.roster.students):
+            code = paper_code(self.secret, student.student)
+            if versions:
+                letter = version_of(self.secret, place, letters)
+                yield SetPaper(student, f"{letter}-{code}", versions[letter], self.order(f"version {letter}"), letter)
+            else:
+                yield SetPaper(student, code, self.draw(student.student), self.order(student.student), "")
+
+    def draw(self, whose: str) -> tuple[SetQuestion, ...]:
+        """The questions of a student, or of a version."""
+        return tuple(set_question(question, self.decks[question.identifier], whose) for question in self.bank.questions)
+
+    def order(self, whose: str) -> tuple[int, ...]:
+        """The order in which the questions of a student, or of a version, are printed."""
+        places = range(len(self.bank.questions))
+        if not self.bank.shuffle:
+            return tuple(places)
+        return tuple(sorted(places, key=lambda place: address(self.secret, "order", whose,
+                                                              self.bank.questions[place].identifier)))
 
     def refusals(self) -> dict[str, dict[str, int]]:
         """For each question how often a draw was refused, by reason."""
@@ -69,22 +99,23 @@ class Setting:
 
 
 def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
-    """A setting. Raises DrawError for every question with fewer combinations than there are students."""
+    """A setting. Raises DrawError for every question with fewer combinations than there are papers to be drawn."""
     decks = {question.identifier: Deck(question.template, tuple(ask.name for ask in question.asks), secret,
                                        question.identifier, question.domains)
              for question in bank.questions}
-    few = [f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for "
-           f"{len(roster.students)} students: widen the domains"
-           for name, deck in decks.items() if deck.combinations() < len(roster.students)]
+    count, whose = (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
+    few = [f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {count} {whose}: "
+           "widen the domains" for name, deck in decks.items() if deck.combinations() < count]
     if few:
         raise DrawError(*few)
     return Setting(bank, roster, secret, decks)
 
 
-def set_question(question: BankQuestion, deck: Deck, student: str) -> SetQuestion:
-    """A question drawn for a student."""
-    drawn = deck.draw(student)
-    asks = tuple(SetAsk(ask, drawn.solution[ask.name], effective(ask, drawn)) for ask in question.asks)
+def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
+    """A question drawn for a student, or for a version."""
+    drawn = deck.draw(whose)
+    asks = tuple(SetAsk(ask, drawn.solution[ask.name], effective(ask, drawn),
+                        question.template.asks[ask.name].cyclic) for ask in question.asks)
     return SetQuestion(question, drawn, asks)
 
 

@@ -1,4 +1,4 @@
-"""The press: papers and keys as PDF, by the embedded Typst.
+"""The press: papers, keys and galleries as PDF, by the embedded Typst.
 
 A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep one press
 per thread or process. Same input, same bytes: the fonts come with the installation and the date is fixed.
@@ -15,11 +15,11 @@ from importlib.resources import files
 import typst
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import KeyBook, Paper, PaperSize
+from kinegrade.exam.document import Gallery, KeyBook, Paper, PaperSize
 from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
-from kinegrade.exam.typst_source import key_source, paper_source
+from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 KEY_CHUNK = 25  # papers in one compilation: 234 MB at 25, 326 MB at 50, the time a paper is the same
 FIXED_TIME = 946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
@@ -29,7 +29,7 @@ _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 class TypstPress:
-    """Prints papers and keys; `paper_size` is "a4" or "letter".
+    """Prints papers, keys and galleries; `paper_size` is "a4" or "letter".
 
     >>> TypstPress().unprintable(["Zoë", "张喆", "😀"])
     frozenset({'😀'})
@@ -71,6 +71,10 @@ class TypstPress:
         papers = tuple(replace(paper, name=legible(paper.name, missing)) for paper in book.papers)
         return joined(self._key_parts(replace(book, papers=papers)))
 
+    def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
+        """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is told of `where`."""
+        return self._explaining(gallery_source(gallery, self._size), where)
+
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one look for a whole roster."""
         characters = {character for text in texts for character in text if ord(character) > 126}
@@ -82,10 +86,7 @@ class TypstPress:
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
-            try:
-                pdf = self._compile(key_source(part, first_page, self._size))
-            except typst.TypstError as error:
-                raise TypesetError(*_explained(error, "key")) from error
+            pdf = self._explaining(key_source(part, first_page, self._size), "key")
             first_page += page_count(pdf)
             yield pdf
 
@@ -117,6 +118,12 @@ class TypstPress:
         except typst.TypstError as error:
             return _explained(error, where)
         return ()
+
+    def _explaining(self, source: str, where: str) -> bytes:
+        try:
+            return self._compile(source)
+        except typst.TypstError as error:
+            raise TypesetError(*_explained(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
         pdf = self._compiler.compile(

@@ -1,4 +1,4 @@
-"""Papers and keys as Typst source: one call of a layout with one string of data.
+"""Papers, keys and galleries as Typst source: one call of a layout with one string of data.
 
 Plain text goes into the data as it is, prose and math as Typst code made by `kinegrade.exam.markup` and
 `formula`, figures through their own back end. The layouts (`layouts/*.typ`) evaluate such code. As all data
@@ -11,12 +11,16 @@ import json
 from collections.abc import Callable, Iterable
 from dataclasses import asdict
 from fractions import Fraction
+from itertools import groupby
 from typing import Any, TypeVar
 from unicodedata import east_asian_width
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import (
     AnswerRow,
+    Gallery,
+    GalleryEntry,
+    GalleryFigure,
     KeyAnswer,
     KeyBook,
     KeyEntry,
@@ -28,7 +32,7 @@ from kinegrade.exam.document import (
 )
 from kinegrade.exam.formula import formula, literal, unit_text
 from kinegrade.exam.markup import line, prose
-from kinegrade.exam.words import Words, words_of
+from kinegrade.exam.words import GalleryWords, Words, gallery_words_of, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst
 
@@ -64,6 +68,17 @@ def key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> st
     return _call("key", sheet | {"size": size, "first-page": first_page})
 
 
+def gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
+    """Typst source of a contact sheet of templates; raises TypesetError with all faults of their texts."""
+    words = gallery_words_of(gallery.language)
+    entries = _each(lambda entry: _gallery_entry(entry, words), gallery.entries)
+    families = [{"name": family or words.unreadable, "entries": list(members)}
+                for family, members in groupby(entries, lambda entry: entry["family"])]
+    sheet = {"families": families, "words": asdict(words) | {"page": words.page.split("{}")}}
+    sheet |= {"language": gallery.language, "size": size, "title": words.title.format(len(gallery.entries))}
+    return _call("gallery", sheet)
+
+
 def points_text(points: Fraction) -> str:
     """Points as they are printed: a decimal where one is exact, else a fraction.
 
@@ -83,13 +98,19 @@ def _question(question: QuestionSheet, words: Words) -> Sheet:
         rows=lambda: _each(lambda row: _answer_row(row, where), question.rows),
     )
     return sheet | {
-        "heading": words.question.format(question.number),
+        "heading": _heading(question, words),
         "points": points.format(points_text(question.points)),
         "source": words.source.format(question.source) if question.source else None,
         "short": _height_at_most(question) <= PAGE,
         "figure": f"[{to_typst(question.figure)}]" if question.figure else None,
         "beside": question.figure is not None and _beside(question.figure),
     }
+
+
+def _heading(question: QuestionSheet, words: Words) -> str:
+    """The question's number on this paper, beside it the name of its columns where that has another number."""
+    known = words.question if question.identifier == f"q{question.number}" else words.question_known
+    return known.format(question.number, question.identifier)
 
 
 def _beside(figure: Scene) -> bool:
@@ -155,6 +176,25 @@ def _key_answer(answer: KeyAnswer, where: str) -> Sheet:
         "interval": _signed(answer.interval),
         "points": points_text(answer.points),
     }
+
+
+def _gallery_entry(entry: GalleryEntry, words: GalleryWords) -> Sheet:
+    sheet = _gathered(
+        title=lambda: line(entry.title, f"{entry.name}, title") if entry.title else None,
+        asks=lambda: _symbols(entry.asks, entry.name),
+        on_request=lambda: _symbols(entry.on_request, entry.name),
+        figures=lambda: _each(lambda draw: _gallery_figure(draw, entry.name), entry.figures),
+    )
+    combinations = words.combinations.format(f"{entry.combinations:,}")
+    return sheet | {"family": entry.family, "name": entry.name, "combinations": combinations, "faults": entry.faults}
+
+
+def _gallery_figure(draw: GalleryFigure, where: str) -> Sheet:
+    return {"figure": f"[{to_typst(draw.figure)}]", "givens": line(draw.givens, f"{where}, values drawn")}
+
+
+def _symbols(symbols: Iterable[str], where: str) -> list[str]:
+    return _each(lambda symbol: f"${formula(symbol, f'{where}, symbol')}$", symbols)
 
 
 def _signed(number: str) -> str:

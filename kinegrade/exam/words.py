@@ -1,4 +1,4 @@
-"""The fixed words of papers and keys, one table per language."""
+"""The fixed words of papers, keys and galleries, one table per language."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ class Words:
     paper: str
     total: str
     rules: str
+    version: str
     question: str
+    question_known: str  # takes the number on this paper, and the identifier in the answer sheet where it differs
     point: str  # takes the number one
     points: str  # takes any other number
     symbol: str
@@ -38,7 +40,9 @@ ENGLISH = Words(
     paper="Paper",
     total="Points",
     rules="How to answer, and how answers are marked",
+    version="Version {}",
     question="Question {}",
+    question_known="Question {} ({})",
     point="{} point",
     points="{} points",
     symbol="Quantity",
@@ -62,7 +66,9 @@ CHINESE = Words(
     paper="试卷编号",
     total="得分",
     rules="作答与评分说明",
+    version="{} 卷",
     question="第 {} 题",
+    question_known="第 {} 题（{}）",
     point="{} 分",
     points="{} 分",
     symbol="物理量",
@@ -81,6 +87,40 @@ CHINESE = Words(
 )
 
 
+@dataclass(frozen=True)
+class GalleryWords:
+    """What the layout of a gallery prints besides the templates' own texts."""
+
+    title: str  # takes the number of templates
+    page: str  # takes the page's number and the number of pages
+    combinations: str  # takes their number
+    asks: str
+    on_request: str
+    unshown: str
+    unreadable: str
+
+
+ENGLISH_GALLERY = GalleryWords(
+    title="Problem templates ({})",
+    page=ENGLISH.page,
+    combinations="{} combinations",
+    asks="Asked: ",
+    on_request="On request: ",
+    unshown="Cannot be shown: ",
+    unreadable="Templates that cannot be read or printed",
+)
+
+CHINESE_GALLERY = GalleryWords(
+    title="题目模板（{} 个）",
+    page=CHINESE.page,
+    combinations="{} 种组合",
+    asks="所求：",
+    on_request="可另选：",
+    unshown="无法显示：",
+    unreadable="无法读取或排版的模板",
+)
+
+
 def words_of(language: str) -> Words:
     """The words of "en" or "zh".
 
@@ -88,3 +128,12 @@ def words_of(language: str) -> Words:
     '学号'
     """
     return {"en": ENGLISH, "zh": CHINESE}[language]
+
+
+def gallery_words_of(language: str) -> GalleryWords:
+    """The words of a gallery in "en" or "zh".
+
+    >>> gallery_words_of("zh").asks
+    '所求：'
+    """
+    return {"en": ENGLISH_GALLERY, "zh": CHINESE_GALLERY}[language]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, pi
 
 from kinegrade.figure.bars import Bar
@@ -11,7 +11,7 @@ from kinegrade.figure.layers import Drawing
 from kinegrade.figure.mark import Mark, chords, direction
 from kinegrade.figure.obstacles import Segment
 from kinegrade.figure.place import Wish, along_bow
-from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, shorter_way
+from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, PIN, arrowhead
 from kinegrade.mechanics.joints import Line
@@ -19,31 +19,66 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Angle
 
 SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
-RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0)  # millimetres, the nicest first where there is room
+RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 3.2)  # millimetres, the nicest first where there is room
 SHARE = 0.45  # of the way to the next point on a side of the angle that an arc takes at best
 BEYOND = 2.5  # millimetres a thin line towards a side of the paper goes on beyond the arc
 
-Leg = tuple[float, float]  # direction in radians, and reach in millimetres (zero: as far as the arc needs)
+EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to it
+TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 
 
 def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iterator[list[Mark]]:
     """Arcs of several radii; nothing when the angle is too small to be seen."""
     vertex = at[hint.at]
-    start, end = (angle_of(direction(at, vertex, name)) for name in (hint.start, hint.end))
+    legs = _legs(at, hint, drawing)
+    start, end = (leg.angle for leg in legs)
     sweep = shorter_way(end - start)
     if hint.sense is not None and abs(sweep) > SMALLEST_ANGLE:
         sweep = sweep % (2 * pi) if hint.sense == "ccw" else -((-sweep) % (2 * pi))
-    legs = tuple(
-        (angle, length(at[name] - vertex) if name in at else 0.0)
-        for angle, name in ((start, hint.start), (end, hint.end))
-        if name not in at or not _on_one_bar(vertex, at[name], drawing)
-    )
-    nicest = min(RADII[0], max(RADII[2], SHARE * _room(vertex, (start, end), at.values())))
+    nicest = min(RADII[0], max(RADII[3], SHARE * _room(vertex, (start, end), at.values())))
     if abs(sweep) > SMALLEST_ANGLE:
         yield [
-            AngleArc(Bow(vertex, radius, start, sweep, THIN), legs, hint, 0.6 * abs(radius - nicest))
+            AngleArc(Bow(vertex, radius, start, sweep, THIN), legs, hint, _demerit(radius, nicest, legs))
             for radius in RADII
         ]
+
+
+def least_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Primitive, ...]:
+    """The thin lines that the sides of an angle need in any case, to be spared by what is written before it."""
+    lines = tuple(line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3])))
+    return (Strokes(lines, THIN),) if lines else ()
+
+
+def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg, ...]:
+    vertex, legs = at[hint.at], []
+    for name in (hint.start, hint.end):
+        side = angle_of(direction(at, vertex, name))
+        legs.append(Leg(side, _drawn(vertex, polar(side), drawing), length(at[name] - vertex) if name in at else 0.0))
+    return tuple(legs)
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A side of an angle: its direction, how far a bar is drawn along it, and how far the point on it is (or 0)."""
+
+    angle: float
+    drawn: float
+    reach: float
+
+    def line(self, vertex: Vector, radius: float) -> Segment | None:
+        """The thin line that an arc of this radius needs; None when the bar is long enough."""
+        if radius < self.drawn + PIN:
+            return None
+        toward = polar(self.angle)
+        needed = radius + (1.0 if self.reach else BEYOND)
+        far = needed if self.drawn else max(needed, self.reach)
+        return vertex + toward * max(self.drawn, PIN + 0.15), vertex + toward * far
+
+
+def _demerit(radius: float, nicest: float, legs: Iterable[Leg]) -> float:
+    """The farther from the nicest radius the worse, and worse still where a bar has to be prolonged."""
+    prolonged = sum(0 < leg.drawn < radius for leg in legs)
+    return 0.6 * abs(radius - nicest) + EXTENDED * prolonged
 
 
 def _room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
@@ -53,10 +88,15 @@ def _room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) 
     return min((reach for reach in reaches if reach > NEAR), default=inf)
 
 
-def _on_one_bar(one: Vector, other: Vector, drawing: Drawing) -> bool:
-    """Whether a bar is drawn through both points, so that no thin line is needed between them."""
-    axes = [Line(part.start, part.end - part.start) for part in drawing.parts if isinstance(part, Bar)]
-    return any(on_line(one, axis) and on_line(other, axis) for axis in axes)
+def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
+    """How far a bar is drawn from a point on it in a direction; 0 when none is."""
+    reaches = [0.0]
+    for part in drawing.parts:
+        if isinstance(part, Bar) and on_line(vertex, Line(part.start, part.end - part.start)):
+            steps = [end - vertex for end in (part.start, part.end)]
+            if abs(unit(steps[0] - steps[1]).cross(toward)) < NEAR and min(step.dot(toward) for step in steps) < 1.0:
+                reaches += [step.dot(toward) for step in steps]
+    return max(reaches)
 
 
 @dataclass(frozen=True)
@@ -70,8 +110,11 @@ class AngleArc:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arc; its sides are where they are."""
-        return chords(self.bow)
+        """The arc between its sides."""
+        bow = self.bow
+        inset = min(TRIM / bow.radius, abs(bow.sweep) / 3)
+        inset = inset if bow.sweep > 0 else -inset
+        return chords(replace(bow, start=bow.start + inset, sweep=bow.sweep - 2 * inset))
 
     def wish(self) -> Wish:
         """Along the arc."""
@@ -80,15 +123,10 @@ class AngleArc:
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, the arrowhead, the arc."""
         bow = self.bow
-        sides = tuple(self._side(angle, reach) for angle, reach in self.legs)
+        sides = tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
         parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
         if self.hint.sense is not None and abs(bow.sweep) * bow.radius > 2 * HEAD_LENGTH:
             toward = polar(bow.start + bow.sweep)
             tangent = toward.turned() * (1.0 if bow.sweep > 0 else -1.0)
             parts += (arrowhead(bow.centre + toward * bow.radius, tangent),)
         return (*parts, bow)
-
-    def _side(self, angle: float, reach: float) -> Segment:
-        needed = self.bow.radius + (1.0 if reach else BEYOND)
-        toward = polar(angle)
-        return (self.bow.centre + toward * (PIN + 0.15), self.bow.centre + toward * max(reach, needed))

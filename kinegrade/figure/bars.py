@@ -5,14 +5,13 @@ All of it follows from the points of the body and from the lines on which other 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
 from kinegrade.figure.plane import (
     collinear,
-    hull,
     length,
     mean,
     nearest_of,
@@ -20,7 +19,8 @@ from kinegrade.figure.plane import (
     same_line,
     unit,
 )
-from kinegrade.figure.rims import Rim, touch
+from kinegrade.figure.plates import Plate, outward, plate_of
+from kinegrade.figure.rims import Rim, toothed, touch
 from kinegrade.mechanics.joints import (
     GROUND,
     Contact,
@@ -33,16 +33,21 @@ from kinegrade.mechanics.joints import (
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 
-Use = Literal["link", "slot", "bar", "face"]
+Use = Literal["link", "slot", "bar", "face", "rack"]
 
 OVERHANG = 8.0  # millimetres a bar goes on beyond what slides on it
 ROD = 17.0  # millimetres of a translating rod that are shown at least
+NO_BACK = Vector(0.0, 0.0)
+THROUGH = 11.0  # millimetres a translating rod goes on beyond its point when it has two free ends
 GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
 
 
 @dataclass(frozen=True)
 class Bar:
-    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests on it."""
+    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests on it.
+
+    A rack has its pitch line as axis and its material in the direction `back`.
+    """
 
     body: str
     start: Vector
@@ -50,14 +55,7 @@ class Bar:
     use: Use = "link"
     free: tuple[Vector, ...] = ()
     actions: tuple[Vector, ...] = ()
-
-
-@dataclass(frozen=True)
-class Plate:
-    """A body with three or more marked points that are not in line."""
-
-    body: str
-    corners: tuple[Vector, ...]
+    back: Vector = NO_BACK
 
 
 @dataclass(frozen=True)
@@ -72,11 +70,12 @@ class SlottedDisc:
 
 @dataclass(frozen=True)
 class Rod:
-    """A body that translates in a straight ground guide, from its marked point to its free end."""
+    """A body that translates in a straight ground guide near its end; `free` are its ends without a marked point."""
 
     body: str
     start: Vector
     end: Vector
+    free: tuple[Vector, ...]
 
 
 @dataclass(frozen=True)
@@ -85,6 +84,7 @@ class _Feature:
     line: Line
     action: Vector
     use: Use
+    back: Vector = NO_BACK
 
 
 def bodies_of(
@@ -99,7 +99,7 @@ def bodies_of(
         if body.name not in round_ones and not body.particle
         for part in _parts(mechanism, body, tuple(f for f in features if f.body == body.name), shapes)
     )
-    return parts + rods(mechanism, found, tuple(part for part in parts if isinstance(part, Bar)))
+    return parts + rods(mechanism, shapes, found, tuple(part for part in parts if isinstance(part, Bar)))
 
 
 def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
@@ -136,7 +136,9 @@ def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
     return found
 
 
-def rods(mechanism: Mechanism, found: tuple[Rim, ...], bars: tuple[Bar, ...]) -> tuple[Rod, ...]:
+def rods(
+    mechanism: Mechanism, shapes: Mapping[str, str], found: tuple[Rim, ...], bars: tuple[Bar, ...]
+) -> tuple[Rod, ...]:
     """The translating rods, each away from the rest and long enough to have its guide clear of the bars."""
     parts = []
     for body, (start, line) in translating(mechanism).items():
@@ -147,7 +149,10 @@ def rods(mechanism: Mechanism, found: tuple[Rim, ...], bars: tuple[Bar, ...]) ->
         reach = next(
             (more for more in range(0, 20, 2) if _clear(start + toward * (ROD - 5.0 + more), bars)), 0
         )
-        parts.append(Rod(body, start, start + toward * (ROD + reach)))
+        ends = (start, start + toward * (ROD + reach))
+        if shapes.get(body) == "through":
+            ends = (start - toward * THROUGH, ends[1])
+        parts.append(Rod(body, *ends, tuple(end for end in reversed(ends) if end != start)))
     return tuple(parts)
 
 
@@ -170,25 +175,33 @@ def _features(mechanism: Mechanism, shapes: Mapping[str, str]) -> Iterator[_Feat
             if carrier != GROUND:
                 yield _Feature(bar, joint.line, sleeve_centre(mechanism, joint), "bar")
         if isinstance(joint, Contact | Roll) and isinstance(joint.on, Line) and joint.of != GROUND:
-            yield _Feature(joint.of, joint.on, touch(mechanism, joint), "face")
+            contact = touch(mechanism, joint)
+            back = unit(contact - mechanism.points[joint.circle.centre])
+            yield _Feature(joint.of, joint.on, contact, "rack" if toothed(joint, shapes) else "face", back)
 
 
 def _parts(
     mechanism: Mechanism, body: Body, features: tuple[_Feature, ...], shapes: Mapping[str, str]
 ) -> Iterator[Bar | Plate | SlottedDisc]:
     own = [mechanism.points[name] for name in body.points]
+    plate = plate_of(body, own, shapes)
     on_axis: list[set[Vector]] = []
-    for group in _by_line(features):
+    for group in _by_line(feature for feature in features if not _at_edge(feature, plate)):
         if group[0].use == "slot" and len(own) == 1 and not on_line(own[0], group[0].line):
             yield _slotted_disc(body.name, own[0], group)
             continue
         on_axis.append({point for point in own if on_line(point, group[0].line)})
         yield _bar_along(body.name, own, group)
     if not any(set(own) <= covered for covered in on_axis):
-        yield from _links(body.name, own, shapes)
+        yield from [plate] if plate else _links(body.name, own, shapes)
 
 
-def _by_line(features: tuple[_Feature, ...]) -> list[list[_Feature]]:
+def _at_edge(feature: _Feature, plate: Plate | None) -> bool:
+    """Whether a feature is the edge of a plate, which is drawn anyhow."""
+    return plate is not None and feature.use in ("bar", "face") and outward(plate, feature.line) is not None
+
+
+def _by_line(features: Iterable[_Feature]) -> list[list[_Feature]]:
     groups: list[list[_Feature]] = []
     for feature in features:
         home = next((group for group in groups if same_line(group[0].line, feature.line)), None)
@@ -210,7 +223,7 @@ def _bar_along(body: str, own: list[Vector], group: list[_Feature]) -> Bar:
         acted = any(length(last - action) < 1e-6 for action in actions)
         ends.append(last + along * (side * OVERHANG) if acted else last)
     free = tuple(end for end in ends if all(length(end - station) > 1e-6 for station in stations))
-    return Bar(body, ends[0], ends[1], group[0].use, free, actions)
+    return Bar(body, ends[0], ends[1], group[0].use, free, actions, group[0].back)
 
 
 def _slotted_disc(body: str, centre: Vector, group: list[_Feature]) -> SlottedDisc:
@@ -223,7 +236,7 @@ def _slotted_disc(body: str, centre: Vector, group: list[_Feature]) -> SlottedDi
     return SlottedDisc(body, centre, radius, (middle - along * half, middle + along * half))
 
 
-def _links(body: str, own: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar | Plate]:
+def _links(body: str, own: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar]:
     if len(own) < 2:
         return
     if shapes.get(body) == "bent":
@@ -232,5 +245,3 @@ def _links(body: str, own: list[Vector], shapes: Mapping[str, str]) -> Iterator[
         along = max((point - own[0] for point in own), key=length)
         ordered = sorted(own, key=along.dot)
         yield Bar(body, ordered[0], ordered[-1])
-    else:
-        yield Plate(body, hull(own))

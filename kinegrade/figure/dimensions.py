@@ -1,14 +1,15 @@
-"""Distances between points: dimension lines at several distances, or the symbol alone at a drawn line."""
+"""Distances between points: dimension lines at several distances, or the symbol at a drawn line or led to it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from math import pi
 
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Obstacles, Segment
-from kinegrade.figure.place import Wish, beside
-from kinegrade.figure.plane import NEAR, length, nearest_of, unit
+from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
 from kinegrade.mechanics.vector import Vector
@@ -16,6 +17,8 @@ from kinegrade.problem.hints import Length
 
 OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)  # millimetres, of dimension lines
 LEAVING = 2.2  # millimetres an extension line runs beside what is drawn at its point anyhow
+LEADERS = (6.0, 9.0)  # millimetres, of the line that leads from a symbol to a bar without room beside it
+TURNS = tuple(turn * pi / 6 for turn in range(12))
 DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
@@ -30,6 +33,7 @@ def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> li
     whole = hint.along is None and not _between(start, end, others)
     if whole and drawn.joins(start, end, DRAWN_GAP):
         found.append(Lettered(start, end, hint.symbol))
+        found += [Leader((start + end) / 2, angle, reach, hint.symbol) for reach in LEADERS for angle in TURNS]
     return found
 
 
@@ -112,3 +116,34 @@ class Lettered:
     def primitives(self) -> tuple[Primitive, ...]:
         """Nothing more is drawn."""
         return ()
+
+
+@dataclass(frozen=True)
+class Leader:
+    """The symbol at the end of a thin line that leads to the middle of a bar: where the bar is short and crowded."""
+
+    middle: Vector
+    angle: float
+    reach: float
+    symbol: str
+    shared: bool = True
+
+    @property
+    def demerit(self) -> float:
+        """Worse than any dimension line that is free."""
+        return 1.0 * self.reach
+
+    def path(self) -> tuple[Segment, ...]:
+        """The leader but for its very start, which is at the bar in any case."""
+        return ((self.middle + polar(self.angle, 1.5), self._end()),)
+
+    def wish(self) -> Wish:
+        """About the far end."""
+        return Wish(self.symbol, around(self.symbol, self._end(), away=polar(self.angle))[:6])
+
+    def primitives(self) -> tuple[Primitive, ...]:
+        """The leader."""
+        return (Strokes(((self.middle, self._end()),), THIN),)
+
+    def _end(self) -> Vector:
+        return self.middle + polar(self.angle, self.reach)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import pi
 
 from kinegrade.figure import symbols
 from kinegrade.figure.bars import (
     Bar,
-    Plate,
     Rod,
     SlottedDisc,
     bar_and_carrier,
@@ -18,16 +16,9 @@ from kinegrade.figure.bars import (
     translating,
 )
 from kinegrade.figure.cam import cam_profile
-from kinegrade.figure.plane import (
-    SIDE_VECTORS,
-    angle_of,
-    foot,
-    length,
-    mean,
-    shorter_way,
-    unit,
-)
-from kinegrade.figure.rims import Rim, grown, rims, track_feet, without_hidden
+from kinegrade.figure.plane import length, mean, unit
+from kinegrade.figure.plates import Plate
+from kinegrade.figure.rims import Rim, grown, rims, without_hidden
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -38,9 +29,12 @@ from kinegrade.figure.scene import (
     Primitive,
     Strokes,
 )
-from kinegrade.mechanics.joints import GROUND, Line, Pin, Sleeve, Slide
+from kinegrade.figure.stands import knife_edges, stands
+from kinegrade.figure.tracks import tracks
+from kinegrade.mechanics.joints import GROUND, Pin, Sleeve, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
 
 PENCILS = {"wheel": FIRM, "slot": FIRM, "gear": PITCH, "cam": FIRM}
 
@@ -54,29 +48,36 @@ class Drawing:
     parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]
 
 
-def draw(mechanism: Mechanism, shapes: Mapping[str, str]) -> Drawing:
+def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
     """The mechanism (lengths in millimetres) drawn with the symbols of ISO 3952."""
-    found = without_hidden(rims(mechanism, shapes))
+    shapes = hints.shapes
+    found = without_hidden(rims(mechanism, shapes, hints.circles))
     parts = bodies_of(mechanism, shapes, found)
+    knives = knife_edges(mechanism, parts)
+    sleeves = _sleeves(mechanism, shapes, knives)
     layers = (
         *(piece for rim in found for piece in _rim(mechanism, rim)),
-        *_tracks(mechanism),
+        *tracks(mechanism, shapes),
         *(
             piece
             for part in parts
             if isinstance(part, Plate | SlottedDisc)
             for piece in _part(mechanism, part)
         ),
-        *_stands(mechanism, found, parts),
-        *_sleeves(mechanism, shapes),
+        *(piece for name, side in knives.items() for piece in symbols.knife_edge(mechanism.points[name], side)),
+        *stands(mechanism, found, parts, {*knives}, sleeves),
+        *(piece for at, along in sleeves for piece in symbols.sleeve(at, along)),
         *(piece for part in parts if isinstance(part, Bar | Rod) for piece in _part(mechanism, part)),
-        *_blocks(mechanism, shapes, parts),
-        *_pins(mechanism, found),
+        *_reference_lines(mechanism, hints),
+        *_blocks(mechanism, shapes),
+        *_pins(mechanism, found, hints, {*knives}),
     )
     return Drawing(layers, found, parts)
 
 
 def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
+    if rim.kind == "edge":
+        return (Disc(rim.at, rim.radius, FIRM),)
     if rim.body == GROUND:
         edge = symbols.round_ground(rim.at, rim.radius, rim.ring)
         return (*edge[:-1], Disc(rim.at, rim.radius, PITCH)) if rim.kind == "gear" else edge
@@ -106,50 +107,6 @@ def cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
     return cam_profile(pivots[0] if pivots else rim.at, rim.touch, rim.at, rim.radius)
 
 
-def _tracks(mechanism: Mechanism) -> tuple[Primitive, ...]:
-    """Straight ground surfaces under wheels, hatched on the side away from the wheel."""
-    pieces: tuple[Primitive, ...] = ()
-    for line, contact, centre, radius in track_feet(mechanism):
-        along, reach = unit(line.direction), max(8.0, 1.2 * radius)
-        pieces += symbols.ground(contact - along * reach, contact + along * reach, unit(contact - centre))
-    return pieces
-
-
-def _stands(
-    mechanism: Mechanism, found: tuple[Rim, ...], parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]
-) -> tuple[Primitive, ...]:
-    """The stands of fixed pins; a pin at the centre of a fixed wheel needs none."""
-    standing = {rim.centre for rim in found if rim.body == GROUND and not rim.ring}
-    fixed = [joint.point for joint in mechanism.joints if isinstance(joint, Pin) and GROUND in joint.bodies]
-    fixed += [joint.point for joint in mechanism.joints if isinstance(joint, Slide) and joint.body == GROUND]
-    return tuple(
-        piece
-        for name in dict.fromkeys(fixed)
-        if name not in standing
-        for piece in symbols.pivot(mechanism.points[name], _free_side(mechanism.points[name], parts))
-    )
-
-
-def _free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -> Vector:
-    """Down, unless a bar goes there; then the side with the widest room."""
-    leaving = []
-    for part in parts:
-        if isinstance(part, Bar | Rod):
-            near = foot(at, _axis(part))
-            if length(near - at) < 1.0:
-                leaving += [angle_of(end - at) for end in (part.start, part.end) if length(end - at) > 1.0]
-
-    def room(side: Vector) -> float:
-        return min((abs(shorter_way(angle - angle_of(side))) for angle in leaving), default=pi)
-
-    sides = [SIDE_VECTORS[name] for name in ("down", "left", "right", "up")]
-    return sides[0] if room(sides[0]) > 0.7 else max(sides, key=lambda side: round(room(side), 6))
-
-
-def _axis(part: Bar | Rod) -> Line:
-    return Line(part.start, part.end - part.start)
-
-
 def _part(mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod) -> tuple[Primitive, ...]:
     if isinstance(part, Plate):
         return (Outline(part.corners, BOLD, "grey"),)
@@ -159,6 +116,8 @@ def _part(mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod) -> tuple[
     if isinstance(part, Rod):
         along = unit(part.end - part.start)
         return (*symbols.guide(part.end - along * 5.0, along), Strokes(((part.start, part.end),), BOLD))
+    if part.use == "rack":
+        return symbols.rack(part.start, part.end, part.back)
     if part.use == "slot":
         return symbols.slotted_bar(part.start, part.end, _slot(mechanism, part))
     return (Strokes(((part.start, part.end),), BOLD),)
@@ -178,23 +137,29 @@ def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
     return low, high
 
 
-def _sleeves(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
-    pieces: tuple[Primitive, ...] = ()
+def _sleeves(
+    mechanism: Mechanism, shapes: Mapping[str, str], knives: Mapping[str, Vector]
+) -> list[tuple[Vector, Vector]]:
+    """Where sleeves are, each with the direction of the bar in it."""
+    places = []
     for joint in mechanism.joints:
         if isinstance(joint, Sleeve) and bar_and_carrier(mechanism, joint)[1] != GROUND:
-            pieces += symbols.sleeve(sleeve_centre(mechanism, joint), unit(joint.line.direction))
-        if isinstance(joint, Slide) and _in_sleeve(joint, shapes):
-            pieces += symbols.sleeve(mechanism.points[joint.point], unit(joint.line.direction))
-    return pieces
+            places.append((sleeve_centre(mechanism, joint), unit(joint.line.direction)))
+        if isinstance(joint, Slide) and _in_sleeve(joint, shapes) and joint.point not in knives:
+            places.append((mechanism.points[joint.point], unit(joint.line.direction)))
+    return places
+
+
+def _reference_lines(mechanism: Mechanism, hints: FigureHints) -> tuple[Primitive, ...]:
+    lines = tuple((mechanism.points[start], mechanism.points[end]) for start, end in hints.lines)
+    return (Strokes(lines, THIN),) if lines else ()
 
 
 def _in_sleeve(joint: Slide, shapes: Mapping[str, str]) -> bool:
     return joint.of != GROUND and (joint.body == GROUND or shapes.get(joint.of) == "bar")
 
 
-def _blocks(
-    mechanism: Mechanism, shapes: Mapping[str, str], parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]
-) -> tuple[Primitive, ...]:
+def _blocks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
     """Sliders: on ground guides, and in the slots of moving bodies."""
     guided = translating(mechanism)
     pieces: tuple[Primitive, ...] = ()
@@ -207,28 +172,38 @@ def _blocks(
             continue
         at, along = mechanism.points[joint.point], unit(joint.line.direction)
         if joint.of == GROUND:
-            pieces += symbols.ground_slider(at, along, _guide_side(mechanism, at, along))
+            pieces += symbols.ground_slider(at, along, _guide_side(mechanism, joint.point, along))
         else:
             pieces += (symbols.block(at, along, symbols.BLOCK_LENGTH - 1.0, symbols.SLOT_WIDTH),)
     return pieces
 
 
-def _guide_side(mechanism: Mechanism, at: Vector, along: Vector) -> Vector:
-    """The side of a guide away from the mechanism; below, or to the right, when neither is."""
+def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
+    """The side of a guide away from the mechanism; below, or to the right, when bars leave to both sides."""
+    at = mechanism.points[name]
     across = along.turned()
     below = -across if across.y > 1e-9 or (abs(across.y) <= 1e-9 and across.x < 0) else across
+    joined = [mechanism.points[own] for body in mechanism.bodies if name in body.points for own in body.points]
+    levels = [(point - at).dot(below) for point in joined]
+    if min(levels, default=0.0) < -1.0 and max(levels, default=0.0) > 1.0:
+        return below
     rest = (mean(mechanism.points.values()) - at).dot(below)
     return -below if rest > 1e-6 else below
 
 
-def _pins(mechanism: Mechanism, found: tuple[Rim, ...]) -> tuple[Primitive, ...]:
-    """Open circles at pins, crosses at the centres of circles, dots at other marked points."""
+def _pins(
+    mechanism: Mechanism, found: tuple[Rim, ...], hints: FigureHints, knives: set[str]
+) -> tuple[Primitive, ...]:
+    """Open circles at pins, crosses at centres and at labelled constructions, dots at other marked points."""
     pinned = {joint.point for joint in mechanism.joints if isinstance(joint, Pin)}
     translated = translating(mechanism)
     sliding = [joint for joint in mechanism.joints if isinstance(joint, Slide)]
     pinned |= {joint.point for joint in sliding if joint.body not in translated or joint.of != GROUND}
-    centres = {rim.centre for rim in found} - pinned
-    marked = {name for body in mechanism.bodies for name in body.points} - pinned - centres
+    pinned -= knives
+    owned = {name for body in mechanism.bodies for name in body.points}
+    labelled = {name for name, symbol in hints.labels.items() if symbol and name in mechanism.points}
+    centres = ({rim.centre for rim in found} | (labelled - owned - knives)) - pinned
+    marked = owned - pinned - centres - knives
     crosses = [piece for name in sorted(centres) for piece in symbols.centre_mark(mechanism.points[name])]
     dots = [piece for name in sorted(marked) for piece in symbols.dot(mechanism.points[name])]
     circles = [piece for name in sorted(pinned) for piece in symbols.pin(mechanism.points[name])]

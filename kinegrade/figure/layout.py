@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, repeat
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.place import Wish, crowding, label
 from kinegrade.figure.scene import Label, Primitive
 
-AT_ONCE = 6  # alternatives of a mark judged together
+BATCHES = (4, 12, 36)  # how many alternatives of a mark are judged together: mostly one of the first will do
 
 
 @dataclass(frozen=True)
@@ -47,17 +48,28 @@ class Layout:
             layout = layout._labelled(label(wish, layout.obstacles))
         return layout
 
-    def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Label] = ()) -> Layout:
-        """With the alternative that covers least, and its label; labels still to come may be spared."""
-        crowded = self.obstacles.with_drawn(sparing)
+    def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
+        """With the alternative that covers least, and its label; what is still to come may be spared."""
+        crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark = least_covering(alternatives, crowded)
-        lines = mark.primitives()
-        return self.drawn(lines)._labelled(label(mark.wish(), crowded.with_drawn(lines)))
+        layout = self.drawn(mark.primitives())
+        crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
+        return layout._labelled(label(mark.wish(), crowded))
 
     def _labelled(self, placed: Label) -> Layout:
         return replace(
             self, labels=(*self.labels, placed), obstacles=self.obstacles.with_drawn((placed,))
         )
+
+
+def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
+    """All of them in order, a few first and then more at a time."""
+    first = 0
+    for size in chain(BATCHES, repeat(BATCHES[-1])):
+        if first >= len(ranked):
+            return
+        yield ranked[first : first + size]
+        first += size
 
 
 def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> Mark:
@@ -67,13 +79,14 @@ def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> Mark:
     """
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
     best, least = ranked[0], np.inf
-    for first in range(0, len(ranked), AT_ONCE):
-        marks = ranked[first : first + AT_ONCE]
+    for marks in _batches(ranked):
         if marks[0].demerit >= least:
             break
-        crossed = obstacles.along([mark.path() for mark in marks], marks[0].shared)
-        for mark, cost in zip(marks, crossed.tolist(), strict=True):
-            if cost + mark.demerit < least:
-                total = round(cost + mark.demerit + crowding(mark.wish(), obstacles), 6)
-                best, least = (mark, total) if total < least else (best, least)
+        crossed = obstacles.along([mark.path() for mark in marks], marks[0].shared).tolist()
+        costs = [round(cost + mark.demerit, 6) for mark, cost in zip(marks, crossed, strict=True)]
+        for cost, mark in sorted(zip(costs, marks, strict=True), key=lambda costed: costed[0]):
+            if cost >= least:
+                break
+            total = round(cost + crowding(mark.wish(), obstacles), 6)
+            best, least = (mark, total) if total < least else (best, least)
     return best

@@ -11,14 +11,15 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.bars import Bar, Rod
 from kinegrade.figure.layers import Drawing
-from kinegrade.figure.place import Wish, around
-from kinegrade.figure.plane import length, on_line, polar, unit
+from kinegrade.figure.place import Wish, around, nearer_to_others
+from kinegrade.figure.plane import NEAR, length, on_line, polar, unit
 from kinegrade.figure.rims import Rim
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
+MISTAKEN = 20.0  # cost of a letter that may be read as that of another point: between a thin and a firm line
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
 
@@ -37,13 +38,21 @@ def point_symbol(name: str) -> str:
 
 def letters(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
     """The labels of points, then of free ends: each has to stand close to its point."""
-    for name in _named_points(mechanism, drawing):
+    ends = list(_free_ends(mechanism, drawing))
+    places = [*mechanism.points.values(), *(end for _, end in ends)]
+    for name in _named_points(mechanism, hints, drawing):
         symbol = hints.labels.get(name, point_symbol(name))
         if symbol:
-            at = mechanism.points[name]
-            yield Wish(symbol, around(symbol, at, away=_away(at, drawing)))
-    for name, end in _free_ends(mechanism, drawing):
-        yield Wish(point_symbol(name), around(point_symbol(name), end, away=_away(end, drawing)))
+            yield _letter(symbol, mechanism.points[name], drawing, places)
+    for name, end in ends:
+        yield _letter(point_symbol(name), end, drawing, places)
+
+
+def _letter(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
+    """A letter at its point, and rather on a thin line than nearer to another point."""
+    spots = around(symbol, at, away=_away(at, drawing))
+    others = [place for place in places if length(place - at) > NEAR]
+    return Wish(symbol, spots, demerits=MISTAKEN * nearer_to_others(symbol, spots, at, others))
 
 
 def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
@@ -69,24 +78,19 @@ def _away(at: Vector, drawing: Drawing) -> Vector | None:
     return -toward if length(toward) > 0.2 else None
 
 
-def _named_points(mechanism: Mechanism, drawing: Drawing) -> list[str]:
-    """Points that belong to a body, to a circle or to the ground: the others are construction only."""
+def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
+    """Points that belong to a body, to a circle or to the ground, or are labelled: others are construction only."""
     used = {name for body in mechanism.bodies for name in body.points} | {rim.centre for rim in drawing.rims}
     used |= {point for joint in mechanism.joints if (point := getattr(joint, "point", None))}
-    return [name for name in mechanism.points if name in used]
+    return [name for name in mechanism.points if name in used or hints.labels.get(name)]
 
 
 def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
     """A bar called AB with only A marked ends in B; of two free letters the rod takes the later."""
     for body in mechanism.bodies:
         letters = [letter for letter in _letters(body.name) if letter not in mechanism.points]
-        ends = [part.end for part in drawing.parts if isinstance(part, Rod) and part.body == body.name]
-        ends += [
-            end
-            for part in drawing.parts
-            if isinstance(part, Bar) and part.body == body.name
-            for end in part.free
-        ]
+        own = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name]
+        ends = [end for part in sorted(own, key=lambda part: isinstance(part, Bar)) for end in part.free]
         yield from zip(reversed(letters), ends, strict=False)
 
 

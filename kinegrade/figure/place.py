@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, pi
 
@@ -16,6 +17,7 @@ from kinegrade.mechanics.vector import Vector
 CLEARANCE = 0.25  # millimetres kept free around a label
 FARTHER = 0.04  # cost of each later spot: a hundred of them weigh as much as one thin line covered
 LABEL_WEIGHT = 3.0  # a symbol on a line hurts more than a line across a line
+AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its own point than to any other
 AT_ONCE = 16  # spots looked at together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
@@ -30,18 +32,19 @@ _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
 class Wish:
     """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and what it is at.
 
-    When none of its spots is free, any other around that point will do.
+    When none of its spots is free, any other around that point will do. A spot may have a demerit of its own.
     """
 
     symbol: str
     spots: Floats
     at: Vector | None = None
+    demerits: Floats | None = None
 
 
 def label(wish: Wish, obstacles: Obstacles) -> Label:
     """The label at the first free spot of its wish, or where it covers least."""
     spots = wish.spots
-    spot, cost = _best(wish.symbol, spots, obstacles)
+    spot, cost = _best(wish.symbol, spots, obstacles, wish.demerits)
     if cost >= FARTHER * len(spots) and wish.at is not None:
         spots = np.concatenate((spots, around(wish.symbol, wish.at)))
         spot, _ = _best(wish.symbol, spots, obstacles)
@@ -53,7 +56,9 @@ def crowding(wish: Wish, obstacles: Obstacles) -> float:
     return _best(wish.symbol, wish.spots[:AT_ONCE], obstacles)[1]
 
 
-def _best(symbol: str, spots: Floats, obstacles: Obstacles) -> tuple[int, float]:
+def _best(
+    symbol: str, spots: Floats, obstacles: Obstacles, demerits: Floats | None = None
+) -> tuple[int, float]:
     """Index and cost of the best spot; the farther ones are looked at only while none is free."""
     width, height = (size + 2 * CLEARANCE for size in symbol_size(symbol))
     best, least = 0, inf
@@ -62,6 +67,8 @@ def _best(symbol: str, spots: Floats, obstacles: Obstacles) -> tuple[int, float]
             break
         covered = obstacles.under_boxes(spots[first : first + AT_ONCE], width, height)
         costs = LABEL_WEIGHT * covered + _RANKS[first : first + len(covered)]
+        if demerits is not None:
+            costs += demerits[first : first + len(covered)]
         spot = int(costs.argmin())
         if costs[spot] < least:
             best, least = first + spot, float(costs[spot])
@@ -77,6 +84,17 @@ def around(symbol: str, anchor: Vector, gap: float = 0.0, away: Vector | None = 
     reach = (half / np.maximum(np.abs(toward), 1e-9)).min(axis=1)
     steps = toward * (gap + _RINGS[:, None] + reach)[:, :, None]
     return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
+
+
+def nearer_to_others(symbol: str, spots: Floats, own: Vector, others: Sequence[Vector]) -> Floats:
+    """For each spot 1 where a letter would stand about as near to another point as to its own, else 0."""
+    if not others:
+        return np.zeros(len(spots))
+    half = np.array(symbol_size(symbol)) / 2
+    gaps = np.maximum(np.abs(spots[:, None] - np.array([own, *others])) - half, 0.0)
+    distances = np.hypot(gaps[..., 0], gaps[..., 1])
+    nearer = distances[:, 1:].min(axis=1) < distances[:, 0] + AMBIGUOUS
+    return np.asarray(nearer, dtype=float)
 
 
 def beside(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 
@@ -9,7 +10,7 @@ from kinegrade.errors import TemplateError, did_you_mean
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Segment
 from kinegrade.figure.place import Wish, around, beside
-from kinegrade.figure.plane import angle_of, polar
+from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.rims import Rim
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
@@ -21,12 +22,12 @@ PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0
 SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
-def radius_marks(found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
+def radius_marks(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
     """The radius of a circle: for a cam to the contact, for other circles wherever there is room.
 
     Raises TemplateError when no circle of the mechanism has that centre.
     """
-    rim = _rim_about(found, hint)
+    rim = _rim_about(found, hint, at[hint.through] if hint.through else None)
     angles = [turn + shift for shift in SHIFTS for turn in PREFERRED]
     if rim.kind == "cam":
         angles = [angle_of(rim.touch - rim.at)]
@@ -34,14 +35,16 @@ def radius_marks(found: tuple[Rim, ...], hint: Radius) -> list[Mark]:
     return [way(rim.at, rim.radius, polar(angle), hint.symbol) for angle in angles]
 
 
-def _rim_about(found: tuple[Rim, ...], hint: Radius) -> Rim:
-    for rim in found:
-        if rim.centre == hint.centre and hint.of in (None, rim.body):
+def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
+    """The circle that is meant, of those that joints know of first."""
+    for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
+        on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (1 + rim.radius)
+        if rim.centre == hint.centre and hint.of in (None, rim.body) and on_it:
             return rim
-    of = f" of {hint.of!r}" if hint.of else ""
+    of = (f" of {hint.of!r}" if hint.of else "") + (f" through {hint.through!r}" if hint.through else "")
     centres = {rim.centre for rim in found}
     raise TemplateError(
-        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints; "
+        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints and from 'circles'; "
         f"{did_you_mean(hint.centre, centres)}"
     )
 

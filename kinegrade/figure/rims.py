@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from kinegrade.figure.plane import foot, unit
+from kinegrade.figure.plane import foot, length, unit
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import Rimmed
 
-Kind = Literal["wheel", "gear", "slot", "cam"]
+Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
 
 
 @dataclass(frozen=True)
 class Rim:
-    """A circle of a body; `ring` when the material lies outside; `touch` is where it is touched."""
+    """A circle of a body; `ring` when the material lies outside; `touch` is where it is touched.
+
+    The kind "edge" is drawn as a line only: a circle that no joint knows of.
+    """
 
     body: str
     centre: str
@@ -27,8 +31,10 @@ class Rim:
     touch: Vector
 
 
-def rims(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Rim, ...]:
-    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind."""
+def rims(
+    mechanism: Mechanism, shapes: Mapping[str, str], circles: Iterable[Rimmed] = ()
+) -> tuple[Rim, ...]:
+    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; asked ones come last."""
     found: dict[tuple[str, str, float], Rim] = {}
     for joint in mechanism.joints:
         if isinstance(joint, Contact | Roll | Mesh):
@@ -37,6 +43,10 @@ def rims(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Rim, ...]:
         if isinstance(joint, Arc):
             rim = _of_arc(mechanism, joint)
             found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
+    for circle in circles:
+        at, touched = mechanism.points[circle.centre], mechanism.points[circle.through]
+        rim = Rim(circle.body, circle.centre, at, length(touched - at), "edge", False, touched)
+        found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
     return tuple(found.values())
 
 
@@ -53,9 +63,14 @@ def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
     return other + unit(other - centre) * other_radius
 
 
+def toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:
+    """Whether the joint is one of gears or of a gear and a rack."""
+    return isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
+
+
 def _of_pair(mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> Iterator[Rim]:
     at = touch(mechanism, joint)
-    geared = isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
+    geared = toothed(joint, shapes)
     circles = [(joint.body, joint.circle)]
     if isinstance(joint.on, Circle):
         circles.append((joint.of, joint.on))
@@ -73,15 +88,6 @@ def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
     centre = mechanism.points[joint.circle.centre]
     return Rim(
         joint.of, joint.circle.centre, centre, joint.circle.radius, kind, False, mechanism.points[joint.point]
-    )
-
-
-def track_feet(mechanism: Mechanism) -> tuple[tuple[Line, Vector, Vector, float], ...]:
-    """Straight ground tracks: line, contact, the centre of what stands on it, and that circle's radius."""
-    return tuple(
-        (joint.on, touch(mechanism, joint), mechanism.points[joint.circle.centre], joint.circle.radius)
-        for joint in mechanism.joints
-        if isinstance(joint, Contact | Roll) and joint.of == GROUND and isinstance(joint.on, Line)
     )
 
 

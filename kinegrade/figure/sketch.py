@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.figure.angles import angle_marks
+from kinegrade.figure.angles import angle_marks, least_legs
 from kinegrade.figure.dimensions import length_marks
 from kinegrade.figure.layers import Drawing, cam_outline, draw
 from kinegrade.figure.layout import Layout
@@ -15,6 +15,7 @@ from kinegrade.figure.radii import radius_marks
 from kinegrade.figure.rims import rims
 from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around, moved
 from kinegrade.figure.symbols import arrowhead
+from kinegrade.figure.view import in_view
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
@@ -23,8 +24,11 @@ WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
 SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first guess
 WRITING = 4.0, 5.6  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
 ARROWS = 6.6, 2.2  # millimetres that straight arrows take beside the symbols, as a rule
+AXES = 0.0, 4.4  # millimetres that a frame of axes takes at the side, as a rule
+USUAL, FURTHER = 4, 1.2  # marks that find room within WRITING, and the millimetres that each further one takes
 LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
 ATTEMPTS = 6
+MARGIN = 1.2  # millimetres a figure that was too large is aimed below its limit, for marks find new places
 PLAIN = FigureHints()
 
 
@@ -33,6 +37,7 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
+    mechanism = in_view(mechanism, hints)
     span = _span(mechanism, hints)
     scale = _first_scale(mechanism, hints, span)
     for _ in range(ATTEMPTS):
@@ -52,11 +57,11 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
     may go anywhere; the name of a body may stand anywhere in it.
     """
     paper = to_paper(mechanism, scale)
-    drawing = draw(paper, hints.shapes)
+    drawing = draw(paper, hints)
     named = tuple(letters(paper, hints, drawing))
     layout = _with_bound_marks(Layout.of(drawing.primitives), paper, hints, drawing, named).written(named)
     for radius in hints.radii:
-        layout = layout.marked(radius_marks(drawing.rims, radius))
+        layout = layout.marked(radius_marks(paper.points, drawing.rims, radius))
     if hints.axes:
         layout = _with_axes(layout)
     return layout.written(body_names(paper, hints, drawing)).primitives
@@ -66,9 +71,11 @@ def _with_bound_marks(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
     """Marks bound to points: angles, rotations (which spare the letters at their pivots), distances, motions."""
-    for angle in hints.angles:
+    legs = [least_legs(paper.points, angle, drawing) for angle in hints.angles]
+    for number, angle in enumerate(hints.angles, start=1):
+        to_come = [line for lines in legs[number:] for line in lines]
         for arcs in angle_marks(paper.points, angle, drawing):
-            layout = layout.marked(arcs)
+            layout = layout.marked(arcs, to_come)
     for given in hints.arrows:
         if isinstance(given, Turning):
             pivot = pivot_of(paper, given.body, drawing.rims)
@@ -96,11 +103,15 @@ def _with_axes(layout: Layout) -> Layout:
 def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]) -> float:
     """The scale that leaves room for the symbols, which do not scale, and for the writing about them."""
     guess = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))
-    box = box_around(draw(to_paper(mechanism, guess), hints.shapes).primitives)
+    box = box_around(draw(to_paper(mechanism, guess), hints).primitives)
     straight = any(isinstance(given, Moving) for given in hints.arrows)
+    turning = sum(isinstance(given, Turning) for given in hints.arrows)
+    marks = len(hints.lengths) + len(hints.angles) + len(hints.radii) + turning
+    further = FURTHER * max(0, marks - USUAL)
     factors = []
     for axis, (limit, drawn) in enumerate(((WIDTH, box.width), (HEIGHT, box.height))):
-        beside = drawn - span[axis] * guess + WRITING[axis] + straight * ARROWS[axis]
+        beside = drawn - span[axis] * guess + WRITING[axis] + further
+        beside += straight * ARROWS[axis] + hints.axes * AXES[axis]
         factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
     return min(factors)
 
@@ -108,7 +119,7 @@ def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, fl
 def _span(mechanism: Mechanism, hints: FigureHints) -> tuple[float, float]:
     """Width and height in metres of what scales: points, circles, profiles of cams."""
     boxes = [(point, 0.0) for point in mechanism.points.values()]
-    for rim in rims(mechanism, hints.shapes):
+    for rim in rims(mechanism, hints.shapes, hints.circles):
         cam = rim.kind == "cam"
         boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)] if cam else [(rim.at, rim.radius)]
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
@@ -120,4 +131,4 @@ def _shrink(size: float, limit: float, scaled: float) -> float:
     """The factor that brings a size within its limit when only its scaled part shrinks."""
     if size <= limit or scaled <= 0:
         return 1.0
-    return min(0.98, max(0.5, (limit - (size - scaled)) / scaled))
+    return min(0.98, max(0.5, (limit - MARGIN - (size - scaled)) / scaled))

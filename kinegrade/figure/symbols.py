@@ -22,6 +22,8 @@ HATCH = 1.5  # depth of ground hatching
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
 GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
+RACK_DEPTH = 1.8  # from the pitch line of a rack to its back
+STAND, TALL_STAND = 3.6, 5.2  # height of a fixed pin's stand; taller where a sleeve turns about the pin
 HEAD_LENGTH, HEAD_WIDTH = 2.0, 1.1
 
 
@@ -30,11 +32,25 @@ def pin(at: Vector) -> tuple[Primitive, ...]:
     return (Disc(at, PIN, FIRM, "white"),)
 
 
-def pivot(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
+def pivot(at: Vector, toward: Vector, height: float = STAND) -> tuple[Primitive, ...]:
     """The stand of a pin fixed to the ground: a triangle on hatching, in the direction `toward`."""
-    base, across = at + toward * 3.6, toward.turned()
+    base, across = at + toward * height, toward.turned()
     triangle = Outline((at, base + across * 2.1, base - across * 2.1), FIRM, "white")
     return (triangle, *ground(base - across * 3.4, base + across * 3.4, toward))
+
+
+def knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
+    """A fixed wedge whose tip is at a side of a body, standing in the direction `toward`."""
+    base, across = at + toward * 3.2, toward.turned()
+    wedge = Outline((at, base + across * 1.3, base - across * 1.3), FIRM, "grey")
+    return (wedge, *ground(base - across * 2.6, base + across * 2.6, toward))
+
+
+def rack(start: Vector, end: Vector, back: Vector) -> tuple[Primitive, ...]:
+    """A toothed bar by its pitch line, with its material in the direction `back`."""
+    depth = back * RACK_DEPTH
+    strip = Outline((start, end, end + depth, start + depth), FIRM, "grey")
+    return (strip, Strokes(((start, end),), BOLD))
 
 
 def ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:

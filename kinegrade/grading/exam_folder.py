@@ -197,9 +197,10 @@ def _key(ask: Ask, entry: Any) -> Key:
         value = _value(entry)
         tolerance = _field(entry, "tolerance", dict)
         relative, absolute = _not_negative(tolerance, "relative"), _not_negative(tolerance, "absolute")
+        period = _not_negative(entry, "period") if "period" in entry else None
     except _FieldError as fault:
         raise _FieldError(f"{ask.column}: {fault}") from fault
-    return Key(value, max(relative * abs(value), absolute))
+    return Key(value, max(relative * abs(value), absolute), period)
 
 
 def _value(entry: Any) -> Fraction:

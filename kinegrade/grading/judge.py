@@ -37,6 +37,8 @@ def judge(reading: Reading, key: Key) -> Verdict:
     if reading.kind == "unreadable" or reading.value is None:
         return Verdict("unreadable", reading.reason)
     difference = abs(reading.value - key.value)
+    if key.period:
+        difference = abs(difference - round(difference / key.period) * key.period)
     kind: Kind = "right" if difference <= key.tolerance else "wrong"
     return Verdict(kind, _comparison(key, difference))
 

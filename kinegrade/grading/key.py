@@ -27,10 +27,14 @@ class Ask:
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """The right answer and how far from it is still right: exact fractions, both in the unit of the ask."""
+    """The right answer and how far from it is still right: exact fractions, all in the unit of the ask.
+
+    `period` is a full turn for an angle that is right with any number of turns more or less.
+    """
 
     value: Fraction
     tolerance: Fraction
+    period: Fraction | None = None
 
 
 @dataclass(frozen=True, slots=True)

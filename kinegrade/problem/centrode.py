@@ -7,7 +7,7 @@ the circle goes through three poles, and a fourth must lie on it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
@@ -32,6 +32,7 @@ class Centrodes:
     template: Template
     values: Mapping[str, Any]
     plan: Plan | None
+    known: dict[tuple[str, str], Round] = field(default_factory=dict)
 
     def functions(self, arithmetic: Any) -> dict[str, Callable[..., Any]]:
         """What a quantity may say of centrodes."""
@@ -45,14 +46,22 @@ class Centrodes:
         """
         if not isinstance(body, BodyName):
             raise ExpressionError("circle_of_poles(BODY, parameter): expected the name of a body first")
-        parameter = self.parameter(angle)
-        poles = list(islice(self.poles(body.name, parameter, arithmetic), 4))
+        key = (body.name, self.parameter(angle))
+        if key not in self.known:
+            self.known[key] = self.find(*key, arithmetic)
+        found = self.known[key]
+        centre = Vector(arithmetic.embed(found.centre.x), arithmetic.embed(found.centre.y))
+        return Round(centre, arithmetic.embed(found.radius))
+
+    def find(self, body: str, parameter: str, arithmetic: Any) -> Round:
+        """The circle through three poles, a fourth of which lies on it."""
+        poles = list(islice(self.poles(body, parameter, arithmetic), 4))
         if len(poles) < 4:
-            raise MechanismError(f"the centrode of {body.name}: fewer than four configurations can be reached by "
+            raise MechanismError(f"the centrode of {body}: fewer than four configurations can be reached by "
                                  f"changing {parameter}: choose another value")
         circle = through(poles[0], poles[1], poles[2], arithmetic)
         if not arithmetic.is_zero((poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()):
-            raise MechanismError(f"the centrode of {body.name} is no circle")
+            raise MechanismError(f"the centrode of {body} is no circle")
         return circle
 
     def parameter(self, angle: Any) -> str:

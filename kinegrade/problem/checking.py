@@ -6,30 +6,46 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
+from statistics import median
+from time import perf_counter
 from typing import Any
 
 from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
 from kinegrade.problem.drawing import Deck, Refused, address, examine
+from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.spread import Spread
 from kinegrade.problem.statement import statement_faults
 from kinegrade.problem.template import LANGUAGES, Ask, Published, Template
 
+FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
+SEARCHED = 300  # instances that the search for breaking values tries
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
 @dataclass
 class Report:
-    """What the check of a template found; `faults` is empty when the template is sound."""
+    """What the check of a template found; `faults` is empty when the template is sound.
+
+    `seconds` is the median time of an instance; `remarks` are for the author to weigh.
+    """
 
     template: Template
     proved: int = 0
     instances: int = 0
     refused: Counter[str] = field(default_factory=Counter)
-    smallest: dict[str, float] = field(default_factory=dict)
-    largest: dict[str, float] = field(default_factory=dict)
+    spreads: dict[str, Spread] = field(default_factory=dict)
+    seconds: float = 0.0
+    remarks: list[str] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
+
+    @property
+    def distinct(self) -> int:
+        """How many distinct instances there are: all combinations, less the share that the sample refused."""
+        examined = self.instances + sum(self.refused.values())
+        return self.template.combinations * self.instances // examined if examined else 0
 
 
 def check(template: Template, sample: int = 200) -> Report:
@@ -41,16 +57,46 @@ def check(template: Template, sample: int = 200) -> Report:
         report.faults.append("no published result: a template is finished when [[published]] proves it")
     for published in template.published:
         prove(report, published)
-    for values in drawable(template, sample):
+    draw(report, sample)
+    weigh(report)
+    broken = breaking_values(template, min(sample, SEARCHED))
+    if broken is not None:
+        shown = ", ".join(f"{name} = {text}" for name, text in broken[0].items())
+        report.faults.append(f"breaks at {shown}: {broken[1]}: add a condition or narrow the domains")
+    return report
+
+
+def draw(report: Report, sample: int) -> None:
+    """Examine the sample: what is refused and why, how the answers spread, how long an instance takes."""
+    times, plan = [], None
+    for values in drawable(report.template, sample):
+        start = perf_counter()
         try:
-            solution = examine(template, values, template.asked())
+            solution = examine(report.template, values, report.template.asked(), plan)
         except Refused as refusal:
             report.refused[refusal.reason] += 1
             continue
+        times.append(perf_counter() - start)
+        plan = solution.motion.plan
         note(report, solution)
+    report.seconds = median(times) if times else 0.0
+
+
+def weigh(report: Report) -> None:
+    """Too few instances and constant answers are faults; what else is easily guessed is remarked."""
     if not report.instances:
         report.faults.append("no acceptable instance was found: widen the domains or relax the conditions")
-    return report
+    elif report.distinct < FEWEST:
+        report.faults.append(f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a class: "
+                             "widen the domains")
+    for name, spread in report.spreads.items():
+        copied = spread.copied()
+        if spread.constant:
+            report.faults.append(f"{name} has the same answer in all instances: a student guesses it")
+        elif copied is not None:
+            report.remarks.append(f"{name} equals the given {copied} in almost all instances")
+    if report.refused["mechanism"]:
+        report.remarks.append("some drawable combinations cannot be solved: a condition would say why")
 
 
 def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:
@@ -76,9 +122,7 @@ def note(report: Report, solution: Solution) -> None:
     """Count an accepted instance and the spread of its answers."""
     report.instances += 1
     for name, answer in solution.answers.items():
-        value = answer.value
-        report.smallest[name] = min(value, report.smallest.get(name, value))
-        report.largest[name] = max(value, report.largest.get(name, value))
+        report.spreads.setdefault(name, Spread()).note(answer, solution.parameters)
 
 
 def prove(report: Report, published: Published) -> None:

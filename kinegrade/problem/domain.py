@@ -24,7 +24,9 @@ def read_choices(draw: Any) -> tuple[str, ...]:
     >>> read_choices("15 .. 60 step 15")
     ('15', '30', '45', '60')
     """
-    texts = [str(value) for value in draw] if isinstance(draw, list) else read_range(str(draw))
+    if not isinstance(draw, list):
+        return tuple(read_range(str(draw)))
+    texts = [str(value) for value in draw]
     if not texts or len(texts) > MAX_CHOICES or len({digits(text) for text in texts}) != len(texts):
         raise ExpressionError(f"draw: expected 1 to {MAX_CHOICES} values, each once")
     return tuple(texts)

@@ -18,11 +18,11 @@ from kinegrade.mechanics.joints import GROUND
 
 Sense = Literal["ccw", "cw"]
 Side = Literal["right", "up", "left", "down"]
-Shape = Literal["gear", "cam", "bent", "bar"]
+Shape = Literal["gear", "cam", "bent", "bar", "through"]
 
 SENSES = ("ccw", "cw")
 SIDES = ("right", "up", "left", "down")
-SHAPES = ("gear", "cam", "bent", "bar")
+SHAPES = ("gear", "cam", "bent", "bar", "through")
 GREEK = re.findall(
     "[A-Za-z]+",
     "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi rho varrho "
@@ -64,11 +64,21 @@ class Angle:
 
 @dataclass(frozen=True)
 class Radius:
-    """The radius of a circle about `centre`; `of` names its body where several share the centre."""
+    """The radius of a circle about `centre`; `of` names its body, `through` a point on it, where several share it."""
 
     symbol: str
     centre: str
     of: str | None = None
+    through: str | None = None
+
+
+@dataclass(frozen=True)
+class Rimmed:
+    """A circle of a body that no joint knows of (the flange of a wheel), about one point through another."""
+
+    body: str
+    centre: str
+    through: str
 
 
 @dataclass(frozen=True)
@@ -93,14 +103,18 @@ class Moving:
 class FigureHints:
     """Everything an author may ask of a figure.
 
-    `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no label.
+    `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no label. A
+    point that is only constructed appears when it has a label. `lines` are thin, between two points.
     `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact is known), "bent" (a
-    rod through its points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot).
+    rod through its points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot),
+    "through" (a translating rod that goes on beyond its point).
     """
 
     lengths: tuple[Length, ...] = ()
     angles: tuple[Angle, ...] = ()
     radii: tuple[Radius, ...] = ()
+    circles: tuple[Rimmed, ...] = ()
+    lines: tuple[tuple[str, str], ...] = ()
     arrows: tuple[Turning | Moving, ...] = ()
     labels: Mapping[str, str | None] = field(default_factory=lambda: MappingProxyType({}))
     shapes: Mapping[str, Shape] = field(default_factory=lambda: MappingProxyType({}))
@@ -165,20 +179,26 @@ class _Reader:
 
     def merge(self, hints: FigureHints, key: str, value: object) -> FigureHints:
         """The hints with one more entry of the table."""
-        known = ("lengths", "angles", "radii", "arrows", "labels", "shapes", "axes")
-        if key in ("lengths", "angles", "radii", "arrows"):
-            read = {"lengths": self.length, "angles": self.angle, "radii": self.radius, "arrows": self.arrow}[
-                key
-            ]
-            rows = self.rows(key, value)
-            entries = tuple(read(row, f"{key}[{number}]") for number, row in enumerate(rows, start=1))
+        readers = {
+            "lengths": self.length,
+            "angles": self.angle,
+            "radii": self.radius,
+            "circles": self.circle,
+            "arrows": self.arrow,
+        }
+        if key in readers:
+            rows = enumerate(self.rows(key, value), start=1)
+            entries = tuple(readers[key](row, f"{key}[{number}]") for number, row in rows)
             return replace(hints, **cast(dict[str, Any], {key: entries}))
+        if key == "lines":
+            return replace(hints, lines=self.lines(value))
         if key == "labels":
             return replace(hints, labels=self.labels(value))
         if key == "shapes":
             return replace(hints, shapes=self.shapes(value))
         if key == "axes" and isinstance(value, bool):
             return replace(hints, axes=value)
+        known = (*readers, "lines", "labels", "shapes", "axes")
         problem = "expected true or false" if key == "axes" else f"unknown entry; {did_you_mean(key, known)}"
         self.fault(key, problem)
         return hints
@@ -207,9 +227,17 @@ class _Reader:
         return Angle(self.symbol(row, place), self.point(row, place, "at"), start, end, sense)
 
     def radius(self, row: dict[str, Any], place: str) -> Radius:
-        self.keys(row, place, ("symbol", "centre"), ("of",))
+        self.keys(row, place, ("symbol", "centre"), ("of", "through"))
         of = self.name(row, place, "of", self.bodies, "body") if "of" in row else None
-        return Radius(self.symbol(row, place), self.point(row, place, "centre"), of)
+        through = self.point(row, place, "through") if "through" in row else None
+        return Radius(self.symbol(row, place), self.point(row, place, "centre"), of, through)
+
+    def circle(self, row: dict[str, Any], place: str) -> Rimmed:
+        self.keys(row, place, ("body", "centre", "through"), ())
+        centre, through = (self.point(row, place, key) for key in ("centre", "through"))
+        if centre and centre == through:
+            self.fault(place, f"a circle about {centre!r} through itself; name another point for 'through'")
+        return Rimmed(self.name(row, place, "body", self.bodies, "body"), centre, through)
 
     def arrow(self, row: dict[str, Any], place: str) -> Turning | Moving:
         if "moves" in row:
@@ -222,6 +250,17 @@ class _Reader:
         return Turning(
             self.symbol(row, place), self.name(row, place, "turns", self.bodies - {GROUND}, "body"), sense
         )
+
+    def lines(self, value: object) -> tuple[tuple[str, str], ...]:
+        rows: list[Any] = value if isinstance(value, list) else [None]
+        for number, row in enumerate(rows, start=1):
+            if not isinstance(row, list) or len(row) != 2 or row[0] == row[1]:
+                self.fault(f"lines[{number}]", 'expected two points; write lines = [["O", "B"]]')
+                return ()
+            for name in row:
+                if name not in self.points:
+                    self.fault(f"lines[{number}]", f"no point {name!r}; {did_you_mean(str(name), self.points)}")
+        return tuple((str(start), str(end)) for start, end in rows)
 
     def labels(self, value: object) -> Mapping[str, str | None]:
         found: dict[str, str | None] = {}

@@ -93,6 +93,11 @@ class Quantity:
         return decimal_text(self.number, digits, self.measure.degrees)
 
     @property
+    def full_turn(self) -> str:
+        """A full turn in the unit of an angle, to 40 digits."""
+        return "360" if self.measure.degrees else decimal_text(Angle(fmpq(2)), CERTIFIED_DIGITS)
+
+    @property
     def given_text(self) -> str:
         """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees as degrees."""
         number = self.number

@@ -27,13 +27,14 @@ from kinegrade.units import read_unit
 
 MAX_CHARACTERS = 100_000
 KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
-        "asks", "statement", "published", "figure")
+        "asks", "statement", "published", "figure", "tags")
 NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
 MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, and what was expected
 TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', '.join(sorted(RESERVED))}"
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
+TAG = re.compile(r"[a-z][a-z0-9-]{0,29}", re.ASCII)
 Part = TypeVar("Part")
 
 
@@ -105,7 +106,7 @@ class Reader:
             self.name, self.section("family", str), self.translated(self.table, "title"),
             self.translated(self.table, "statement"), self.section("source", str), parameters, lengths, points, bodies,
             self.joints(), self.drivers(), self.conditions(), self.asks(), self.published(parameters),
-            self.hints(points, bodies), self.text)
+            self.hints(points, bodies), self.text, self.tags())
         self.check_uses(result)
         if self.faults:
             raise TemplateError(*self.faults)
@@ -214,7 +215,7 @@ class Reader:
     def asks(self) -> dict[str, Ask]:
         """The quantities that may be asked for."""
         found = {}
-        keys = {"quantity", "unit", "means", "sign", "points", "vanishes", "symbol"}
+        keys = {"quantity", "unit", "means", "sign", "points", "vanishes", "cyclic", "symbol"}
         for name, entry in self.section("asks", dict).items():
             path = f"asks.{name}"
             if not IDENTIFIER.fullmatch(name):
@@ -229,12 +230,14 @@ class Reader:
         points = entry.get("points", 0)
         if not isinstance(points, int) or isinstance(points, bool) or not 0 <= points <= 100:
             raise ExpressionError("points: expected a whole number from 0 to 100")
-        if not isinstance(entry.get("vanishes", False), bool):
-            raise ExpressionError("vanishes: expected true or false")
+        for flag in ("vanishes", "cyclic"):
+            if not isinstance(entry.get(flag, False), bool):
+                raise ExpressionError(f"{flag}: expected true or false")
         english, chinese = read_sign(entry.get("sign", "magnitude"))
         return Ask(name, str(entry.get("symbol", symbol(name))), read(str(entry["quantity"])),
                    read_unit(str(entry["unit"])), self.translated(entry, "means", f"asks.{name}"),
-                   Translated(english, chinese), points, entry.get("vanishes") is True)
+                   Translated(english, chinese), points, entry.get("vanishes") is True,
+                   entry.get("cyclic") is True)
 
     def published(self, parameters: Mapping[str, Parameter]) -> tuple[Published, ...]:
         """Published results with the values they hold for."""
@@ -262,6 +265,14 @@ class Reader:
         hints = self.part("figure", lambda: read_hints(
             self.section("figure", dict), self.name, set(points), {body.name for body in bodies}))
         return hints if hints is not None else FigureHints()
+
+    def tags(self) -> tuple[str, ...]:
+        """The author's own tags."""
+        words = self.section("tags", list)
+        if all(isinstance(word, str) and TAG.fullmatch(word) for word in words):
+            return tuple(words)
+        self.fault("tags", 'expected short words of small letters, digits and hyphens, like ["two-drivers"]')
+        return ()
 
     def check_uses(self, template: Template) -> None:
         """Names in expressions are known where they are used; published results and asks belong together."""

@@ -16,7 +16,12 @@ def report_lines(report: Report) -> Iterator[str]:
     refused = ", ".join(f"{reason} {count}" for reason, count in sorted(report.refused.items())) or "none"
     yield (f"  drawable combinations: {template.combinations}; examined: "
            f"{report.instances + sum(report.refused.values())}, accepted: {report.instances}, refused: {refused}")
-    for name, smallest in report.smallest.items():
-        yield f"  {name}: {smallest:.4g} .. {report.largest[name]:.4g} {template.asks[name].unit.printed}"
+    yield f"  distinct instances: about {report.distinct}; {report.seconds * 1e3:.1f} ms each"
+    for name, spread in report.spreads.items():
+        yield (f"  {name:<12} {min(spread.values):10.4g} .. {max(spread.values):<10.4g} "
+               f"{template.asks[name].unit.printed:<7} negative {spread.negative:4.0%}, "
+               f"different {len(set(spread.values))}")
+    for remark in report.remarks:
+        yield f"  remark: {remark}"
     for fault in report.faults:
         yield f"  fault: {fault}"

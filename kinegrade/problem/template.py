@@ -53,7 +53,7 @@ class Ask:
     """A quantity that may be asked for: how it follows from the motion, its unit, sign convention and weight.
 
     `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that zero is a proper
-    answer.
+    answer, `cyclic` that an angle is right with any number of full turns more or less.
     """
 
     name: str
@@ -64,6 +64,7 @@ class Ask:
     sign: Translated
     points: int
     vanishes: bool
+    cyclic: bool
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,10 @@ class Published:
 
 @dataclass(frozen=True)
 class Template:
-    """One mechanism with its questions; `text` is the file as it was read, kept with every exam."""
+    """One mechanism with its questions; `text` is the file as it was read, kept with every exam.
+
+    `tags` are the author's words for finding it, besides those that follow from what it asks.
+    """
 
     name: str
     family: str
@@ -106,6 +110,7 @@ class Template:
     published: tuple[Published, ...]
     figure: FigureHints
     text: str
+    tags: tuple[str, ...] = ()
 
     @property
     def angles(self) -> frozenset[str]:

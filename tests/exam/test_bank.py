@@ -8,12 +8,15 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError
-from kinegrade.exam.bank import MAX_BYTES, Bank, Tolerance, read_bank
+from kinegrade.exam.bank import MAX_BYTES, bank_path, read_bank, read_blueprint
+from kinegrade.exam.blueprint import Bank, Tolerance
 from kinegrade.problem.library import shipped
 from tests.problem.crank import crank_text
 
 HEAD = 'title = "Midterm"\ncourse = { en = "Mechanics", zh = "力学" }\n'
 AMOUNT = "expected a number like 0.01, at most 4 digits before the point and 9 after it"
+KIND = "expected one of position, velocity, acceleration"
+ONE_OF = 'expected a table with one of template = "...", family = "..." and tag = "..."'
 SHARE = 'expected a text like "1 %" or a number like 0.01'
 QUESTION = '[[questions]]\ntemplate = "slider-crank"\n'
 
@@ -123,6 +126,8 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
 def test_every_fault_is_told_at_once(tmp_path: Path) -> None:
     found = faults(tmp_path, """
 titel = "Midterm"
+shuffle = "yes"
+versions = 27
 course = { en = "Mechanics" }
 date = 3
 tolerance = { relative = "100 %", size = 1 }
@@ -134,14 +139,17 @@ asks = { v_C = 3, v_B = 0, omega_AB = "2 %", a_B = { points = 1001, weight = 2 }
 draw = { q = [1], k = [1, 1], r = ["x"], phi = "90 .. 0 step 15" }
 tolerance = { relative = "0 %" }
 points = 3
+number = 2
 """)
     assert found == [
-        'unknown key "titel": did you mean "title"? (known here: course, date, questions, title, tolerance)',
+        'unknown key "titel": did you mean "title"? (known here: course, date, questions, shuffle, title, '
+        'tolerance, versions)',
         'tolerance: unknown key "size": known here: absolute, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
-        'questions[1]: expected a table with template = "..."',
-        'questions[2]: unknown key "points": known here: asks, draw, template, tolerance',
+        'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
+        'questions[2]: unknown key "number": known here: asks, draw, points, template, tolerance',
         "questions[2].tolerance: expected a tolerance above zero, the relative one below 100 %",
+        "questions[2].points: asks says the points already: leave one of the two out",
         'questions[2].asks.v_C: slider-crank has no ask "v_C": did you mean "v_B"? '
         "(known here: a_B, alpha_AB, omega_AB, v_B)",
         "questions[2].asks.v_B.points: expected more than 0 and at most 1000",
@@ -156,6 +164,8 @@ points = 3
         'title: expected a text, or texts { en = "...", zh = "..." }',
         'course: expected a text, or texts { en = "...", zh = "..." }',
         'date: expected a text or a date, like "spring 2026" or 2026-05-01',
+        "shuffle: expected true or false, not 'yes'",
+        "versions: expected a whole number from 1 to 26, not '27'",
     ]
 
 
@@ -163,8 +173,14 @@ points = 3
     ("questions = 3", "questions: expected 1 to 50 tables [[questions]]"),
     ("questions = []", "questions: expected 1 to 50 tables [[questions]]"),
     ("[[questions]]\n" * 51, "questions: expected 1 to 50 tables [[questions]]"),
-    (QUESTION + "asks = 3", "questions[1].asks: expected a table of asks with their points, like { v_B = 3 }"),
-    (QUESTION + "asks = {}", "questions[1].asks: expected a table of asks with their points, like { v_B = 3 }"),
+    (QUESTION + "asks = 3", f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}"),
+    (QUESTION + "asks = {}", f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}"),
+    (QUESTION + 'asks = "position"', "questions[1].asks: slider-crank gives points to nothing of this: expected a "
+     "table of asks with their points, like { v_B = 3 }"),
+    (QUESTION + "points = 3", "questions[1].points: slider-crank asks 4 quantities: expected a point for each"),
+    (QUESTION + "points = 9.5", "questions[1].points: expected a whole number from 1 to 1000, not '9.5'"),
+    (QUESTION + 'family = "rolling"', f"questions[1]: {ONE_OF}"),
+    ("[[questions]]\ntag = 3", f"questions[1]: {ONE_OF}"),
     (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
     (QUESTION + "tolerance = 0.01",
      'questions[1].tolerance: expected a table like { relative = "1 %" } or { absolute = 0.01 }'),
@@ -215,6 +231,32 @@ def test_an_editor_may_have_put_a_byte_order_mark(tmp_path: Path) -> None:
     assert read_bank(file).date == "2026-05-01"
 
 
-@pytest.mark.parametrize("name", sorted(path.name for path in shipped("banks").glob("*.toml")))
-def test_shipped_banks_are_sound(name: str) -> None:
-    assert read_bank(shipped("banks") / name).questions
+def test_a_part_of_what_a_template_asks_and_points_shared_out(tmp_path: Path) -> None:
+    (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = "velocity"\npoints = 8').questions
+    assert {ask.name: ask.points for ask in question.asks} == {"v_B": 5, "omega_AB": 3}  # weighed 3 to 2
+    (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = "acceleration"').questions
+    assert {ask.name: ask.points for ask in question.asks} == {"alpha_AB": 2, "a_B": 3}
+
+
+POINTS = {"demo": 34, "velocity-quiz": 30, "acceleration-midterm": 60, "final": 100}
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in shipped("banks").glob("*.toml")))
+def test_shipped_banks_are_sound_and_found_by_name(name: str) -> None:
+    plan = read_blueprint(bank_path(Path(name)))
+    for secret in ("spring", "autumn", "resit"):
+        exam = plan.bank(secret)
+        assert exam.title.en != exam.title.zh
+        assert sum(question.points for question in exam.questions) == POINTS[name]
+
+
+def test_a_bank_is_found_by_path_or_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "demo").mkdir()  # a folder in the way is no bank
+    assert bank_path(Path("demo")) == shipped("banks") / "demo.toml"
+    (tmp_path / "final").write_text("mine", encoding="utf-8")
+    assert bank_path(Path("final")) == Path("final")
+    assert bank_path(Path("mine.toml")) == Path("mine.toml")
+    with pytest.raises(BankError, match='no bank "fnial": did you mean "final"') as caught:
+        bank_path(Path("fnial"))
+    assert caught.value.problems[0].endswith("; or give a bank file")

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.bank import Bank, read_bank
+from kinegrade.exam.bank import read_bank
+from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.pages import WARNING, interval, key_book, key_paper, paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper, set_exam

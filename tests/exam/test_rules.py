@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.bank import Tolerance, read_bank
+from kinegrade.exam.bank import read_bank
+from kinegrade.exam.blueprint import Tolerance
 from kinegrade.exam.rules import marking_rule, percent, plain, rules
 
 BANK = """

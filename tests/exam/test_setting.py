@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import DrawError
-from kinegrade.exam.bank import Bank, read_bank
+from kinegrade.exam.bank import read_bank
+from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper, paper_code, set_exam, two_figures
 from tests.small_class import BANK, write_class

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from kinegrade.exam.words import CHINESE, ENGLISH
+import pytest
+
+from kinegrade.exam.words import CHINESE, CHINESE_GALLERY, ENGLISH, ENGLISH_GALLERY, GalleryWords, Words
 
 
-def test_no_word_is_missing_and_places_agree() -> None:
-    english, chinese = asdict(ENGLISH), asdict(CHINESE)
+@pytest.mark.parametrize("languages", [(ENGLISH, CHINESE), (ENGLISH_GALLERY, CHINESE_GALLERY)])
+def test_no_word_is_missing_and_places_agree(languages: tuple[Words | GalleryWords, ...]) -> None:
+    english, chinese = map(asdict, languages)
     assert all(english.values())
     assert all(chinese.values())
     assert {name: text.count("{}") for name, text in english.items()} == {

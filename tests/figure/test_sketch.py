@@ -99,7 +99,7 @@ def test_the_scale_is_true_for_both_axes() -> None:
 
 def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
     case = planetary_velocities(0.3, 0.2, 30)
-    drawing = draw(to_paper(case[0], 40.0), case[1].shapes)
+    drawing = draw(to_paper(case[0], 40.0), case[1])
     sun, planet = drawing.rims
     assert (sun.kind, planet.kind) == ("gear", "gear")
     assert hypot(planet.at.x - sun.at.x, planet.at.y - sun.at.y) == pytest.approx(sun.radius + planet.radius)
@@ -107,7 +107,7 @@ def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
 
 def test_a_cam_is_a_closed_profile_not_its_circle_of_curvature() -> None:
     mechanism, hints = follower_curvature(0.3, 30, 0.25)
-    parts = draw(to_paper(mechanism, 60.0), hints.shapes).primitives
+    parts = draw(to_paper(mechanism, 60.0), hints).primitives
     assert any(isinstance(part, Outline) and part.closed and len(part.corners) > 60 for part in parts)
     assert not any(isinstance(part, Disc) and part.radius > 3 for part in parts)
 
@@ -161,6 +161,7 @@ def test_the_same_mechanism_gives_the_same_figure() -> None:
     ("table", "message"),
     [
         ({"radii": [{"symbol": "r", "centre": "O"}]}, "figure.radii: no circle about 'O'"),
+        ({"radii": [{"symbol": "r", "centre": "O", "through": "B"}]}, "no circle through 'B' about 'O'"),
         ({"labels": {"ground": "1"}}, "figure.labels.ground: no circle and no bar of 'ground' is drawn"),
     ],
 )

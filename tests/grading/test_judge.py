@@ -64,3 +64,10 @@ def test_right_is_the_closed_interval_about_the_key(
 ) -> None:
     right = judge(read(str(typed), "1"), Key(value, tolerance)).kind == "right"
     assert right is (value - tolerance <= Fraction(str(typed)) <= value + tolerance)
+
+
+@pytest.mark.parametrize(("typed", "kind"), [
+    ("350", "right"), ("-10", "right"), ("710", "right"), ("-369.5", "right"), ("10", "wrong"), ("-12", "wrong"),
+])
+def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) -> None:
+    assert judge(read(typed, "deg"), Key(Fraction(350), Fraction(1), Fraction(360))).kind == kind

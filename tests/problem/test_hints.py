@@ -13,6 +13,7 @@ from kinegrade.problem.hints import (
     Length,
     Moving,
     Radius,
+    Rimmed,
     Turning,
     read_hints,
     symbol_fault,
@@ -38,7 +39,9 @@ def test_a_full_table_reads_as_written() -> None:
             { symbol = "h", from = "A", to = "B", along = "vertical" },
         ]
         angles = [{ symbol = '\varphi', at = "O", from = "right", to = "A", sense = "ccw" }]
-        radii = [{ symbol = "r_1", centre = "O", of = "ground" }]
+        radii = [{ symbol = "r_1", centre = "O", of = "ground", through = "B" }]
+        circles = [{ body = "OA", centre = "O", through = "B" }]
+        lines = [["O", "B"]]
         arrows = [
             { symbol = '\omega', turns = "OA", sense = "cw" },
             { symbol = "v_B", moves = "B", along = "left" },
@@ -49,7 +52,9 @@ def test_a_full_table_reads_as_written() -> None:
     """)
     assert hints.lengths == (Length("r", "O", "A"), Length("h", "A", "B", "vertical"))
     assert hints.angles == (Angle("\\varphi", "O", "right", "A", "ccw"),)
-    assert hints.radii == (Radius("r_1", "O", "ground"),)
+    assert hints.radii == (Radius("r_1", "O", "ground", "B"),)
+    assert hints.circles == (Rimmed("OA", "O", "B"),)
+    assert hints.lines == (("O", "B"),)
     assert hints.arrows == (Turning("\\omega", "OA", "cw"), Moving("v_B", "B", "left"))
     assert dict(hints.labels) == {"A": "A_1", "B": None, "OA": "1"}
     assert dict(hints.shapes) == {"AB": "bent"}
@@ -70,9 +75,9 @@ def test_all_faults_come_at_once() -> None:
         "crank.toml: figure.lengths[1].to: no point 'C'; known here: A, B, O",
         'crank.toml: figure.angles: expected a list of tables; write [{ symbol = "r", ... }]',
         "crank.toml: figure.shapes.AB: no shape 'geer'; "
-        'did you mean "gear"? (known here: bar, bent, cam, gear)',
+        'did you mean "gear"? (known here: bar, bent, cam, gear, through)',
         'crank.toml: figure.axis: unknown entry; did you mean "axes"? '
-        "(known here: angles, arrows, axes, labels, lengths, radii, shapes)",
+        "(known here: angles, arrows, axes, circles, labels, lengths, lines, radii, shapes)",
     )
 
 
@@ -88,6 +93,17 @@ def test_all_faults_come_at_once() -> None:
             "figure.radii[1]: unknown entry 'center'; did you mean \"centre\"?",
         ),
         ("radii = [{ symbol = 'r' }]", "figure.radii[1]: 'centre' is missing; needed here: symbol, centre"),
+        ("radii = [{ symbol = 'r', centre = 'O', through = 'Q' }]", "figure.radii[1].through: no point 'Q'"),
+        ("circles = [{ body = 'O', centre = 'O', through = 'A' }]", "figure.circles[1].body: no body 'O'"),
+        ("circles = [{ body = 'OA', centre = 'O' }]", "figure.circles[1]: 'through' is missing"),
+        (
+            "circles = [{ body = 'OA', centre = 'O', through = 'O' }]",
+            "figure.circles[1]: a circle about 'O' through itself; name another point for 'through'",
+        ),
+        ("lines = ['O', 'B']", "figure.lines[1]: expected two points; write lines = [[\"O\", \"B\"]]"),
+        ("lines = [['O', 'O']]", "figure.lines[1]: expected two points"),
+        ("lines = 'OB'", "figure.lines[1]: expected two points"),
+        ("lines = [['O', 'A'], ['O', 'Q']]", "figure.lines[2]: no point 'Q'"),
         ("arrows = [{ symbol = 'r', turns = 'O' }]", "figure.arrows[1].turns: no body 'O'"),
         ("arrows = [{ symbol = 'r', turns = 'OA', sense = 'up' }]", "figure.arrows[1].sense: no choice 'up'"),
         (

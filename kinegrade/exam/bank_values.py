@@ -1,0 +1,106 @@
+"""Single values of a bank's file: texts in two languages, whole numbers, amounts and tolerances, read exactly."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from datetime import date
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from kinegrade.errors import did_you_mean
+from kinegrade.exam.blueprint import Tolerance
+from kinegrade.problem.reading import shortened
+from kinegrade.problem.template import Translated
+
+NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
+DECIMAL = re.compile(NUMBER, re.ASCII)
+SHARE = re.compile(NUMBER + r"\s*(%?)", re.ASCII)
+
+
+class Values:
+    """Reads values of one file, collecting its faults."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.faults: list[str] = []
+
+    def fault(self, place: str, problem: str) -> None:
+        """Note a fault."""
+        place = f"{shortened(place)}: " if place else ""
+        self.faults.append(f"{self.path}: {place}{shortened(problem)}")
+
+    def unknown_keys(self, place: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
+        """A fault for every key that is not known."""
+        for key in sorted(set(table) - set(known)):
+            self.fault(place, f'unknown key "{key}": {did_you_mean(key, known)}')
+
+    def translated(self, place: str, value: Any) -> Translated:
+        """A text in both languages; one text serves for both."""
+        if isinstance(value, str) and value.strip():
+            return Translated(value, value)
+        if isinstance(value, dict) and set(value) == {"en", "zh"} and all(
+                isinstance(text, str) and text.strip() for text in value.values()):
+            return Translated(value["en"], value["zh"])
+        self.fault(place, 'expected a text, or texts { en = "...", zh = "..." }')
+        return Translated("", "")
+
+    def date(self, place: str, value: Any) -> str:
+        """A date as it is printed."""
+        if not isinstance(value, str | date):
+            self.fault(place, 'expected a text or a date, like "spring 2026" or 2026-05-01')
+        return str(value)
+
+    def flag(self, place: str, value: Any) -> bool:
+        """True or false."""
+        if not isinstance(value, bool):
+            self.fault(place, f"expected true or false, not {written(value)!r}")
+        return value is True
+
+    def whole(self, place: str, value: Any, least: int, most: int) -> int:
+        """A whole number within bounds; after a fault the least one, with which reading goes on."""
+        if isinstance(value, int) and not isinstance(value, bool) and least <= value <= most:
+            return value
+        self.fault(place, f"expected a whole number from {least} to {most}, not {written(value)!r}")
+        return least
+
+    def tolerance(self, place: str, value: Any, default: Tolerance) -> Tolerance:
+        """{ relative = "1 %", absolute = 0.01 }, each optional."""
+        if value is None:
+            return default
+        if not isinstance(value, dict):
+            self.fault(place, 'expected a table like { relative = "1 %" } or { absolute = 0.01 }')
+            return default
+        self.unknown_keys(place, value, ("relative", "absolute"))
+        relative = self.share(f"{place}.relative", value.get("relative", 0))
+        absolute = self.amount(f"{place}.absolute", value.get("absolute", 0))
+        if relative is None or absolute is None:
+            return default
+        if relative >= 1 or relative + absolute == 0:
+            self.fault(place, "expected a tolerance above zero, the relative one below 100 %")
+        return Tolerance(relative, absolute)
+
+    def amount(self, place: str, value: Any) -> Fraction | None:
+        """A number of zero or more, exactly."""
+        match = DECIMAL.fullmatch(written(value))
+        if match is None:
+            self.fault(place, "expected a number like 0.01, at most 4 digits before the point and 9 after it, "
+                              f"not {written(value)!r}")
+            return None
+        return Fraction(match[1])
+
+    def share(self, place: str, value: Any) -> Fraction | None:
+        """A number of zero or more, or a percentage as text, exactly."""
+        match = SHARE.fullmatch(written(value))
+        if match is None:
+            self.fault(place, f'expected a text like "1 %" or a number like 0.01, not {written(value)!r}')
+            return None
+        return Fraction(match[1]) / (100 if match[2] else 1)
+
+
+def written(value: Any) -> str:
+    """A number or a text as it stands in the file, cut where it is long; of anything else its kind."""
+    if isinstance(value, bool) or not isinstance(value, int | str):
+        return f"a {type(value).__name__}"
+    return str(value).strip()[:40]

@@ -1,0 +1,129 @@
+"""An exam's blueprint, and the exam that a secret makes of it.
+
+`bank` reads a blueprint from its file; `setting` draws numbers for the questions of the Bank that is chosen here. What
+is chosen is the same for the whole class, because the class shares one answer sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from kinegrade.problem.drawing import address
+from kinegrade.problem.template import Template, Translated
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Right within max(relative*|exact value|, absolute), the bounds included; absolute in the ask's unit."""
+
+    relative: Fraction
+    absolute: Fraction
+
+
+@dataclass(frozen=True)
+class BankAsk:
+    """One quantity asked for."""
+
+    name: str
+    points: Fraction
+    tolerance: Tolerance
+
+
+@dataclass(frozen=True)
+class BankQuestion:
+    """One question: its template, what is asked, and domains that replace the template's."""
+
+    identifier: str
+    template: Template
+    asks: tuple[BankAsk, ...]
+    domains: Mapping[str, tuple[str, ...]]
+
+    @property
+    def points(self) -> Fraction:
+        """The sum of the asks' points."""
+        return sum((ask.points for ask in self.asks), Fraction(0))
+
+
+@dataclass(frozen=True)
+class Bank:
+    """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept with the exam.
+
+    `shuffle` lets every paper have its own order of the questions; `versions` is how many different papers there are,
+    0 for one of each student's own.
+    """
+
+    title: Translated
+    course: Translated
+    date: str
+    tolerance: Tolerance
+    questions: tuple[BankQuestion, ...]
+    text: str
+    shuffle: bool = False
+    versions: int = 0
+
+
+@dataclass(frozen=True)
+class Slot:
+    """One question of an exam: the questions it may become; one of them is `drawn`, or there is but one."""
+
+    identifier: str
+    candidates: tuple[BankQuestion, ...]
+    drawn: bool
+
+
+@dataclass(frozen=True)
+class Blueprint:
+    """A bank as it is read: `frame` holds everything but the questions, which are still to be chosen."""
+
+    frame: Bank
+    slots: tuple[Slot, ...]
+
+    def bank(self, secret: str) -> Bank:
+        """The exam that a secret makes; templates that are drawn differ from each other and from all that are named.
+
+        A blueprint that was read has templates enough for every slot.
+        """
+        names = matched(wishes(self.slots, lambda slot, name: address(secret, "template", slot, name)))
+        questions = tuple(candidate for slot in self.slots for candidate in slot.candidates
+                          if names.get(slot.identifier, candidate.template.name) == candidate.template.name)
+        return replace(self.frame, questions=questions)
+
+
+def wishes(slots: Iterable[Slot], rank: Callable[[str, str], int]) -> dict[str, tuple[str, ...]]:
+    """For each slot that is drawn the templates it may take, those of lowest rank first."""
+    slots = tuple(slots)
+    named = {slot.candidates[0].template.name for slot in slots if not slot.drawn}
+    return {slot.identifier: tuple(sorted(
+        {question.template.name for question in slot.candidates} - named,
+        key=lambda name, identifier=slot.identifier: (rank(identifier, name), name)))  # type: ignore[misc]
+        for slot in slots if slot.drawn}
+
+
+def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    """A name for as many slots as can have one, no name twice: the first that is free, or one that is made free.
+
+    >>> matched({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
+    {'q2': 'crank', 'q1': 'cam'}
+    """
+    holders: dict[str, str] = {}
+    for slot, names in wanted.items():
+        free = next((name for name in names if name not in holders), None)
+        if free is not None:
+            holders[free] = slot
+        else:
+            displace(slot, wanted, holders, set())
+    return {slot: name for name, slot in holders.items()}
+
+
+def displace(slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]) -> bool:
+    """Let a slot take a name whose holder can take another one; whether that was possible (Kuhn's algorithm)."""
+    for name in wanted[slot]:
+        if name in tried:
+            continue
+        tried.add(name)
+        if name not in holders or displace(holders[name], wanted, holders, tried):
+            holders[name] = slot
+            return True
+    return False

@@ -1,0 +1,107 @@
+"""A contact sheet of templates, for an instructor to choose from: what each asks, and how it looks at several draws.
+
+A template that cannot be read, drawn or typeset does not spoil the sheet: it stands there with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.errors import KinegradeError, TemplateError, TypesetError
+from kinegrade.exam.document import Gallery, GalleryEntry, GalleryFigure
+from kinegrade.exam.typst import TypstPress, legible
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.drawing import Deck
+from kinegrade.problem.library import load_template
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.statement import Given, with_unit
+from kinegrade.problem.template import Language, Template
+
+
+@dataclass(frozen=True)
+class ContactSheet:
+    """The gallery as PDF, and what could not be shown in it, a line each."""
+
+    pdf: bytes
+    complaints: tuple[str, ...]
+
+
+def contact_sheet(names: Iterable[str], language: Language, draws: int) -> ContactSheet:
+    """The gallery of the templates of these names (or paths that end in .toml), each at that many draws.
+
+    Raises TemplateError when none of them can be read.
+    """
+    entries = [gallery_entry(name, language, draws) for name in dict.fromkeys(names)]
+    if not any(entry.family for entry in entries):
+        raise TemplateError(*(fault for entry in entries for fault in entry.faults))
+    press = TypstPress()
+    try:
+        return printed(press, Gallery(language, in_order(entries)))
+    except TypesetError:
+        mended = [printable(press, entry, language) for entry in entries]
+        return printed(press, Gallery(language, in_order(mended)))
+
+
+def printed(press: TypstPress, gallery: Gallery) -> ContactSheet:
+    """The sheet of entries that are all printable. Raises TypesetError when one is not."""
+    complaints = tuple(fault for entry in gallery.entries for fault in entry.faults)
+    return ContactSheet(press.gallery(gallery), complaints)
+
+
+def in_order(entries: Iterable[GalleryEntry]) -> tuple[GalleryEntry, ...]:
+    """The entries by family and name; what cannot be read comes last."""
+    return tuple(sorted(entries, key=lambda entry: (not entry.family, entry.family, entry.name)))
+
+
+def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
+    """The entry of one template; if it cannot be read, its faults alone."""
+    try:
+        template = load_template(name)
+    except TemplateError as error:
+        return unreadable(Path(name).stem, error.problems)
+    figures, faults = drawn_figures(template, draws)
+    asked = template.asked()
+    return GalleryEntry(
+        template.family, template.name, template.title.in_language(language), template.combinations,
+        tuple(template.asks[ask].symbol for ask in asked),
+        tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked), figures, faults)
+
+
+def unreadable(name: str, faults: tuple[str, ...]) -> GalleryEntry:
+    """The entry of what can only be named."""
+    return GalleryEntry("", name, "", 0, (), (), (), faults)
+
+
+def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:
+    """The entry itself where it can be typeset, otherwise its faults alone, in characters that can."""
+    try:
+        press.gallery(Gallery(language, (entry,)), entry.name)
+    except TypesetError as error:
+        faults = entry.faults + (error.problems if entry.family else ())
+        missing = press.unprintable((entry.name, *faults))
+        return unreadable(legible(entry.name, missing), tuple(legible(fault, missing) for fault in faults))
+    return entry
+
+
+def drawn_figures(template: Template, draws: int) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
+    """The figures of the first draws, the same in every gallery, and why there are no more."""
+    deck = Deck(template, template.asked(), template.name, "gallery")
+    figures: list[GalleryFigure] = []
+    try:
+        for number in range(1, draws + 1):
+            figures.append(gallery_figure(deck.draw(str(number)).solution))
+    except KinegradeError as error:
+        return tuple(figures), error.problems
+    return tuple(figures), ()
+
+
+def gallery_figure(solution: Solution) -> GalleryFigure:
+    """The figure of an instance with the values drawn."""
+    template = solution.template
+    figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
+    givens = (Given(template.parameters[name].symbol, with_unit(quantity))
+              for name, quantity in solution.parameters.items())
+    return GalleryFigure(figure, ", ".join(map(str, givens)))

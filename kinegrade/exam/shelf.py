@@ -1,0 +1,45 @@
+"""The shelf of shipped templates, from which a bank draws by family or tag."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.errors import BankError, KinegradeError
+from kinegrade.problem.library import load_template
+from kinegrade.problem.statement import check_statements
+from kinegrade.problem.tags import tags
+from kinegrade.problem.template import Template
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """Templates in alphabetical order, found by words: `words["tag"][name]` are the tags of a template."""
+
+    templates: Mapping[str, Template]
+    words: Mapping[str, Mapping[str, frozenset[str]]]
+
+    def having(self, by: str, word: str) -> tuple[Template, ...]:
+        """The templates of a family or with a tag."""
+        return tuple(template for name, template in self.templates.items() if word in self.words[by][name])
+
+    def known(self, by: str) -> frozenset[str]:
+        """All families, or all tags."""
+        return frozenset().union(*self.words[by].values())
+
+
+def read_shelf(folder: Path) -> Shelf:
+    """All templates of a folder. Raises BankError with the faults of all of them."""
+    templates: dict[str, Template] = {}
+    faults: list[str] = []
+    for name in sorted(path.stem for path in folder.glob("*.toml")):
+        try:
+            templates[name] = load_template(name, folder)
+            check_statements(templates[name])
+        except KinegradeError as error:
+            faults += error.problems
+    if faults:
+        raise BankError(*faults)
+    families = {name: frozenset({template.family}) for name, template in templates.items()}
+    return Shelf(templates, {"family": families, "tag": {name: tags(template) for name, template in templates.items()}})

@@ -1,0 +1,35 @@
+"""Bodies that are plates: the polygon of their points, and what happens at its edges."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from kinegrade.figure.plane import collinear, hull, on_line
+from kinegrade.mechanics.joints import Line
+from kinegrade.mechanics.mechanism import Body
+from kinegrade.mechanics.vector import Vector
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A body with three or more marked points that are not in line; corners counter-clockwise."""
+
+    body: str
+    corners: tuple[Vector, ...]
+
+
+def plate_of(body: Body, own: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:
+    """The plate that a body with these points is; None for rods and for bodies of fewer points."""
+    if len(own) < 3 or shapes.get(body.name) == "bent" or collinear(own):
+        return None
+    return Plate(body.name, hull(own))
+
+
+def outward(plate: Plate, line: Line) -> Vector | None:
+    """The direction (of any length) that leaves a plate across its edge on the line; None when none lies there."""
+    for start, end in pairwise((*plate.corners, plate.corners[0])):
+        if on_line(start, line) and on_line(end, line):
+            return -(end - start).turned()
+    return None

@@ -1,0 +1,30 @@
+"""What of a mechanism is in view: the points that something drawn or marked is about."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.problem.hints import FigureHints
+
+
+def in_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
+    """The mechanism without the points that are construction only, which may lie far away."""
+    labelled = tuple(name for name, symbol in hints.labels.items() if symbol)
+    marks = (hints.lengths, hints.angles, hints.radii, hints.circles, hints.lines, hints.arrows, labelled)
+    used = set(_texts((mechanism.bodies, mechanism.joints, mechanism.drivers, marks)))
+    return replace(mechanism, points={name: at for name, at in mechanism.points.items() if name in used})
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Every text in a value made of dataclasses and tuples."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _texts(part)
+    elif is_dataclass(value):
+        for entry in fields(value):
+            yield from _texts(getattr(value, entry.name))

@@ -1,0 +1,31 @@
+"""The starter template: a complete mechanism with every table of a template, for an author to write over."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+from kinegrade.errors import TemplateError
+from kinegrade.files import write_file
+from kinegrade.problem.reading import read_template
+
+
+def starter_text() -> str:
+    """The starter as TOML."""
+    return (files("kinegrade.problem") / "starter.toml").read_text(encoding="utf-8")
+
+
+def write_starter(name: str, path: Path | None = None, *, force: bool = False) -> Path:
+    """Writes the starter as the template `name`, by default to NAME.toml in the current folder; gives its path.
+
+    Raises TemplateError for what is no template's name, and for a path that does not end in it; OutputError
+    where a file stands already, unless `force`.
+    """
+    text = starter_text()
+    read_template(name, text)
+    target = path if path is not None else Path(f"{name}.toml")
+    if target.name != f"{name}.toml":
+        raise TemplateError(f"{target}: a template is called by the name of its file: expected a path that ends in "
+                            f"{name}.toml: change the path or the name")
+    write_file(target, text.encode("utf-8"), force=force)
+    return target

@@ -1,0 +1,70 @@
+"""`kinegrade new` gives a template that is finished: every table is there, explained, and `check` accepts it."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from kinegrade.problem.reading import KEYS
+from kinegrade.problem.starter import starter_text
+from tests.small_class import kinegrade
+
+
+def refusal(*arguments: str | Path) -> str:
+    """What `new` says when it cannot be done."""
+    result = kinegrade("new", *arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    (line,) = result.stderr.splitlines()
+    return line
+
+
+def test_new_writes_a_template_into_the_current_folder_that_check_accepts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = kinegrade("new", "my-first")
+    assert (result.exit_code, result.stdout) == (0, "")
+    assert result.stderr == "my-first.toml: written; prove it with: kinegrade check my-first.toml\n"
+    assert (tmp_path / "my-first.toml").read_text(encoding="utf-8") == starter_text()
+    proof = kinegrade("check", "my-first.toml", "--sample", "60")
+    assert (proof.exit_code, proof.stdout.splitlines()[0]) == (0, "my-first: sound")
+
+
+def test_every_table_is_there_and_explained_in_the_lines_above_it() -> None:
+    assert set(tomllib.loads(starter_text())) == set(KEYS)
+    lines = starter_text().splitlines()
+    first_table = lines.index("[title]")
+    starts = [index for index, line in enumerate(lines) if line.startswith("[")
+              or (index < first_table and line.startswith(tuple(f"{key} =" for key in KEYS)))]
+    assert len(starts) == len(KEYS)
+    assert all(lines[index - 1].startswith("# ") for index in starts)
+
+
+def test_a_file_that_is_there_is_kept_unless_forced(tmp_path: Path) -> None:
+    path = tmp_path / "my-first.toml"
+    path.write_text("mine", encoding="utf-8")
+    assert "exists" in refusal("my-first", "-o", path)
+    assert path.read_text(encoding="utf-8") == "mine"
+    assert kinegrade("new", "my-first", "-o", path, "--force").exit_code == 0
+    assert path.read_text(encoding="utf-8") == starter_text()
+
+
+@pytest.mark.parametrize("name", ["My-First", "my first", "../x", "x.toml", "-", "曲柄"])
+def test_a_name_is_small_letters_digits_and_hyphens(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert refusal("--", name) == (
+        f"error: {name}.toml: a template's name is made of small letters, digits and hyphens")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("file", ["other.toml", "my-first", "my-first.txt"])
+def test_a_template_is_called_by_the_name_of_its_file(file: str, tmp_path: Path) -> None:
+    path = tmp_path / file
+    assert refusal("my-first", "-o", path) == (
+        f"error: {path}: a template is called by the name of its file: expected a path that ends in my-first.toml: "
+        "change the path or the name")
+    assert not path.exists()
