@@ -6,12 +6,13 @@ What students may see lies under `papers/` alone; everything else in the folder 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from kinegrade import __version__
+from kinegrade.errors import BankError
 from kinegrade.exam.blueprint import Blueprint, Tolerance
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import join
@@ -21,6 +22,7 @@ from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion, Setting, set_e
 from kinegrade.exam.typst import TypstPress
 from kinegrade.exam.versions import version_letters
 from kinegrade.files import output_folder
+from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Language
 from kinegrade.tables import neutralised, write_csv
 
@@ -52,14 +54,17 @@ class Generated:
 def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, language: Language, *,
              force: bool = False, paper_size: PaperSize = "a4",
              progress: Progress = lambda papers, count: papers) -> Generated:
-    """Write the exam folder `output`. Raises DrawError, TypesetError, OutputError; then nothing is written."""
+    """Write the exam folder `output`.
+
+    Raises BankError, DrawError, TypesetError, OutputError; then nothing is written.
+    """
     setting = set_exam(blueprint.bank(secret), roster, secret)
-    press = TypstPress(paper_size)
+    sources, press = source_files(setting), TypstPress(paper_size)
     with output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
         keys = write_papers(setting, press, folder, language, progress)
         join((folder / "papers" / f"{student.file_name}.pdf" for student in roster.students), folder / "papers.pdf")
         (folder / "key.pdf").write_bytes(press.key(key_book(setting.bank, keys, language)))
-        write_sources(setting, folder)
+        write_sources(sources, folder)
         write_blank_answers(setting, folder / "answers.csv")
         write_json(folder / MARKER, exam_record(setting, keys, language))
         (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
@@ -88,13 +93,29 @@ def write_papers(setting: Setting, press: TypstPress, folder: Path, language: La
     return keys
 
 
-def write_sources(setting: Setting, folder: Path) -> None:
-    """The bank and every template as they were, so that the exam can be marked again by a newer kinegrade."""
-    (folder / "bank.toml").write_text(setting.bank.text, encoding="utf-8", newline="")
-    (folder / "templates").mkdir()
-    for question in setting.bank.questions:
-        path = folder / "templates" / f"{question.template.name}.toml"
-        path.write_text(question.template.text, encoding="utf-8", newline="")
+def source_files(setting: Setting) -> dict[str, str]:
+    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark the exam again.
+
+    Raises BankError where two templates share different mechanisms of one name, as the folder keeps one file of a name.
+    """
+    templates = [question.template for question in setting.bank.questions]
+    mechanisms: dict[str, str] = {}
+    faults = {name: f'bank: templates of this bank share two different mechanisms named "{name}": rename one file'
+              for name, text in (template.mechanism for template in templates if template.mechanism)
+              if mechanisms.setdefault(name, text) != text}
+    if faults:
+        raise BankError(*faults.values())
+    return {"bank.toml": setting.bank.text,
+            **{f"templates/{template.name}.toml": template.text for template in templates},
+            **{f"templates/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()}}
+
+
+def write_sources(sources: Mapping[str, str], folder: Path) -> None:
+    """Texts by their path below the folder."""
+    for name, text in sources.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="")
 
 
 def write_blank_answers(setting: Setting, path: Path) -> None:

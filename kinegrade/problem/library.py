@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import kinegrade
 from kinegrade.errors import TemplateError, did_you_mean
 from kinegrade.problem.reading import MAX_CHARACTERS, read_template
+from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Template
 
 
@@ -25,13 +27,22 @@ def template_names() -> tuple[str, ...]:
 def load_template(name: str, folder: Path | None = None) -> Template:
     """The template of that name in `folder` (default: the shipped ones), or of a path that ends in .toml.
 
-    Raises TemplateError when there is none, or with all faults of the file.
+    The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises TemplateError when there is
+    no such template, or with all faults of the file.
     """
     path = Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
     known = [other.stem for other in (folder or shipped("templates")).glob("*.toml")]
     if not name.endswith(".toml") and name not in known:
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
-    return read_template(path.stem, template_text(path))
+    return read_template(path.stem, template_text(path), partial(mechanism_text, path.parent / FOLDER))
+
+
+def mechanism_text(folder: Path, name: str) -> str:
+    """The text of the mechanism of that name in a folder. Raises TemplateError when there is none to read."""
+    known = [other.stem for other in folder.glob("*.toml")]
+    if name not in known:
+        raise TemplateError(f'no mechanism "{name}" in {FOLDER}/ beside the template: {did_you_mean(name, known)}')
+    return template_text(folder / f"{name}.toml")
 
 
 def template_text(path: Path) -> str:

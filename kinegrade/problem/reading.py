@@ -8,19 +8,29 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from itertools import combinations
 from typing import Any, TypeVar
 
 from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean, one_line
-from kinegrade.expression import MAX_DIGITS, Expression, Number, is_angle, names, read
+from kinegrade.expression import MAX_DIGITS, Expression, names, read
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
+from kinegrade.problem.conditions import mixed, read_condition
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.hints import FigureHints, read_hints
 from kinegrade.problem.notation import symbol
 from kinegrade.problem.sentences import DriverSentence, JointSentence, read_driver, read_joint
+from kinegrade.problem.shared_mechanism import (
+    FILE_NAME,
+    FOLDER,
+    KINDS,
+    Layers,
+    mechanism_faults,
+    mechanism_name,
+    sharable,
+)
 from kinegrade.problem.signs import read_sign
 from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
 from kinegrade.units import read_unit
@@ -28,6 +38,7 @@ from kinegrade.units import read_unit
 MAX_CHARACTERS = 100_000
 KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
         "asks", "statement", "published", "figure", "tags")
+KNOWN = (*KEYS, "mechanism")  # a template that stands alone has no use for the last
 NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
 MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, and what was expected
@@ -36,47 +47,69 @@ NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', 
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
 TAG = re.compile(r"[a-z][a-z0-9-]{0,29}", re.ASCII)
 Part = TypeVar("Part")
+Mechanisms = Callable[[str], str]  # the text of the mechanism of that name; raises TemplateError when there is none
 
 
-def read_template(name: str, text: str) -> Template:
-    """The template of that name. Raises TemplateError with all faults, each with its place in the file.
+def no_mechanisms(name: str) -> str:
+    """Refuses every mechanism: a text alone has no folder beside it."""
+    raise TemplateError(f'no folder to look for "{name}" in: load the template from its file')
 
-    `name` is the file's name without `.toml`: letters, digits and hyphens.
+
+def read_template(name: str, text: str, mechanisms: Mechanisms = no_mechanisms) -> Template:
+    """The template of that name. Raises TemplateError with all faults, each with its file and the place in it.
+
+    `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the text of the
+    mechanism that the template shares with others.
     """
-    return Reader(name, text).template()
+    return Reader(name, text, mechanisms).template()
 
 
 class Reader:
     """Reads one file, collecting faults; each method reads one table."""
 
-    def __init__(self, name: str, text: str) -> None:
+    def __init__(self, name: str, text: str, mechanisms: Mechanisms) -> None:
         self.name, self.text, self.where = name, text, f"{name}.toml"
         self.faults: list[str] = []
-        self.table = self.load()
+        self.mechanism: tuple[str, str] | None = None
+        self.layers = Layers(self.where, self.load())
+        if "mechanism" in self.layers.own:
+            self.share(mechanisms)
+        self.table = self.layers.tables()
 
     def load(self) -> dict[str, Any]:
-        """The TOML tables; a file that is no TOML ends here."""
-        if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name):
+        """The file's own TOML tables; a file that is no TOML ends here."""
+        if not FILE_NAME.fullmatch(self.name):
             raise TemplateError(f"{self.where}: a template's name is made of small letters, digits and hyphens")
-        if len(self.text) > MAX_CHARACTERS:
-            raise TemplateError(f"{self.where}: {len(self.text)} characters: at most {MAX_CHARACTERS} are read")
-        try:
-            table = tomllib.loads(self.text, parse_float=str)
-        except (tomllib.TOMLDecodeError, RecursionError) as error:
-            raise TemplateError(f"{self.where}: not readable as TOML: {shortened(str(error))}") from error
-        except ValueError as error:  # Python reads no integer of more than 4,300 digits
-            raise TemplateError(f"{self.where}: {TOO_LARGE}") from error
-        if too_large(table):
-            raise TemplateError(f"{self.where}: {TOO_LARGE}")
-        self.faults += [f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KEYS)}"
-                        for key in table if key not in KEYS]
-        self.faults += [f"{self.where}: {key} is missing: every template needs it"
-                        for key in NEEDED if key not in table]
+        table = toml_tables(self.where, self.text)
+        self.faults += [f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KNOWN)}"
+                        for key in table if key not in KNOWN]
+        self.need(table, [key for key in NEEDED if "mechanism" not in table or key not in KINDS])
         return table
 
+    def need(self, table: Mapping[str, Any], keys: Iterable[str]) -> None:
+        """A fault for every key that is not there."""
+        self.faults += [f"{self.where}: {key} is missing: every template needs it" for key in keys if key not in table]
+
+    def share(self, mechanisms: Mechanisms) -> None:
+        """Lay the tables over those of the mechanism; one that cannot be read ends here, as its names are unknown."""
+        name = self.layers.own["mechanism"]
+        text = self.part("mechanism", lambda: mechanisms(mechanism_name(name)))
+        if text is None:
+            raise TemplateError(*self.faults)
+        file = f"{FOLDER}/{name}.toml"
+        try:
+            tables = toml_tables(file, text)
+        except TemplateError as error:
+            raise TemplateError(*self.faults, *error.problems) from error
+        self.faults += mechanism_faults(file, tables)
+        self.mechanism = name, text
+        self.layers = Layers(self.where, self.layers.own, file, sharable(tables))
+        self.need(self.layers.tables(), [key for key in NEEDED if key in KINDS])
+
     def fault(self, path: str, problem: str) -> None:
-        """Note a fault at a path of the file."""
-        self.faults.append(f"{self.where}: {shortened(path)}: {shortened(problem)}")
+        """Note a fault at a path of the tables."""
+        file, place = self.layers.standing(path)
+        self.faults.append(f"{file}: {shortened(place)}: {shortened(problem)}")
 
     def part(self, path: str, make: Callable[[], Part]) -> Part | None:
         """What `make` gives; its refusal becomes a fault at `path`."""
@@ -106,7 +139,7 @@ class Reader:
             self.name, self.section("family", str), self.translated(self.table, "title"),
             self.translated(self.table, "statement"), self.section("source", str), parameters, lengths, points, bodies,
             self.joints(), self.drivers(), self.conditions(), self.asks(), self.published(parameters),
-            self.hints(points, bodies), self.text, self.tags())
+            self.hints(points, bodies), self.text, self.tags(), self.mechanism)
         self.check_uses(result)
         if self.faults:
             raise TemplateError(*self.faults)
@@ -262,9 +295,18 @@ class Reader:
 
     def hints(self, points: Mapping[str, Any], bodies: tuple[Body, ...]) -> FigureHints:
         """The figure's marks."""
-        hints = self.part("figure", lambda: read_hints(
-            self.section("figure", dict), self.name, set(points), {body.name for body in bodies}))
-        return hints if hints is not None else FigureHints()
+        try:
+            return read_hints(self.section("figure", dict), self.name, set(points), {body.name for body in bodies})
+        except TemplateError as error:
+            for problem in error.problems:
+                self.figure_fault(problem)
+            return FigureHints()
+
+    def figure_fault(self, problem: str) -> None:
+        """A fault of the figure, told by its first words: the template's name, the table and the key."""
+        key = re.match(r"[\w-]+: (figure\.\w+)", problem)
+        file, _ = self.layers.standing(key[1] if key else "figure")
+        self.faults.append(f"{file}: figure: {shortened(problem)}")
 
     def tags(self) -> tuple[str, ...]:
         """The author's own tags."""
@@ -327,6 +369,21 @@ class Reader:
                 self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
 
 
+def toml_tables(where: str, text: str) -> dict[str, Any]:
+    """The tables of a TOML text. Raises TemplateError when it is too long, no TOML, or holds absurd numbers."""
+    if len(text) > MAX_CHARACTERS:
+        raise TemplateError(f"{where}: {len(text)} characters: at most {MAX_CHARACTERS} are read")
+    try:
+        table = tomllib.loads(text, parse_float=str)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise TemplateError(f"{where}: not readable as TOML: {shortened(str(error))}") from error
+    except ValueError as error:  # Python reads no integer of more than 4,300 digits
+        raise TemplateError(f"{where}: {TOO_LARGE}") from error
+    if too_large(table):
+        raise TemplateError(f"{where}: {TOO_LARGE}")
+    return table
+
+
 def shortened(text: str) -> str:
     """A text as one line of a message can hold it."""
     line = one_line(text)
@@ -338,18 +395,3 @@ def too_large(value: Any) -> bool:
     if isinstance(value, (dict, list)):
         return any(too_large(part) for part in (value.values() if isinstance(value, dict) else value))
     return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS
-
-
-def mixed(condition: Condition, angles: frozenset[str]) -> bool:
-    """Whether a condition holds an angle against a number other than zero."""
-    sides = (condition.left, condition.right)
-    zero = any(isinstance(side, Number) and side.value == 0 for side in sides)
-    return not zero and is_angle(sides[0], angles) != is_angle(sides[1], angles)
-
-
-def read_condition(text: str) -> Condition:
-    """The inequality that `text` states."""
-    parts = re.split(r"(<=?)", text)
-    if len(parts) != 3:
-        raise ExpressionError(f'"{text}": expected "left < right" or "left <= right"')
-    return Condition(text, read(parts[0]), read(parts[2]), parts[1] == "<")

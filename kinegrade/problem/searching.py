@@ -5,11 +5,14 @@ Hypothesis looks for an instance that meets the conditions and still cannot be s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from hypothesis import HealthCheck, find, settings
 from hypothesis import strategies as st
+from hypothesis.configuration import set_hypothesis_home_dir
 from hypothesis.errors import NoSuchExample
 
 from kinegrade.errors import MechanismError
@@ -27,11 +30,23 @@ def breaking_values(template: Template, examples: int) -> tuple[dict[str, str], 
                                       for name, parameter in template.parameters.items()})
     quiet = settings(max_examples=examples, derandomize=True, database=None, deadline=None,
                      suppress_health_check=list(HealthCheck))
-    try:
-        found = find(strategy, lambda values: reason(template, values) is not None, settings=quiet)
-    except NoSuchExample:
-        return None
+    with nothing_left_behind():
+        try:
+            found = find(strategy, lambda values: reason(template, values) is not None, settings=quiet)
+        except NoSuchExample:
+            return None
     return found, reason(template, found) or ""
+
+
+@contextmanager
+def nothing_left_behind() -> Iterator[None]:
+    """Hypothesis keeps notes in the current folder; an author's folder is not the place for them."""
+    with TemporaryDirectory() as folder:
+        set_hypothesis_home_dir(folder)
+        try:
+            yield
+        finally:
+            set_hypothesis_home_dir(None)
 
 
 def reason(template: Template, values: Mapping[str, str]) -> str | None:

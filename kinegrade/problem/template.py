@@ -91,7 +91,8 @@ class Published:
 class Template:
     """One mechanism with its questions; `text` is the file as it was read, kept with every exam.
 
-    `tags` are the author's words for finding it, besides those that follow from what it asks.
+    `tags` are the author's words for finding it, besides those that follow from what it asks. `mechanism` is the
+    name and the text of the file that it shares with other templates, if it does.
     """
 
     name: str
@@ -111,6 +112,7 @@ class Template:
     figure: FigureHints
     text: str
     tags: tuple[str, ...] = ()
+    mechanism: tuple[str, str] | None = None
 
     @property
     def angles(self) -> frozenset[str]:

@@ -15,6 +15,7 @@ from kinegrade.exact.balls import Balls
 from kinegrade.exact.text import decimal_text
 from kinegrade.expression import elementary, evaluate, read
 from kinegrade.grading.exam_folder import read_exam
+from kinegrade.problem.library import load_template, shipped
 from tests.problem.crank import crank_text
 from tests.small_class import (
     BANK,
@@ -72,6 +73,30 @@ def test_the_folder_holds_what_it_promises_and_nothing_else(exam: Path) -> None:
 def test_the_sources_are_kept_as_they_were(small_class: Path, exam: Path) -> None:
     assert (exam / "bank.toml").read_bytes() == (small_class / "bank.toml").read_bytes()
     assert (exam / "templates" / "crank.toml").read_bytes() == (small_class / "crank.toml").read_bytes()
+
+
+def test_a_shared_mechanism_is_kept_so_that_the_folder_stands_alone(folder: Path) -> None:
+    names = ("pose-four-bar-coupler", "pole-four-bar-coupler")
+    entries = "".join(f'[[questions]]\ntemplate = "{name}"\n' for name in names)
+    (folder / "bank.toml").write_text('title = "T"\ncourse = "C"\n' + entries, encoding="utf-8")
+    assert generate(folder).exit_code == 0
+    templates = folder / "EXAM" / "templates"
+    kept = sorted(path.relative_to(templates).as_posix() for path in templates.rglob("*.toml"))
+    assert kept == ["mechanisms/four-bar-with-coupler.toml", "pole-four-bar-coupler.toml", "pose-four-bar-coupler.toml"]
+    assert all(load_template(name, templates) == load_template(name) for name in names)
+
+
+def test_two_mechanisms_of_one_name_are_refused(folder: Path) -> None:
+    own = shipped("templates")
+    text = (own / "pose-four-bar-coupler.toml").read_text(encoding="utf-8")
+    shared = (own / "mechanisms" / "four-bar-with-coupler.toml").read_text(encoding="utf-8")
+    (folder / "mechanisms").mkdir()
+    (folder / "mechanisms" / "four-bar-with-coupler.toml").write_text(shared + "# mine\n", encoding="utf-8")
+    (folder / "mine.toml").write_text(text, encoding="utf-8")
+    entries = "".join(f'[[questions]]\ntemplate = "{name}"\n' for name in ("mine.toml", "pole-four-bar-coupler"))
+    (folder / "bank.toml").write_text('title = "T"\ncourse = "C"\n' + entries, encoding="utf-8")
+    assert refused(folder) == ["error: bank: templates of this bank share two different mechanisms named "
+                               '"four-bar-with-coupler": rename one file']
 
 
 def test_exam_json_says_who_got_what(exam: Path) -> None:

@@ -107,6 +107,12 @@ def test_the_report_says_what_was_found() -> None:
     ]
 
 
+def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert check(load_template("slider-crank"), sample=20).faults == []
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_an_answer_that_copies_a_given_is_remarked() -> None:
     """The speed of the crank's end is omega r; with h = 0 and r = 1 it is omega, signs apart."""
     copying = crank(("draw = [1, 2]", "draw = [1]"), ('[0, "1/2", 3]', "[0]"),
