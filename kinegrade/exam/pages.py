@@ -91,8 +91,9 @@ def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
 def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     """The key of one question."""
     template, solution = question.question.template, question.drawn.solution
-    parameters = tuple(KeyParameter(template.parameters[name].symbol, quantity.closed_form, quantity.decimal(6),
-                                    quantity.unit)
+    parameters = tuple(KeyParameter(template.parameters[name].symbol,
+                                    None if quantity.is_plain else quantity.closed_form,
+                                    quantity.decimal(6), quantity.unit)
                        for name, quantity in solution.parameters.items())
     answers = tuple(KeyAnswer(template.asks[entry.ask.name].symbol, entry.answer.closed_form,
                               entry.answer.decimal(6),

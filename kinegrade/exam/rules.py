@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 
-from kinegrade.exam.blueprint import Bank, Tolerance
+from kinegrade.exam.blueprint import Bank, BankQuestion, Tolerance
 from kinegrade.problem.template import Language
 
 WRITING = {
@@ -15,8 +16,9 @@ WRITING = {
 }
 AXES = {
     "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive for angles, angular "
-          "velocities and angular accelerations unless the table says otherwise. Figures are drawn to scale.",
-    "zh": "$x$ 轴向右，$y$ 轴向上；角度、角速度与角加速度除表中另有说明外均以逆时针为正。"
+          "velocities and angular accelerations unless the question or its table says otherwise. Figures are drawn to "
+          "scale.",
+    "zh": "$x$ 轴向右，$y$ 轴向上；角度、角速度与角加速度除题中或表中另有说明外均以逆时针为正。"
           "附图按比例绘制。",
 }
 RELATIVE = {
@@ -41,13 +43,21 @@ def rules(bank: Bank, language: Language) -> tuple[str, ...]:
     """The sentences of the rules box, with the tolerances of single questions and asks where they differ."""
     sentences = [WRITING[language], AXES[language], marking_rule(bank.tolerance, language)]
     for question in bank.questions:
-        for ask in question.asks:
-            if ask.tolerance != bank.tolerance:
-                symbol = question.template.asks[ask.name].symbol
-                what = f"{question.identifier}, ${symbol}$"
-                rule = marking_rule(ask.tolerance, language)
-                sentences.append(EXCEPTION[language].format(what=what, rule=rule[0].lower() + rule[1:]))
+        for tolerance, what in exceptions(bank, question):
+            rule = marking_rule(tolerance, language)
+            sentences.append(EXCEPTION[language].format(what=what, rule=rule[0].lower() + rule[1:]))
     return tuple(sentences)
+
+
+def exceptions(bank: Bank, question: BankQuestion) -> Iterator[tuple[Tolerance, str]]:
+    """The tolerances of a question that are not the bank's, with what they hold for: all of it, or single asks."""
+    tolerances = {ask.tolerance for ask in question.asks}
+    if len(tolerances) == 1 and tolerances != {bank.tolerance}:
+        yield tolerances.pop(), question.identifier
+        return
+    for ask in question.asks:
+        if ask.tolerance != bank.tolerance:
+            yield ask.tolerance, f"{question.identifier}, ${question.template.asks[ask.name].symbol}$"
 
 
 def marking_rule(tolerance: Tolerance, language: Language) -> str:

@@ -6,6 +6,7 @@ becomes a complaint that carries it.
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,6 +18,9 @@ from kinegrade.grading.key import Ask, Exam
 from kinegrade.tables import Complaint, Row, Table, csv_text, header_key, shortened, trimmed
 
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
+
+
+_ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate heads the answer sheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +49,10 @@ class _Columns:
 
 
 def read_sheet(table: Table, exam: Exam) -> Sheet:
-    """Finds everybody's responses; raises TableError if there is no student column or no answer column."""
+    """Finds everybody's responses.
+
+    Raises TableError if there is no student column, no answer column, or the sheet is that of another exam.
+    """
     columns = _columns(table, exam.asks)
     rows, unknown = _rows_by_student(table, columns, exam)
     entries = {
@@ -75,12 +82,19 @@ def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
         faults.append('no column "student" - expected one with the student ids')
     if all(index is None for index in found):
         faults.append(f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ...")
+    strange = [cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _keys(asks)]
+    if not faults and len(strange) > sum(index is not None for index in found):
+        faults.append(f"most answer columns are not asked in this exam ({', '.join(strange[:4])} ...)")
     if student is None or faults:
         raise TableError(
             *(f"{table.file}: {fault} - fill in the answers.csv of the exam folder" for fault in faults)
         )
     unused = (index for index in range(len(header)) if index not in {student, *found})
     return _Columns(student, found, tuple(index for index in unused if header[index] not in _NEEDLESS))
+
+
+def _keys(asks: Sequence[Ask]) -> set[str]:
+    return {header_key(ask.column) for ask in asks}
 
 
 def _ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:

@@ -65,12 +65,21 @@ class Quantity:
 
     @property
     def closed_form(self) -> str | None:
-        """The exact number in LaTeX math where that says more than its decimal and fits a line, else None."""
-        degrees = self.measure.degrees and isinstance(self.number, Angle)
-        number = self.number.half_turns * 180 if degrees else self.number
-        decimal_says_all = isinstance(number, fmpq) and is_short_decimal(number)
-        text = self.exact
-        return None if text is None or decimal_says_all or len(text) > LONGEST_CLOSED_FORM else self.latex
+        """The exact number in LaTeX math where it fits a line, else None; a short decimal as it is."""
+        if self.exact is None or len(self.exact) > LONGEST_CLOSED_FORM:
+            return None
+        return decimal_text(self.plain, 12) if self.is_plain else self.latex
+
+    @property
+    def plain(self) -> Any:
+        """The number, angles that are a rational part of a turn in degrees where that is the unit."""
+        degrees = self.measure.degrees and isinstance(self.number, Angle) and not self.number.parts
+        return self.number.half_turns * 180 if degrees else self.number
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the decimal of a few digits says all."""
+        return isinstance(self.plain, fmpq) and is_short_decimal(self.plain)
 
     @property
     def is_zero(self) -> bool:
@@ -100,12 +109,7 @@ class Quantity:
     @property
     def given_text(self) -> str:
         """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees as degrees."""
-        number = self.number
-        if isinstance(number, Angle) and self.measure.degrees and not number.parts:
-            number = number.half_turns * 180
-        if isinstance(number, fmpq) and is_short_decimal(number):
-            return decimal_text(number, 12)
-        return self.latex or self.decimal(6)
+        return decimal_text(self.plain, 12) if self.is_plain else self.latex or self.decimal(6)
 
     def record(self) -> dict[str, Any]:
         """exact, value and unit, as the key and `solve --json` write them; no value at infinity."""

@@ -105,6 +105,8 @@ def parameter_values(template: Template, trees: Mapping[str, Expression], arithm
     for name, parameter in template.parameters.items():
         try:
             values[name] = parameter_value(parameter, trees[name], arithmetic)
+            if parameter.is_size and arithmetic.sign(values[name]) < 0:
+                raise ExpressionError("a negative length: give zero or more")
         except ExpressionError as error:
             faults += [f"{template.name}: {name}: {problem}" for problem in error.problems]
     if faults:

@@ -43,6 +43,12 @@ class Parameter:
     means: Translated
 
     @property
+    def is_size(self) -> bool:
+        """Whether this is a length that no drawable value makes negative, unlike a coordinate."""
+        length = self.unit.length == 1 and self.unit.time == 0
+        return length and not any(choice.startswith("-") for choice in self.choices)
+
+    @property
     def default(self) -> str:
         """The published value, or the first drawable one."""
         return self.published if self.published is not None else self.choices[0]

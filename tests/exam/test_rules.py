@@ -45,6 +45,15 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     assert chinese[-1].startswith("q1, $a_{B}$：答案与精确值之差不超过 0.05")
 
 
+def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -> None:
+    file = tmp_path / "bank.toml"
+    file.write_text(BANK.replace(", tolerance = { absolute = 0.05 } } }", " } }\ntolerance = { relative = \"2 %\" }"),
+                    encoding="utf-8")
+    english = rules(read_bank(file), "en")
+    assert len(english) == 4
+    assert english[-1].startswith("For q1: an answer is right if it differs from the exact value by at most 2 %")
+
+
 def test_amounts_are_printed_without_powers_of_ten_and_exactly() -> None:
     assert [plain(Fraction(text)) for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")] == [
         "0.125", "9999", "0.000000001", "1234.123456789", "5"]

@@ -226,3 +226,10 @@ def test_a_faulty_exam_leaves_the_old_marks(exam_folder: Path) -> None:
 )
 def test_points_are_shown_short(amount: str, text: str) -> None:
     assert amount_text(Fraction(amount)) == text
+
+
+def test_the_sheet_of_another_exam_is_refused(exam_folder: Path) -> None:
+    sheet = exam_folder.parent / "other.csv"
+    sheet.write_text("student,name,q1.v_B,q1.v_D,q2.omega_DE,q3.x_S\n12,Ann,1,2,3,4\n", encoding="utf-8")
+    with pytest.raises(TableError, match=r"most answer columns are not asked in this exam \(q1.v_d, q2.omega_de"):
+        grade(exam_folder, sheet, exam_folder.parent / "MARKS")
