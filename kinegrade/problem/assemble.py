@@ -62,18 +62,15 @@ def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any) -> A
     points: dict[str, Vector] = {}
     functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
     for name, tree in template.lengths.items():
-        values[name] = bounded(located(f"lengths.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
-            tree, values, functions, arithmetic)))
+        values[name] = bounded(located(f"lengths.{name}", evaluate, tree, values, functions, arithmetic))
     for name, tree in template.points.items():
-        place = located(f"points.{name}", lambda tree=tree: evaluate(  # type: ignore[misc]
-            tree, values, functions, arithmetic))
+        place = located(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)")
-        points[name] = values[name] = located(f"points.{name}", lambda place=place: Vector(  # type: ignore[misc]
-            measure(place.x), measure(place.y)))
+        points[name] = values[name] = located(f"points.{name}", measured, place)
     parts = Parts(values, functions, points, arithmetic)
-    joints = tuple(located(s.text, lambda s=s: parts.joint(s)) for s in template.joints)  # type: ignore[misc]
-    drivers = tuple(located(s.text, lambda s=s: parts.driver(s)) for s in template.drivers)  # type: ignore[misc]
+    joints = tuple(located(sentence.text, parts.joint, sentence) for sentence in template.joints)
+    drivers = tuple(located(sentence.text, parts.driver, sentence) for sentence in template.drivers)
     return Assembly(Mechanism(points, template.bodies, joints, drivers), values, functions)
 
 
@@ -86,6 +83,11 @@ def measure(value: Any) -> Any:
     return bounded(value)
 
 
+def measured(place: Vector) -> Vector:
+    """A point of its own, told from any other that lies there; its coordinates as `measure` takes them."""
+    return Vector(measure(place.x), measure(place.y))
+
+
 def bounded(value: Any) -> Any:
     """A value as it is. Raises Inexact for an exact number of absurdly many digits."""
     if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
@@ -93,10 +95,10 @@ def bounded(value: Any) -> Any:
     return value
 
 
-def located(place: str, make: Callable[[], Any]) -> Any:
-    """What `make` gives; a refusal is told with its place in the template."""
+def located(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
+    """What `make` gives of its arguments; a refusal is told with its place in the template."""
     try:
-        return make()
+        return make(*arguments)
     except MechanismError as error:
         raise MechanismError(*(f"{place}: {problem}" for problem in error.problems)) from error
     except KinegradeError as error:

@@ -111,10 +111,10 @@ class Reader:
         file, place = self.layers.standing(path)
         self.faults.append(f"{file}: {shortened(place)}: {shortened(problem)}")
 
-    def part(self, path: str, make: Callable[[], Part]) -> Part | None:
-        """What `make` gives; its refusal becomes a fault at `path`."""
+    def part(self, path: str, make: Callable[..., Part], *arguments: Any) -> Part | None:
+        """What `make` gives of its arguments; its refusal becomes a fault at `path`."""
         try:
-            return make()
+            return make(*arguments)
         except KinegradeError as error:
             for problem in error.problems:
                 self.fault(path, problem)
@@ -162,11 +162,11 @@ class Reader:
             path = f"parameters.{name}"
             if not self.is_table(path, entry, {"unit", "draw", "published", "means", "symbol"}, {"unit", "draw"}):
                 continue
-            unit = self.part(path, lambda entry=entry: read_unit(str(entry["unit"])))  # type: ignore[misc]
-            choices = self.part(path, lambda entry=entry: read_choices(entry["draw"]))  # type: ignore[misc]
+            unit = self.part(path, read_unit, str(entry["unit"]))
+            choices = self.part(path, read_choices, entry["draw"])
             published = str(entry["published"]) if "published" in entry else None
             if published is not None:
-                self.part(path, lambda published=published: read(published))  # type: ignore[misc]
+                self.part(path, read, published)
             if unit is not None and choices is not None:
                 means = self.translated(entry, "means", path)
                 found[name] = Parameter(name, str(entry.get("symbol", symbol(name))), unit, choices, published, means)
@@ -188,7 +188,7 @@ class Reader:
         """Named expressions, in order."""
         found = {}
         for name, text in self.section(key, dict).items():
-            tree = self.part(f"{key}.{name}", lambda text=text: read(str(text)))  # type: ignore[misc]
+            tree = self.part(f"{key}.{name}", read, str(text))
             if tree is not None:
                 found[name] = tree
         return found
@@ -222,7 +222,7 @@ class Reader:
 
     def joints(self) -> tuple[JointSentence, ...]:
         """The joint sentences."""
-        sentences = [self.part(f"joints[{index}]", lambda text=text: read_joint(str(text)))  # type: ignore[misc]
+        sentences = [self.part(f"joints[{index}]", read_joint, str(text))
                      for index, text in enumerate(self.section("joints", list))]
         return tuple(sentence for sentence in sentences if sentence is not None)
 
@@ -232,8 +232,8 @@ class Reader:
         for index, entry in enumerate(self.section("inputs", list)):
             path = f"inputs[{index}]"
             if self.is_table(path, entry, {"motion", "velocity", "acceleration"}, {"motion", "velocity"}):
-                sentence = self.part(path, lambda entry=entry: read_driver(  # type: ignore[misc]
-                    str(entry["motion"]), str(entry["velocity"]), str(entry.get("acceleration", "0"))))
+                sentence = self.part(path, read_driver, str(entry["motion"]), str(entry["velocity"]),
+                                     str(entry.get("acceleration", "0")))
                 found += [sentence] if sentence is not None else []
         return tuple(found)
 
@@ -241,7 +241,7 @@ class Reader:
         """Inequalities "left < right" or "left <= right"."""
         found = []
         for index, text in enumerate(self.section("conditions", list)):
-            condition = self.part(f"conditions[{index}]", lambda text=text: read_condition(str(text)))  # type: ignore[misc]
+            condition = self.part(f"conditions[{index}]", read_condition, str(text))
             found += [condition] if condition is not None else []
         return tuple(found)
 
@@ -254,7 +254,7 @@ class Reader:
             if not IDENTIFIER.fullmatch(name):
                 self.fault(path, NAMING)
             elif self.is_table(path, entry, keys, {"quantity", "unit"}):
-                ask = self.part(path, lambda name=name, entry=entry: self.ask(name, entry))  # type: ignore[misc]
+                ask = self.part(path, self.ask, name, entry)
                 found.update({name: ask} if ask is not None else {})
         return found
 
@@ -287,7 +287,7 @@ class Reader:
                 if key not in parameters:
                     self.fault(path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}')
             texts = {key: str(value) for key, value in entry["gives"].items()}
-            trees = {key: self.part(f"{path}.gives.{key}", lambda value=value: read(value))  # type: ignore[misc]
+            trees = {key: self.part(f"{path}.gives.{key}", read, value)
                      for key, value in texts.items()}
             known = {key: tree for key, tree in trees.items() if tree is not None}
             found.append(Published(str(entry["source"]), given, known, texts))
