@@ -34,7 +34,7 @@ from kinegrade.exam.bank_values import Values
 from kinegrade.exam.blueprint import Bank, Blueprint, Slot, Tolerance, matched, wishes
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
-from kinegrade.problem.reading import TOO_LARGE, shortened, too_large
+from kinegrade.problem.reading import TOO_LARGE, short_line, too_large
 
 KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "questions")
 MAX_BYTES = 200_000
@@ -47,7 +47,7 @@ def bank_path(path: Path) -> Path:
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
-        raise BankError(f'no bank "{shortened(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file')
+        raise BankError(f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file')
     return path
 
 

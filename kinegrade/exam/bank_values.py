@@ -11,7 +11,7 @@ from typing import Any
 
 from kinegrade.errors import did_you_mean
 from kinegrade.exam.blueprint import Tolerance
-from kinegrade.problem.reading import shortened
+from kinegrade.problem.reading import short_line
 from kinegrade.problem.template import Translated
 
 NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
@@ -28,8 +28,8 @@ class Values:
 
     def fault(self, place: str, problem: str) -> None:
         """Note a fault."""
-        place = f"{shortened(place)}: " if place else ""
-        self.faults.append(f"{self.path}: {place}{shortened(problem)}")
+        place = f"{short_line(place)}: " if place else ""
+        self.faults.append(f"{self.path}: {place}{short_line(problem)}")
 
     def unknown_keys(self, place: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
         """A fault for every key that is not known."""

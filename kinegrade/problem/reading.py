@@ -109,7 +109,7 @@ class Reader:
     def fault(self, path: str, problem: str) -> None:
         """Note a fault at a path of the tables."""
         file, place = self.layers.standing(path)
-        self.faults.append(f"{file}: {shortened(place)}: {shortened(problem)}")
+        self.faults.append(f"{file}: {short_line(place)}: {short_line(problem)}")
 
     def part(self, path: str, make: Callable[..., Part], *arguments: Any) -> Part | None:
         """What `make` gives of its arguments; its refusal becomes a fault at `path`."""
@@ -306,7 +306,7 @@ class Reader:
         """A fault of the figure, told by its first words: the template's name, the table and the key."""
         key = re.match(r"[\w-]+: (figure\.\w+)", problem)
         file, _ = self.layers.standing(key[1] if key else "figure")
-        self.faults.append(f"{file}: figure: {shortened(problem)}")
+        self.faults.append(f"{file}: figure: {short_line(problem)}")
 
     def tags(self) -> tuple[str, ...]:
         """The author's own tags."""
@@ -376,7 +376,7 @@ def toml_tables(where: str, text: str) -> dict[str, Any]:
     try:
         table = tomllib.loads(text, parse_float=str)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise TemplateError(f"{where}: not readable as TOML: {shortened(str(error))}") from error
+        raise TemplateError(f"{where}: not readable as TOML: {short_line(str(error))}") from error
     except ValueError as error:  # Python reads no integer of more than 4,300 digits
         raise TemplateError(f"{where}: {TOO_LARGE}") from error
     if too_large(table):
@@ -384,7 +384,7 @@ def toml_tables(where: str, text: str) -> dict[str, Any]:
     return table
 
 
-def shortened(text: str) -> str:
+def short_line(text: str) -> str:
     """A text as one line of a message can hold it."""
     line = one_line(text)
     return line if len(line) <= MAX_PROBLEM else f"{line[:MAX_PROBLEM - 1]}…"
