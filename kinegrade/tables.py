@@ -23,7 +23,8 @@ from kinegrade.errors import TableError
 SHOWN_CHARACTERS = 1000
 _SEPARATORS = ",;\t"
 _BLANKS = f"{_SEPARATORS} "
-_INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
+INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
+_SURROUNDING = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
 _END = "\x00end of table"
 _MOST_STRAY_QUOTES = (
     20  # each costs a second reading of the rest; a file with more is read without quotation marks
@@ -127,9 +128,7 @@ def trimmed(text: str) -> str:
     >>> trimmed("\\u3000 007\\u200b ")
     '007'
     """
-    while (bare := text.strip().strip(_INVISIBLE)) != text:
-        text = bare
-    return text
+    return text.strip(_SURROUNDING)
 
 
 def header_key(text: str) -> str:

@@ -19,6 +19,7 @@ FACTORS: dict[str, tuple[Any, str]] = {
     "km": (fmpq(1000), "length"), "s": (fmpq(1), "time"), "min": (fmpq(60), "time"), "h": (fmpq(3600), "time"),
     "rad": (fmpq(1), "angle"), "deg": (fmpq(1), "angle"), "1": (fmpq(1), "number"),
 }
+HALF_TURNS: dict[str, Any] = {"deg": fmpq(1, 180), "turn": fmpq(2)}  # angles as exact parts of pi radians
 PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 

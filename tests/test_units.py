@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
-from kinegrade.units import FACTORS, read_unit
+from kinegrade.units import FACTORS, HALF_TURNS, read_unit
 
 Q = fmpq
 
@@ -37,6 +37,10 @@ def test_what_is_no_unit_is_told_with_what_is_known(text: str) -> None:
         read_unit(text)
     expected = f'unit "{text}": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s'
     assert expected in str(refusal.value)
+
+
+def test_degrees_and_turns_are_exact_parts_of_pi() -> None:
+    assert {name: 1 / share for name, share in HALF_TURNS.items()} == {"deg": Q(180), "turn": Q(1, 2)}
 
 
 @pytest.mark.parametrize("text", ["deg/s", "deg^2", "deg*m", "m/deg"])

@@ -1,114 +1,154 @@
-"""What a student typed into one cell, read digit by digit.
+"""What a student typed into one cell, read digit by digit: number or formula, unit, and sense in words.
 
-`read` is called for every cell of an answer sheet; `judge` is the next storey up. A single comma is the
-decimal comma, as the paper says. Numbers are read as exact fractions; nothing is rounded, nothing evaluated.
+`read` is called for every cell of an answer sheet; `judge` is the next storey up. Values are exact fractions, or known
+to 38 digits where they are irrational; nothing is rounded, nothing evaluated but the small grammar of `typed_value`.
+What can be understood in two ways is unreadable and says both. `number_text` reads digits, `decimal_style` decides
+about `1,234`, `unit_spelling` converts units, `sense` turns clockwise into a sign.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from decimal import Context, Decimal
 from fractions import Fraction
 from typing import Literal
 
-from kinegrade.grading.unit_spelling import same_unit
-from kinegrade.tables import trimmed
+from kinegrade.grading.number_text import (
+    BLANKS,
+    MOST_DIGITS,
+    DecimalStyle,
+    TypedNumber,
+    Unreadable,
+    folded,
+    shown,
+)
+from kinegrade.grading.sense import direction, without_sense
+from kinegrade.grading.typed_value import (
+    Amount,
+    Formula,
+    converted,
+    rational_amount,
+    scan_value,
+    worked_out,
+)
+from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion
 
-LONGEST_ANSWER = 100
-MOST_DIGITS = 40
-LARGEST_EXPONENT = 99
+LONGEST_ANSWER = 200
+SHOWN_DIGITS = 12
+PAPERS_RULE = DecimalStyle()
 
-_ASCII_FORMS = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)}  # full-width letters, digits and signs
-_POINTS = {ord(sign): "." for sign in "。｡"}  # what a Chinese keyboard gives for a full stop
-_MINUS_SIGNS = {
-    ord(sign): "-" for sign in "\u2212\u2010\u2011\u2012\u2013\u2014\u2015\u2043\u02d7\ufe58\ufe63"
-}
-_FOLDED: dict[int, int | str] = {**_ASCII_FORMS, **_POINTS, **_MINUS_SIGNS}
-_NUMBER = re.compile(r"([+-]?)\s*([0-9]*)(?:([.,])([0-9]*))?(?:[eE]([+-]?[0-9]+))?\s*")
-_THOUSANDS_LIKE = re.compile(r"[1-9][0-9]{0,2},[0-9]{3}")
-_CALCULATION = re.compile(r"[-+*/^(]+\s*[0-9.,(a-z\u221a-]")
-_POWER_OF_TEN = re.compile(r"[x\u00d7*\u00b7\u22c5]\s*10")
+_PLAIN = re.compile(rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?", re.ASCII)
+_NO_LABEL = r"(?!sqrt|pi\b|\u03c0\s*=)"
+_LABEL = re.compile(rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*", re.IGNORECASE)
+_ABOUT = re.compile(r"(?:[\u2248~\u2243\u2245\u223c]|about|approx(?:imately)?\.?|ca\.|大?[约約]为?)\s*", re.IGNORECASE)
+_TAIL = re.compile(r"[\s.;,!\u3001]+$")
+_SIGN = re.compile(r"([+-]?)\s*")
+_NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
+_SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
     """One cell read: `typed` as it came, `read_as` in plain digits with a point, `value` in the ask's unit.
 
-    `reason` says why a cell is unreadable; `remark` is for a person to look at although the cell was read.
+    `error` is how far an irrational value may be off, zero where `value` is exact. `reason` says why a cell is
+    unreadable or its unit wrong; `remark` is for a person to look at although the cell was read.
     """
 
-    kind: Literal["number", "blank", "unreadable"]
+    kind: Literal["number", "blank", "unreadable", "wrong unit"]
     typed: str
     value: Fraction | None = None
     read_as: str = ""
     reason: str = ""
     remark: str = ""
+    error: Fraction = Fraction(0)
 
 
-def read(typed: str, unit: str) -> Reading:
-    """Reads a number in `unit`, which may stand after it; dashes alone count as blank. Never raises.
+def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: str = "") -> Reading:
+    """Reads an answer in `unit`, which is meant where none is typed; dashes alone count as blank. Never raises.
 
-    >>> read("8,66E-1 m/s", "m/s").value
-    Fraction(433, 500)
-    >>> read("3/4", "m/s").reason
-    '"3/4" is a calculation; a decimal number was expected'
+    `style` decides about 1,234; `convention` is the ask's sign convention, for answers with a sense in words.
+
+    >>> read("8,66E-1 m/s", "m/s").value, read("866 mm/s", "m/s").read_as
+    (Fraction(433, 500), '0.866')
+    >>> read("12 rad/s clockwise", "rad/s", convention="ccw").value
+    Fraction(-12, 1)
+    >>> read("5 m/s", "rad/s").reason
+    '"m/s" measures a speed; an angular velocity was expected, in "rad/s"'
     """
-    text = trimmed(typed)
+    plain = _PLAIN.fullmatch(typed)
+    if plain and style.point == "decimal" and not style.point_reason:
+        sign, whole, decimals = plain.groups("")
+        value = Fraction(int(f"{sign}{whole}{decimals}"), 10 ** len(decimals))
+        return Reading("number", typed, value, typed.removeprefix("+"))
+    text = typed.strip(BLANKS)
     if len(text) > LONGEST_ANSWER:
         return Reading("unreadable", typed, reason=f"longer than {LONGEST_ANSWER} characters")
-    folded = text.translate(_FOLDED)
-    if not folded.strip("-"):
+    text = folded(text)
+    if not text.strip("- "):
         return Reading("blank", typed)
-    found = _NUMBER.match(folded)
-    if found is None or not (found[2] or found[4]):
-        return Reading("unreadable", typed, reason=f'"{_shown(text)}" is not a number')
-    reason = _too_long(found) or _unfit_rest(folded[found.end() :], text[found.end() :], text, unit)
-    if reason:
-        return Reading("unreadable", typed, reason=reason)
-    return _number(typed, found)
+    try:
+        return _reading(typed, text, unit, style, convention)
+    except Unreadable as fault:
+        return Reading("unreadable", typed, reason=str(fault))
+    except WrongUnit as fault:
+        return Reading("wrong unit", typed, reason=str(fault))
 
 
-def _number(typed: str, found: re.Match[str]) -> Reading:
-    sign, whole, mark, decimals, exponent = (group or "" for group in found.groups())
-    power = f"e{int(exponent)}" if exponent else ""
-    read_as = f"{sign.strip('+')}{whole or '0'}{'.' if decimals else ''}{decimals}{power}"
-    value = _value(int(f"{sign}{whole}{decimals}"), int(exponent or 0) - len(decimals))
-    remark = "" if exponent else _remark(f"{whole}{mark}{decimals}", read_as)
-    return Reading("number", typed, value, read_as, remark=remark)
+def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: str) -> Reading:
+    bare, sense = without_sense(_TAIL.sub("", _undressed(text)))
+    bare = _TAIL.sub("", _undressed(bare))
+    sign = _SIGN.match(bare)
+    place = sign.end() if sign else 0
+    found = scan_value(bare, place, style)
+    if found is None:
+        raise Unreadable(f'"{shown(typed.strip(BLANKS))}" is not a number')
+    rest = bare[found.end :]
+    factor = _conversion(rest, unit, typed)
+    if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
+        raise Unreadable("\u03c0 without a unit where degrees are asked for; write rad or \u00b0 after it")
+    written = sign[1] if sign else ""
+    turn, remark = direction(sense, written, convention) if sense else (1, "")
+    minus = (written == "-") != (turn < 0)
+    remarks = "; ".join(filter(None, (found.remark, remark)))
+    if isinstance(found, TypedNumber) and factor == Conversion():
+        return _as_typed(typed, found, minus, remarks)
+    return _worked(typed, found, minus, factor, remarks)
 
 
-def _value(digits: int, power_of_ten: int) -> Fraction:
-    return Fraction(digits * 10**power_of_ten) if power_of_ten >= 0 else Fraction(digits, 10**-power_of_ten)
+def _undressed(text: str) -> str:
+    """Without a label before the number (v_B =) and without a word for "about"."""
+    label = _LABEL.match(text)
+    bare = text[label.end() :] if label else text
+    about = _ABOUT.match(bare)
+    return (bare[about.end() :] if about else bare).strip()
 
 
-def _remark(digits: str, read_as: str) -> str:
-    return f"read as {read_as}; a comma is the decimal mark" if _THOUSANDS_LIKE.fullmatch(digits) else ""
+def _conversion(rest: str, unit: str, typed: str) -> Conversion:
+    """What the text after the number makes of it. Raises Unreadable or WrongUnit."""
+    if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
+        raise Unreadable(f'"{shown(typed.strip(BLANKS))}" is more than one number; one number was expected')
+    return conversion(rest, unit)
 
 
-def _too_long(found: re.Match[str]) -> str:
-    _, whole, _, decimals, exponent = (group or "" for group in found.groups())
-    if len((whole + decimals).lstrip("0")) > MOST_DIGITS or len(whole + decimals) > LONGEST_ANSWER:
-        return f"more than {MOST_DIGITS} digits"
-    if abs(int(exponent or 0)) > LARGEST_EXPONENT:
-        return f"a power of ten beyond {LARGEST_EXPONENT}"
-    return ""
+def _as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Reading:
+    value = -found.value if minus else found.value
+    return Reading("number", typed, value, f"{'-' if minus else ''}{found.digits}", remark=remark)
 
 
-def _unfit_rest(rest: str, rest_as_typed: str, typed: str, unit: str) -> str:
-    """Why what follows the number is not the unit asked for, or nothing at all."""
-    if not rest or same_unit(rest_as_typed, unit) or same_unit(rest, unit):
-        return ""
-    text = _shown(typed)
-    if rest[0] in "0123456789.,'":
-        return f'"{text}" is more than one number, or has a thousands separator; one number was expected'
-    if _CALCULATION.match(rest):
-        return f'"{text}" is a calculation; a decimal number was expected'
-    if _POWER_OF_TEN.match(rest):
-        return f'"{text}" is a calculation; a power of ten is written 8.66e-1'
-    expected = "no unit" if unit in ("", "1") else f'the unit "{unit}"'
-    return f'"{_shown(rest_as_typed)}" stands after the number; {expected} was expected'
+def _worked(typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str) -> Reading:
+    amount: Amount = rational_amount(found.value) if isinstance(found, TypedNumber) else worked_out(found)
+    value, error = converted(amount, -factor.factor if minus else factor.factor, factor.pi)
+    return Reading("number", typed, value, decimal_text(value), remark=remark, error=error)
 
 
-def _shown(text: str) -> str:
-    """On one line, with everything invisible written out."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+def decimal_text(value: Fraction) -> str:
+    """A fraction in digits: all of them where they end soon, else the first twelve.
+
+    >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
+    ('0.75', '0.666666666667')
+    """
+    rounded = Context(prec=SHOWN_DIGITS).divide(Decimal(value.numerator), Decimal(value.denominator))
+    short = rounded.normalize()
+    return f"{short:f}" if -7 < short.adjusted() < 21 else str(short).lower()

@@ -161,9 +161,14 @@ def _question(item: Any) -> list[Ask]:
     if not asks:
         raise _FieldError(f"question {question} asks nothing - expected at least one ask")
     return [
-        Ask(question, _identifier(ask, "ask"), _field(ask, "unit", str), _not_negative(ask, "points"))
+        Ask(question, _identifier(ask, "ask"), _field(ask, "unit", str), _not_negative(ask, "points"), _sign(ask))
         for ask in asks
     ]
+
+
+def _sign(ask: Any) -> str:
+    """The sign convention; exams of earlier versions do not state it."""
+    return _field(ask, "sign", str) if isinstance(ask, dict) and "sign" in ask else ""
 
 
 def _student(item: Any) -> tuple[str, str]:

@@ -14,7 +14,7 @@ from typing import Literal
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.key import Key
 
-Kind = Literal["right", "wrong", "blank", "unreadable"]
+Kind = Literal["right", "wrong", "wrong unit", "blank", "unreadable"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class Verdict:
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
-    """Decides by exact fractions; never raises.
+    """Decides by exact fractions; an irrational answer that cannot be told from the bound is on it. Never raises.
 
     >>> from kinegrade.grading.answers import read
     >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
@@ -34,12 +34,14 @@ def judge(reading: Reading, key: Key) -> Verdict:
     """
     if reading.kind == "blank":
         return Verdict("blank", "")
+    if reading.kind == "wrong unit":
+        return Verdict("wrong unit", reading.reason)
     if reading.kind == "unreadable" or reading.value is None:
         return Verdict("unreadable", reading.reason)
     difference = abs(reading.value - key.value)
     if key.period:
         difference = abs(difference - round(difference / key.period) * key.period)
-    kind: Kind = "right" if difference <= key.tolerance else "wrong"
+    kind: Kind = "right" if difference <= key.tolerance + reading.error else "wrong"
     return Verdict(kind, _comparison(key, difference))
 
 

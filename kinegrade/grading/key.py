@@ -12,12 +12,16 @@ from fractions import Fraction
 
 @dataclass(frozen=True, slots=True)
 class Ask:
-    """One answer box, the same on every paper; `unit` is "1" for a pure number."""
+    """One answer box, the same on every paper; `unit` is "1" for a pure number.
+
+    `sign` is the convention in English, "counter-clockwise positive", as it stands on papers; "" where it is not known.
+    """
 
     question: str
     ask: str
     unit: str
     points: Fraction
+    sign: str = ""
 
     @property
     def column(self) -> str:

@@ -10,8 +10,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.grading.answers import Reading, read
+from kinegrade.grading.decimal_style import FileStyle, file_style
+from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.key import Ask, Exam, Examinee
+from kinegrade.grading.number_text import DecimalStyle
 from kinegrade.grading.sheet import Entry, Sheet
 from kinegrade.tables import Complaint, shortened
 
@@ -57,14 +60,18 @@ class Marks:
     complaints: tuple[Complaint, ...]
 
 
-def mark(exam: Exam, sheet: Sheet) -> Marks:
-    """Marks a class. Never raises: what cannot be read gets no points, and a complaint."""
+def mark(exam: Exam, sheet: Sheet, decimal: DecimalMark | None = None) -> Marks:
+    """Marks a class. Never raises: what cannot be read gets no points, and a complaint.
+
+    `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell what 1,234 means.
+    """
+    styles = file_style((entry.responses for entry in sheet.entries.values()), decimal)
     marks: list[Mark] = []
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
     for examinee in exam.examinees:
         entry = sheet.entries[examinee.student]
-        judged = _judged(exam.asks, examinee, entry)
+        judged = _judged(exam.asks, examinee, entry, styles)
         marks += judged
         grades.append(_grade(exam, examinee, judged))
         complaints += _doubts(sheet, entry, judged)
@@ -72,14 +79,16 @@ def mark(exam: Exam, sheet: Sheet) -> Marks:
     return Marks(exam.questions, tuple(marks), tuple(grades), tuple(complaints))
 
 
-def _judged(asks: Sequence[Ask], examinee: Examinee, entry: Entry) -> list[Mark]:
+def _judged(asks: Sequence[Ask], examinee: Examinee, entry: Entry, styles: FileStyle) -> list[Mark]:
+    style = styles.of_row(entry.responses)
     return [
-        _judged_answer(ask, examinee, response) for ask, response in zip(asks, entry.responses, strict=True)
+        _judged_answer(ask, examinee, response, style)
+        for ask, response in zip(asks, entry.responses, strict=True)
     ]
 
 
-def _judged_answer(ask: Ask, examinee: Examinee, response: str) -> Mark:
-    reading = read(response, ask.unit)
+def _judged_answer(ask: Ask, examinee: Examinee, response: str, style: DecimalStyle) -> Mark:
+    reading = read(response, ask.unit, style, ask.sign)
     verdict = judge(reading, examinee.keys[ask.column])
     points = ask.points if verdict.kind == "right" else Fraction(0)
     return Mark(examinee.student, ask, reading, verdict, points)
@@ -96,10 +105,9 @@ def _grade(exam: Exam, examinee: Examinee, judged: Sequence[Mark]) -> Grade:
 def _doubts(sheet: Sheet, entry: Entry, judged: Sequence[Mark]) -> Iterable[Complaint]:
     for column, each in zip(sheet.columns, judged, strict=True):
         content = shortened(each.reading.typed)
-        if each.verdict.kind == "unreadable":
-            yield Complaint(
-                sheet.file, entry.line, column, content, each.verdict.reason, "unreadable, no points"
-            )
+        if each.verdict.kind in ("unreadable", "wrong unit"):
+            done = f"{each.verdict.kind}, no points"
+            yield Complaint(sheet.file, entry.line, column, content, each.verdict.reason, done)
         if each.reading.remark:
             yield Complaint(
                 sheet.file, entry.line, column, content, each.reading.remark, f"judged {each.verdict.kind}"

@@ -1,64 +1,206 @@
-"""The ways one and the same unit is written: m/s^2, m/s², m·s⁻², m s^-2, m/s/s, ㎨.
+"""Units as people write them: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min, 转/分; what they are worth.
 
-Called by `answers`. It says whether two texts spell the same unit, not what a unit is worth.
+`conversion` is called by `answers` for what stands after a number. It holds dimensions against each other before
+anybody compares numbers, and converts exactly: a factor and a power of pi, because a turn is 2 pi radians.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter
+from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from unicodedata import normalize
 
-_ATOMS = {
-    "sec": "s", "秒": "s",
-    "米": "m", "厘米": "cm", "毫米": "mm",
-    "弧度": "rad", "radian": "rad", "radians": "rad",
-    "°": "deg", "degree": "deg", "degrees": "deg", "度": "deg",
+from kinegrade.grading.number_text import Unreadable, folded, shown
+from kinegrade.units import FACTORS, HALF_TURNS
+
+_SPELLINGS = {
+    "m": "米 公尺 metre metres meter meters", "cm": "厘米 公分 centimetre centimetres centimeter centimeters",
+    "mm": "毫米 millimetre millimetres millimeter millimeters", "dm": "分米",
+    "km": "千米 公里 kilometre kilometres kilometer kilometers",
+    "s": "sec secs second seconds 秒 秒钟", "min": "mins minute minutes 分 分钟", "h": "hr hrs hour hours 小时 时",
+    "rad": "rads radian radians 弧度", "deg": "° degs degree degrees 度",
+    "turn": "turns rev revs revolution revolutions 转 圈 周", "%": "percent",
 }  # fmt: skip
+_NAMES = {spelling: name for name, spellings in _SPELLINGS.items() for spelling in (name, *spellings.split())}
+_SHORT = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
+_TURN_COUNTS = re.compile(r"[kM]?Hz|hertz|千?赫兹?", re.IGNORECASE)
+_PER_MINUTE = re.compile(r"1?/(?:min|分|分钟)|(?:min|分|分钟)\^?\(?-1\)?", re.IGNORECASE)
+_SQUARES = ((re.compile(r"(?:平方|二次方)秒"), "秒^2"), (re.compile(r"\s*squared"), "^2"),
+            (re.compile(r"每|\s+per\s+"), "/"), (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"))
 _DEGREE_SIGNS = str.maketrans("º˚", "°°")  # the ordinal sign and the ring, next to ° on many keyboards
-_MINUS_SIGNS = str.maketrans("\u2212\u2010\u2011\u2012\u2013\u2014", "------")
-_DIVISION = str.maketrans("\u2044\u2215", "//")
-_TIMES = "·⋅•∙・*\u00d7"
-_FACTOR = re.compile(
-    r"([^\W\d_]+|°)(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9]+)|\(([+-]?[0-9]+)\)|\{([+-]?[0-9]+)\})?"
-)
-_LINK = re.compile(rf"\s*[{_TIMES}./]\s*|\s+|")
+_TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
+_FACTOR = re.compile(r"([^\W\d_]+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?")
+_LINK = re.compile(r"\s*(\*|/|\.|)\s*")
+_SHARE = re.compile(r"1\s*(?=/)|(?=/)")
+_KINDS = {
+    (0, 0, 0): "a pure number", (1, 0, 0): "a length", (0, 1, 0): "a time", (1, -1, 0): "a speed",
+    (1, -2, 0): "an acceleration", (0, 0, 1): "an angle", (0, -1, 1): "an angular velocity",
+    (0, -2, 1): "an angular acceleration", (0, -1, 0): "a rate (1/s)", (0, -2, 0): "a rate of a rate (1/s²)",
+}  # fmt: skip
+
+
+class WrongUnit(Exception):
+    """A unit that is well written and measures something else than what is asked; the message says what."""
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenUnit:
+    """factor * pi**pi in SI units and radians; `length`, `time` and `angle` are exponents."""
+
+    factor: Fraction
+    pi: int
+    length: int
+    time: int
+    angle: int
+
+    @property
+    def kind(self) -> str:
+        """What it measures, in words."""
+        dimension = (self.length, self.time, self.angle)
+        return _KINDS.get(dimension, f"m^{self.length} s^{self.time} rad^{self.angle}")
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """A typed number times factor * pi**pi is the number in the ask's unit."""
+
+    factor: Fraction = Fraction(1)
+    pi: int = 0
+
+
+_SAME = Conversion()
 
 
 @lru_cache(maxsize=4096)
-def same_unit(typed: str, unit: str) -> bool:
-    """Whether `typed`, perhaps in brackets, spells `unit`; "1" is that of a pure number, spelled by nothing.
+def conversion(typed: str, unit: str) -> Conversion:
+    """How a number with the unit `typed`, as it was typed, becomes one in `unit`; no unit means the ask's.
 
-    >>> same_unit("m·s⁻²", "m/s^2"), same_unit("mm/s", "m/s")
-    (True, False)
+    Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz included, and
+    Unreadable for what is no known unit.
+
+    >>> conversion("r/min", "rad/s"), conversion("cm/s²", "m/s^2").factor
+    (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
     """
     bare = _unbracketed(typed)
-    if unit in ("", "1"):
-        return not bare
-    powers = _powers(bare)
-    return bare == unit or (powers is not None and powers == _powers(unit))
+    if bare in ("", unit) or (unit in ("", "1") and bare == "1"):
+        return _SAME
+    wanted = written_unit(unit) if unit not in ("", "1") else WrittenUnit(Fraction(1), 0, 0, 0, 0)
+    _refuse_turns_per_time(bare, unit, wanted)
+    found = written_unit(bare)
+    if found is None or wanted is None:
+        raise Unreadable(f'"{shown(typed.strip())}" stands after the number; {_expected(unit)}')
+    lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
+    radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
+    if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
+        raise WrongUnit(f'"{shown(bare)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}')
+    return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
+
+
+def _expected(unit: str) -> str:
+    return "no unit was expected" if unit in ("", "1") else f'the unit "{unit}" was expected'
+
+
+def _in(unit: str) -> str:
+    return "" if unit in ("", "1") else f', in "{unit}"'
+
+
+def _refuse_turns_per_time(bare: str, unit: str, wanted: WrittenUnit | None) -> None:
+    if _TURN_COUNTS.fullmatch(bare):
+        measured = f"{wanted.kind} was expected{_in(unit)}" if wanted else _expected(unit)
+        raise WrongUnit(f'"{shown(bare)}" counts turns or cycles, not radians; {measured}')
+    if _PER_MINUTE.fullmatch(bare.replace(" ", "")) and wanted is not None and wanted.angle:
+        raise Unreadable(f'"{shown(bare)}" can mean turns or radians per minute; write r/min or rad/min')
 
 
 def _unbracketed(typed: str) -> str:
-    bare = typed.strip()
-    if bare[:1] + bare[-1:] in ("()", "[]", "\uff08\uff09", "【】"):
+    bare = _TIMES.sub("", typed.strip())
+    if bare[:1] + bare[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
         return bare[1:-1].strip()
     return bare
 
 
-def _powers(text: str) -> dict[str, int] | None:
-    """The power of each factor, `None` where the text is not written as a unit; a slash turns one factor."""
-    folded = normalize("NFKC", text.translate(_DEGREE_SIGNS)).translate(_MINUS_SIGNS).translate(_DIVISION)
+@lru_cache(maxsize=4096)
+def written_unit(text: str) -> WrittenUnit | None:
+    """What a unit is worth, None where the text is not written as one.
+
+    >>> written_unit("m·s⁻²") == written_unit("米/秒²") == written_unit("m/s^2")
+    True
+    """
+    powers = _powers(_plain(text))
+    if powers is None or ("r" in powers and not (powers["min"] == -1 or powers["s"] == -1)):
+        return None
+    for name in [name for name in powers if name in _SHORT]:
+        power = powers.pop(name)
+        for part, exponent in (_powers(_SHORT[name]) or {}).items():
+            powers[part] += power * exponent
+    return _worth(powers)
+
+
+def _plain(text: str) -> str:
+    plain = folded(normalize("NFKC", folded(text.translate(_DEGREE_SIGNS)))).strip()
+    for pattern, sign in _SQUARES:
+        plain = pattern.sub(sign, plain)
+    return plain
+
+
+def _powers(text: str) -> Counter[str] | None:
+    """The power of each factor, None where the text is not written as a unit; a slash turns one factor or bracket."""
     powers: Counter[str] = Counter()
-    place, link = 0, ""
-    while found := _FACTOR.match(folded, place):
-        name, *written = found.groups()
-        power = int(next((digits for digits in written if digits), "1"))
-        powers[_ATOMS.get(name, name)] += -power if link == "/" else power
-        if found.end() == len(folded):
-            return dict(powers)
-        step = _LINK.match(folded, found.end())
-        link = step[0].strip() if step else ""
-        place = step.end() if step else found.end()
+    share = _SHARE.match(text)
+    place = share.end() if share else 0
+    while place < len(text) or not place:
+        link = _LINK.match(text, place) if place or text[:1] == "/" else None
+        start = link.end() if link else place
+        turn = -1 if link and link[1] == "/" else 1
+        found, place = _bracket(text, start) if text[start : start + 1] == "(" else _factor(text, start)
+        if found is None:
+            return None
+        for name, power in found.items():
+            powers[name] += turn * power
+    return powers
+
+
+def _factor(text: str, place: int) -> tuple[Counter[str] | None, int]:
+    found = _FACTOR.match(text, place)
+    name = _name(found[1]) if found else None
+    if found is None or name is None:
+        return None, place
+    power = int(next((digits for digits in found.groups()[1:] if digits), "1"))
+    return (Counter({name: power}) if power else None), found.end()
+
+
+def _bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
+    end = text.find(")", place)
+    inside = text[place + 1 : end]
+    return (_powers(inside) if end > 0 and "(" not in inside else None), end + 1
+
+
+def _name(written: str) -> str | None:
+    """The unit's own name; capitals do not matter, as telephones put them in."""
+    for spelling in (written, written.casefold()):
+        if spelling in _NAMES or spelling in _SHORT or spelling in FACTORS:
+            return _NAMES.get(spelling, spelling)
     return None
+
+
+def _worth(powers: Counter[str]) -> WrittenUnit:
+    factor, pi = Fraction(1), 0
+    exponents = Counter[str]()
+    for name, power in powers.items():
+        size, dimension = _size(name)
+        factor *= size**power
+        pi += power * (name in HALF_TURNS)
+        exponents[dimension] += power
+    return WrittenUnit(factor, pi, exponents["length"], exponents["time"], exponents["angle"])
+
+
+def _size(name: str) -> tuple[Fraction, str]:
+    if name == "%":
+        return Fraction(1, 100), "number"
+    if name == "dm":
+        return Fraction(1, 10), "length"
+    size, dimension = (HALF_TURNS[name], "angle") if name in HALF_TURNS else FACTORS[name]
+    return Fraction(int(size.p), int(size.q)), dimension

@@ -25,6 +25,7 @@ from tests.demo.type_answers import (
     STRANGER,
     TWICE,
     UNREADABLE,
+    WRONG_UNIT,
     ZEROS_EATEN,
     Answer,
     class_rows,
@@ -38,7 +39,7 @@ BANK = ROOT / "banks" / "demo.toml"
 ROSTER = ROOT / "banks" / "demo-roster.csv"
 ANSWERS = ROOT / "banks" / "demo-answers.csv"
 OUT_OF = Decimal(34)
-ODD_CELLS = UNREADABLE | DOUBTFUL
+ODD_CELLS = UNREADABLE | WRONG_UNIT | DOUBTFUL
 
 Lines = list[dict[str, str]]
 Verdicts = dict[tuple[str, str], dict[str, str]]  # lines of marks.csv by student and column
@@ -198,6 +199,7 @@ def test_blanks_and_unreadable_cells_are_told_apart(verdicts: Verdicts, counted:
     assert {verdicts[place]["verdict"] for place in blanks} == {"blank"}
     assert {verdicts[place]["verdict"] for place in UNREADABLE} == {"unreadable"}
     assert {place for place, line in verdicts.items() if line["verdict"] == "unreadable"} == set(UNREADABLE)
+    assert {place for place, line in verdicts.items() if line["verdict"] == "wrong unit"} == set(WRONG_UNIT)
 
 
 def test_two_digits_are_right_just_when_they_are_near_enough(

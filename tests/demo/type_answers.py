@@ -33,14 +33,14 @@ ZEROS_EATEN = "0241306"
 STRANGER = ("20220999", "Alex Morgan")
 UNREADABLE: dict[tuple[str, str], str] = {
     ("0241205", "q1.a_B"): "see sheet",
-    ("0241291", "q4.omega_AB"): "3/4",
+    ("0241291", "q4.omega_AB"): "5-3",
     ("20220341", "q3.a_BC_y"): "12 or 14",
-    ("20220421", "q3.a_cor_y"): "1 234,5",
+    ("20220421", "q3.a_cor_y"): "1 23 4,5",
     ("20220462", "q2.v_B"): "=1+1",
     ("PB22000417", "q1.omega_AB"): "?",
-    ("s1830227", "q4.v_O"): "2*sqrt(3)",
-    ("u7204431", "q2.omega_II"): "7.5 m/s",
+    ("s1830227", "q4.v_O"): "1/2√3",
 }
+WRONG_UNIT: dict[tuple[str, str], str] = {("u7204431", "q2.omega_II"): "7.5 m/s"}
 DOUBTFUL: dict[tuple[str, str], str] = {("20220368", "q3.a_cor_y"): "1,234"}
 NOTES: Mapping[str, str] = {
     "0241211": "第 4 题时间不够",
@@ -153,7 +153,7 @@ def one_of(choices: Weighted[Choice], draw: float) -> tuple[str, Choice]:
 
 def typed(student: str, column: str, key: Key) -> Answer:
     """What a student types for one ask."""
-    planted = UNREADABLE.get((student, column)) or DOUBTFUL.get((student, column))
+    planted = (UNREADABLE | WRONG_UNIT).get((student, column)) or DOUBTFUL.get((student, column))
     if planted:
         return Answer(planted, "planted", "planted")
     own, cell = chance(student), chance(student, column)

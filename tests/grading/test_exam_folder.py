@@ -34,6 +34,13 @@ def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
     }
 
 
+def test_a_sign_convention_is_kept(tmp_path: Path) -> None:
+    head = exam()
+    head["questions"][1]["asks"][0]["sign"] = "counter-clockwise positive"
+    found = read_exam(write_exam(tmp_path / "EXAM", head, [paper(student) for student in STUDENTS]))
+    assert [ask.sign for ask in found.asks] == ["", "", "counter-clockwise positive"]
+
+
 def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
     head, papers = exam(), [paper(student) for student in STUDENTS]
     change(head, papers)
@@ -70,6 +77,7 @@ CHANGES: list[tuple[Change, str]] = [
         lambda head, _: head["questions"][1]["asks"][0].update(points=-1),
         '"points" is -1 - expected zero or more',
     ),
+    (lambda head, _: head["questions"][1]["asks"][0].update(sign=1), 'questions 2: no "sign" that is a text'),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points="many"),
         "\"points\" is 'many' - expected a",

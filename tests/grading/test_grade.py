@@ -15,14 +15,17 @@ from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import Grade, Marks
 from kinegrade.grading.report import amount_text
 from kinegrade.lms import moodle
+from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 
 HEADER = "student,name,q1.v_B,q1.omega_AB,q2.a_B\n"
 ROWS = """007,王伟,"1,73",0.002,-0.125
 0012,"O'Neil, Zoë",1.732 m/s,0.0021,-
-S9,x,1.7 km/h,=1+1,"-0,1375 m/s²"
+S9,x,1.7 rad/s,=1+1,"-0,1375 m/s²"
 12,Ann,,,
 """
 RIGHT = '"1,73"'
+WRONG_UNIT = '"rad/s" measures an angular velocity; a speed was expected, in "m/s"'
+CALCULATION = '"1+1" is a range or a calculation; one number was expected'
 
 
 def marked(exam: Path, content: str | bytes, *, force: bool = False) -> Marks:
@@ -69,16 +72,17 @@ def test_marks_have_a_row_for_each_student_and_ask(exam_folder: Path) -> None:
     assert found[0] == ["007", "q1", "v_B", "1,73", "1.73", "m/s", "right", "4", "4", within]
     assert found[4][3:9] == ["0.0021", "0.0021", "rad/s", "wrong", "0", "3"]
     assert found[5][3:] == ["-", "", "m/s^2", "blank", "0", "2.5", ""]
-    assert found[6][9] == '"km/h" stands after the number; the unit "m/s" was expected'
-    assert found[7][3:] == ["'=1+1", "", "rad/s", "unreadable", "0", "3", '"=1+1" is not a number']
+    assert found[6][3:9] == ["1.7 rad/s", "", "m/s", "wrong unit", "0", "4"]
+    assert found[6][9] == WRONG_UNIT
+    assert found[7][3:] == ["'=1+1", "", "rad/s", "unreadable", "0", "3", CALCULATION]
     assert found[8][3:8] == ["'-0,1375 m/s²", "-0.1375", "m/s^2", "right", "2.5"]
 
 
 def test_unreadable_answers_are_complaints_and_blank_ones_are_not(exam_folder: Path) -> None:
     marked(exam_folder, HEADER + ROWS)
     assert complaints(exam_folder) == [
-        ("4", "q1.v_B", "1.7 km/h", '"km/h" stands after the number; the unit "m/s" was expected'),
-        ("4", "q1.omega_AB", "'=1+1", '"=1+1" is not a number'),
+        ("4", "q1.v_B", "1.7 rad/s", WRONG_UNIT),
+        ("4", "q1.omega_AB", "'=1+1", CALCULATION),
     ]
     assert rows(exam_folder, "complaints.csv")[0] == ["file", "line", "column", "content", "problem", "done"]
 
@@ -179,7 +183,33 @@ def test_another_encoding_is_read_and_said(exam_folder: Path) -> None:
 
 def test_a_comma_that_may_be_a_thousands_separator_is_shown_to_a_person(exam_folder: Path) -> None:
     marked(exam_folder, HEADER + '007,x,"1,732",,\n0012,x,,,\nS9,x,,,\n12,x,,,\n')
-    assert complaints(exam_folder) == [("2", "q1.v_B", "1,732", "read as 1.732; a comma is the decimal mark")]
+    problem = "read as 1.732: a comma is the decimal mark, and nothing in the file says otherwise"
+    assert complaints(exam_folder) == [("2", "q1.v_B", "1,732", problem)]
+
+
+def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folder: Path) -> None:
+    sheet = HEADER + '007,x,"1,732",0.001,\n0012,x,"1,732",0,\nS9,x,,0.001,\n12,x,,,\n'
+    marks = marked(exam_folder, sheet)
+    assert [verdicts(marks, student)[0] for student in ("007", "0012")] == ["wrong", "wrong"]
+    declared = grade(exam_folder, exam_folder.parent / "answers.csv", exam_folder.parent / "AGAIN", decimal="comma")
+    assert [verdicts(declared, student)[0] for student in ("007", "0012")] == ["right", "right"]
+    assert declared.complaints[0].problem == "read as 1.732: the decimal mark was declared to be the comma"
+
+
+def test_units_roots_and_senses_flow_through(tmp_path: Path) -> None:
+    head, papers = exam(), [paper(student) for student in STUDENTS]
+    head["questions"][0]["asks"][1]["sign"] = "counter-clockwise positive"
+    for each in papers:
+        each["questions"][0]["asks"]["omega_AB"].update(exact="-4", value=-4.0, decimal="-4")
+    folder = write_exam(tmp_path / "EXAM", head, papers)
+    rows_typed = "007,x,√3,4 rad/s clockwise,-1/8\n0012,x,173.2 cm/s,-38.2 rpm,-12.5 cm/s²\n"
+    marks = marked(folder, HEADER + rows_typed + "S9,x,1.732 m/s,4 逆时针,0 m\n12,x,6.24 km/h,0.64 Hz,-0.125 ms^-2\n")
+    assert [verdicts(marks, student) for student in STUDENTS] == [
+        ["right", "right", "right"], ["right", "right", "right"], ["right", "wrong", "wrong unit"],
+        ["right", "wrong unit", "right"],
+    ]  # fmt: skip
+    read_as = [row[4] for row in rows(folder, "marks.csv")[1:6]]
+    assert read_as == ["1.73205080757", "-4", "-0.125", "1.732", "-4.00029464557"]
 
 
 def test_a_huge_cell_is_unreadable_and_cut_in_the_report(exam_folder: Path) -> None:

@@ -14,6 +14,7 @@ from kinegrade.grading.key import Key
 
 ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))  # floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
 ZERO = Key(Fraction(0), Fraction("0.002"))
+ROOT = Fraction("0.8660254037844386467637231707529361834714")  # half the root of 3, to 40 digits
 EXACT = Key(Fraction(1, 8), Fraction(0))
 
 
@@ -39,6 +40,21 @@ EXACT = Key(Fraction(1, 8), Fraction(0))
 )
 def test_verdicts(typed: str, key: Key, kind: str) -> None:
     assert judge(read(typed, "m/s"), key).kind == kind
+
+
+@pytest.mark.parametrize(("typed", "key", "kind"), [
+    ("√3/2", Key(ROOT, Fraction(0)), "right"), ("√3/2", Key(-ROOT, Fraction(0)), "wrong"),
+    ("1.01*√3/2", Key(ROOT, ROOT / 100), "right"), ("0.99√3/2", Key(ROOT, ROOT / 100), "right"),
+    ("1.0100000000000000000000000000001√3/2", Key(ROOT, ROOT / 100), "wrong"),
+    ("0.866025403784438646763723170752936183", Key(ROOT, Fraction(0)), "wrong"),
+])  # fmt: skip
+def test_an_irrational_answer_on_the_bound_is_right(typed: str, key: Key, kind: str) -> None:
+    assert judge(read(typed, "m/s"), key).kind == kind
+
+
+def test_a_wrong_unit_is_told_before_numbers_are_compared() -> None:
+    verdict = judge(read("0 rad", "m/s"), ZERO)
+    assert (verdict.kind, verdict.reason) == ("wrong unit", '"rad" measures an angle; a speed was expected, in "m/s"')
 
 
 def test_the_reason_shows_which_of_the_two_is_larger() -> None:

@@ -1,0 +1,123 @@
+"""What a lone comma or point before three digits means in a file: declared, detected, or by the paper's rule.
+
+Papers say that 0.5 and 0,5 are read alike and that thousands are not separated: so `1,234` is 1.234 and `1.234` too.
+That holds unless the decimal mark is declared; unless the student's own answers group digits (`1,234.5`); or unless
+all answers that leave no doubt have a decimal point, those of this student or of most others among them: then a comma
+groups. A majority of others never decides against anybody who writes decimal commas. Every such reading is remarked.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.grading.number_text import DecimalStyle, MarkUse, folded, mantissa
+
+Mark = Literal["comma", "point"]
+LONGEST_EVIDENCE = 200
+_NUMBER = re.compile(r"[.,]?[0-9]")
+_USUAL = re.compile(r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)")
+_PAPERS = DecimalStyle()
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """Which marks certainly stand before decimals in some answers, and which certainly group digits."""
+
+    decimal: frozenset[str] = frozenset()
+    groups: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class FileStyle:
+    """The style of a whole file, for rows that say nothing themselves; `declared` overrules every row.
+
+    `commas` tells whether anybody writes a decimal comma.
+    """
+
+    style: DecimalStyle
+    declared: bool = False
+    commas: bool = False
+
+    def of_row(self, cells: Iterable[str]) -> DecimalStyle:
+        """The style of one student's answers: as declared, else as they show themselves, else the file's."""
+        if self.declared:
+            return self.style
+        own = evidence(cells)
+        if not own.decimal and not own.groups:
+            return self.style
+        comma, comma_reason = self._comma(own)
+        if "." in own.groups and "." not in own.decimal:
+            return DecimalStyle(comma, "groups", comma_reason, "this student groups digits by points elsewhere")
+        return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
+
+    def _comma(self, own: Evidence) -> tuple[MarkUse, str]:
+        if "," in own.decimal and "," in own.groups:
+            return "unknown", "this student uses commas in both ways; ask, or declare the decimal mark"
+        if "," in own.decimal:
+            return "decimal", "the comma is the decimal mark in this student's other answers"
+        if "," in own.groups:
+            return "groups", "this student groups digits by commas elsewhere"
+        if "." in own.decimal and not self.commas:
+            return "groups", "the point is the decimal mark in this student's other answers"
+        return self.style.comma, self.style.comma_reason
+
+
+def evidence(cells: Iterable[str]) -> Evidence:
+    """What the numbers that leave no doubt show; `1,234` and `1.234` show nothing.
+
+    >>> evidence(["1,234", "0.5"]).decimal
+    frozenset({'.'})
+    """
+    decimal, groups = set(), set()
+    for cell in cells:
+        before_decimals, between_groups = _marks(cell)
+        decimal.add(before_decimals)
+        groups.add(between_groups)
+    return Evidence(frozenset(filter(None, decimal)), frozenset(filter(None, groups)))
+
+
+def _marks(cell: str) -> tuple[str | None, str | None]:
+    """The decimal and the grouping mark of the first number in a cell, where they are beyond doubt."""
+    if len(cell) > LONGEST_EVIDENCE:
+        return None, None
+    usual = _USUAL.fullmatch(cell)  # most cells of most files
+    if usual:
+        return ("." if usual["decimal"] else None), None
+    text = folded(cell)
+    if "," not in text and "." not in text:
+        return None, None
+    found = _NUMBER.search(text, text.rfind("=") + 1)
+    number = mantissa(text, found.start()) if found else None
+    return number.marks if number and number.well_formed else (None, None)
+
+
+def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> FileStyle:
+    """The style of a file from all its rows of answers, or as declared: the name of its decimal mark."""
+    if declared is not None:
+        reason = f"the decimal mark was declared to be the {declared}"
+        point_groups = DecimalStyle("decimal", "groups", reason, reason)
+        return FileStyle(point_groups if declared == "comma" else DecimalStyle("groups", "decimal", reason),
+                         declared=True)
+    found = [evidence(row) for row in rows if any(row)]
+    commas = sum("," in each.decimal for each in found)
+    points = sum("." in each.decimal for each in found)
+    comma, reason = _file_comma(commas, points, len(found))
+    doubt = "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"
+    return FileStyle(DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""), commas=commas > 0)
+
+
+def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
+    """What a comma means where a row says nothing: it groups if most rows show a decimal point and none a comma."""
+    if not commas and 2 * points > rows:
+        return "groups", f"the point is the decimal mark in the answers of {_students(points)}, and nobody's the comma"
+    if not commas and not points:
+        return "decimal", _PAPERS.comma_reason
+    return "decimal", ("a comma is the decimal mark, as the papers say; "
+                       f"so it is in the answers of {_students(commas)}, the point in those of {_students(points)}")
+
+
+def _students(count: int) -> str:
+    return "1 student" if count == 1 else f"{count} students"

@@ -1,0 +1,73 @@
+"""Which way in words: clockwise, 逆时针, ↻, to the left; and what that means for the sign of an ask.
+
+`without_sense` takes the words off a folded answer; `direction` says which sign they give under the ask's convention.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+from kinegrade.grading.number_text import Unreadable
+
+Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
+
+_OPPOSITE: dict[Sense, Sense] = {
+    "ccw": "cw", "cw": "ccw", "right": "left", "left": "right", "up": "down", "down": "up",
+}  # fmt: skip
+_NAMES: dict[Sense, str] = {"ccw": "counter-clockwise", "cw": "clockwise"}
+_TURNING = r"(?:方向|转动|旋转|转)?"
+_WORDS: dict[Sense, str] = {
+    "ccw": rf"(?:counter|anti)[- ]?clockwise|c\.?c\.?w|acw|逆[时時][针針]{_TURNING}|[↺⟲]",
+    "cw": rf"clockwise|c\.?w|[顺順][时時][针針]{_TURNING}|[↻⟳]",
+    "right": r"(?:to the )?right(?:wards?)?|(?:水平)?向右|→",
+    "left": r"(?:to the )?left(?:wards?)?|(?:水平)?向左|←",
+    "up": r"up(?:wards?)?|(?:竖直|铅直)?向上|↑",
+    "down": r"down(?:wards?)?|(?:竖直|铅直)?向下|↓",
+}
+_ANY = "|".join(f"(?P<{sense}>{words})" for sense, words in _WORDS.items())
+_HINT = re.compile(r"cw|c\.|left|right|up|down|[向时時↺⟲↻⟳→←↑↓]|clock", re.IGNORECASE)
+_BEHIND = re.compile(rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{_ANY})\.?[\s)\]]*$", re.IGNORECASE)
+_BEFORE = re.compile(rf"^[\s(\[]*(?:{_ANY})(?![A-Za-z])[\s)\],:.]*", re.IGNORECASE)
+_POSITIVE: tuple[tuple[re.Pattern[str], Sense | None], ...] = (
+    (re.compile(r"ccw|counter-clockwise positive|positive counter-clockwise\b.*"), "ccw"),
+    (re.compile(r"cw|clockwise positive|positive clockwise\b.*"), "cw"),
+    (re.compile(r"\+x|positive in the direction of \$\+x\$"), "right"),
+    (re.compile(r"-x|positive in the direction of \$-x\$"), "left"),
+    (re.compile(r"\+y|positive in the direction of \$\+y\$"), "up"),
+    (re.compile(r"-y|positive in the direction of \$-y\$"), "down"),
+)
+_SIGNLESS = re.compile(r"magnitude\b.*|unsigned|between 0° and 180°")
+
+
+def without_sense(text: str) -> tuple[str, Sense | None]:
+    """A folded answer without its word for the sense, and that sense; None where there is no such word.
+
+    >>> without_sense("12 rad/s (clockwise)")
+    ('12 rad/s', 'cw')
+    """
+    for pattern in (_BEHIND, _BEFORE) if _HINT.search(text) else ():
+        found = pattern.search(text)
+        if found:
+            sense = next(name for name in _WORDS if found[name] is not None)
+            return text[: found.start()] + text[found.end() :], sense
+    return text, None
+
+
+def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
+    """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or "-").
+
+    `convention` is the ask's, as its paper prints it in English, or its keyword. Where the ask has no sign, the
+    words change nothing and are remarked. Raises Unreadable for a sign that words contradict or repeat, and for
+    words that say nothing about this ask's sign.
+    """
+    positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
+    name = _NAMES.get(sense, sense)
+    if sign == "-" or (sign == "+" and sense != positive):
+        raise Unreadable(f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of the two')
+    if _SIGNLESS.fullmatch(convention):
+        return 1, f"a sense ({name}) is not asked for; it was left out"
+    if positive is None or sense not in (positive, _OPPOSITE[positive]):
+        meaning = f" ({convention})" if convention else ""
+        raise Unreadable(f"a sense ({name}) does not tell the sign of this answer{meaning}; write a sign")
+    return (1 if sense == positive else -1), ""

@@ -1,0 +1,306 @@
+"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. A grammar of its own, never `eval`.
+
+    sum     = product (("+" | "-") product)*          at least one of them with a root or π
+    product = power (("*" | "/") power | power)*      the bare form only before a root, π or a bracket
+    power   = atom ["^" whole number]
+    atom    = number [½] | "√" (number | bracket) | "sqrt" bracket | "π" | "(" [sign] sum ")"
+
+`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit, alone. What can be
+understood in two ways is refused with both: `1/2√3`, `5-3`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+from unicodedata import numeric
+
+from kinegrade.errors import ExpressionError
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.exact.balls import Balls
+from kinegrade.exact.field import Field
+from kinegrade.exact.surd import Surd
+from kinegrade.exact.text import bounds
+from kinegrade.expression import Call, Expression, Name, Number, Operation, elementary, evaluate, rational
+from kinegrade.grading.number_text import LARGEST_EXPONENT, DecimalStyle, TypedNumber, Unreadable, scan, shown
+
+MOST_ROOTS = 8
+MOST_BRACKETS = 8
+MOST_ATOMS = 24
+MOST_EXACT_ROOTS = 3  # beyond them the tower of fields costs more than a ball
+PRECISION = 256
+KNOWN = Fraction(1, 10**38)  # how far an irrational value is known, relative to its size; the key has 40 digits
+_SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
+_VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+_START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
+_MIXED = re.compile(rf"\s?[{_VULGAR}]")
+_IMPLICIT = re.compile(r"\s*(?:[(√πΠ𝜋]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
+_ROOT = re.compile(r"√\s*|sqrt\s*|根号\s*", re.IGNORECASE)
+_PI = re.compile(r"[πΠ𝜋]|pi(?![a-z])", re.IGNORECASE)
+_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))")
+_HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
+_OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """What was typed as a formula: its tree, where it ends, and remarks about single numbers in it."""
+
+    tree: Expression
+    end: int
+    roots: int
+    pi: bool  # whether pi occurs
+    remark: str
+
+
+@dataclass(frozen=True, slots=True)
+class Amount:
+    """size * pi**pi: a rational number or a surd, or a ball where no small field holds it."""
+
+    size: Any
+    pi: int = 0
+
+
+def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Formula | None:
+    """The number or formula at `place` of a folded text; None where neither begins there.
+
+    Raises Unreadable for what cannot be one value.
+    """
+    plain = scan(text, place, style)
+    if plain is not None and not _goes_on(text, plain.end):
+        return plain
+    if plain is None and not _START.match(text, place):
+        return None
+    reader = _Reader(text, place, style)
+    tree = reader.sum(0)
+    return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
+
+
+def _goes_on(text: str, place: int) -> bool:
+    """Whether a formula goes on after a number: an operator before a value, a power, or a root or pi right there."""
+    operator = _OPERATOR.match(text, place)
+    if operator and _START.match(text, operator.end()):
+        return True
+    return any(sign.match(text, place) for sign in (_POWER, _HALF, _IMPLICIT, _MIXED))
+
+
+class _Reader:
+    """Recursive descent over one folded text; `place` is where the next token begins."""
+
+    def __init__(self, text: str, place: int, style: DecimalStyle) -> None:
+        self.text, self.place, self.style = text, place, style
+        self.roots, self.surds, self.pi, self.remark, self.atoms = 0, False, False, "", 0
+
+    def sum(self, depth: int) -> Expression:
+        before, self.surds = self.surds, False
+        tree, terms = self.product(depth), 1
+        while (mark := self.operator("+-")) is not None:
+            tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
+        if terms > 1 and not self.surds:
+            raise Unreadable(f'"{shown(self.text)}" is a range or a calculation; one number was expected')
+        self.surds |= before
+        return tree
+
+    def product(self, depth: int) -> Expression:
+        tree, divided = self.power(depth), False
+        while True:
+            mark = self.operator("*/")
+            if mark is None:
+                factor = self.beside(depth)
+                if factor is None:
+                    return tree
+                self.require_plain_order(divided)
+                tree = Operation("*", tree, factor)
+                continue
+            self.require_plain_order(divided and mark == "/")
+            divided = divided or mark == "/"
+            tree = Operation(mark, tree, self.power(depth))
+
+    def require_plain_order(self, doubtful: bool) -> None:
+        if doubtful:
+            raise Unreadable(f'"{shown(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3')
+
+    def beside(self, depth: int) -> Expression | None:
+        """A factor written without a sign of multiplication; a bracket that holds a unit is none."""
+        if not _IMPLICIT.match(self.text, self.place):
+            return None
+        state = self.place, self.roots, self.surds, self.remark
+        try:
+            return self.power(depth)
+        except Unreadable:
+            if "(" not in self.text[state[0] : state[0] + 2]:
+                raise
+            self.place, self.roots, self.surds, self.remark = state
+            return None
+
+    def operator(self, marks: str) -> str | None:
+        found = _OPERATOR.match(self.text, self.place)
+        if found is None or found[1] not in marks or not _START.match(self.text, found.end()):
+            return None
+        self.place = found.end()
+        return found[1]
+
+    def power(self, depth: int) -> Expression:
+        base = self.atom(depth)
+        if found := _HALF.match(self.text, self.place):
+            self.place = found.end()
+            return self.root_of(base)
+        if found := _POWER.match(self.text, self.place):
+            self.place = found.end()
+            return _raised(base, int(found[1] or found[2]))
+        return base
+
+    def atom(self, depth: int) -> Expression:
+        self.atoms += 1
+        if self.atoms > MOST_ATOMS:
+            raise Unreadable(f"a formula of more than {MOST_ATOMS} parts; write a decimal number")
+        self.skip()
+        if found := _ROOT.match(self.text, self.place):
+            self.place = found.end()
+            return self.radical(depth)
+        if found := _PI.match(self.text, self.place):
+            self.place, self.surds, self.pi = found.end(), True, True
+            return Name("pi")
+        if self.text.startswith("(", self.place):
+            return self.bracket(depth)
+        return self.number()
+
+    def radical(self, depth: int) -> Expression:
+        """The root of a bracket or of one number; what stands beside the bare number is another matter."""
+        bracket = self.text.startswith("(", self.place)
+        tree = self.root_of(self.bracket(depth) if bracket else self.number(power_of_ten=False))
+        if not bracket and (after := _IMPLICIT.match(self.text, self.place)) and after[0].strip() in "(πΠ𝜋":
+            self.require_plain_order(bool(re.match(r"\s*(?:[πΠ𝜋]|\(\s*[0-9√])", self.text[self.place :])))
+        return tree
+
+    def root_of(self, tree: Expression) -> Expression:
+        self.roots, self.surds = self.roots + 1, True
+        if self.roots > MOST_ROOTS:
+            raise Unreadable(f"more than {MOST_ROOTS} roots; write a decimal number")
+        return Call("sqrt", (tree,))
+
+    def bracket(self, depth: int) -> Expression:
+        if depth >= MOST_BRACKETS:
+            raise Unreadable(f"brackets nested deeper than {MOST_BRACKETS}; write a decimal number")
+        self.place += 1
+        self.skip()
+        sign = self.text[self.place : self.place + 1]
+        self.place += sign in ("+", "-")
+        tree = self.sum(depth + 1)
+        self.skip()
+        if not self.text.startswith(")", self.place):
+            raise Unreadable(f'"{shown(self.text)}": a bracket is not closed, or holds more than a number')
+        self.place += 1
+        return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
+
+    def number(self, *, power_of_ten: bool = True) -> Expression:
+        """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a hundredth of √3."""
+        found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
+        if found is not None:
+            self.place, self.remark = found.end, self.remark or found.remark
+        vulgar = self.vulgar() if found is None or found.digits.isdigit() else None
+        if found is None and vulgar is None:
+            raise Unreadable(f'"{shown(self.text)}": a number was expected at "{shown(self.text[self.place :])}"')
+        if found is None or vulgar is None:
+            return vulgar or _literal(found.value if found else Fraction(0))
+        return Operation("+", _literal(found.value), vulgar)
+
+    def vulgar(self) -> Expression | None:
+        found = _MIXED.match(self.text, self.place)
+        if found is None:
+            return None
+        self.place = found.end()
+        return _literal(Fraction(numeric(found[0][-1])).limit_denominator(10))
+
+    def skip(self) -> None:
+        while self.text[self.place : self.place + 1].isspace():
+            self.place += 1
+
+
+def _literal(value: Fraction) -> Expression:
+    whole = Number(rational("1") * value.numerator)
+    return whole if value.denominator == 1 else Number(whole.value / value.denominator)
+
+
+def _raised(base: Expression, power: int) -> Expression:
+    """base**power; powers of ten go further than others."""
+    if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
+        return Number(base.value**power)
+    exponent = Number(rational(str(abs(power))))
+    return Operation("**", base, Operation("-", Number(rational("0")), exponent) if power < 0 else exponent)
+
+
+def worked_out(formula: Formula) -> Amount:
+    """The formula's value, exact where a small field holds it. Raises Unreadable for division by zero and the like."""
+    try:
+        if formula.roots <= MOST_EXACT_ROOTS and (amount := _exact(formula)) is not None:
+            return amount
+        arithmetic = Balls(PRECISION)
+        with arithmetic.context():
+            known = {"pi": arithmetic.turns(1)}
+            return Amount(evaluate(formula.tree, known, {"sqrt": elementary(arithmetic)["sqrt"]}, arithmetic))
+    except (ExpressionError, ArithmeticError) as fault:
+        text = str(fault).partition(":")[0]
+        raise Unreadable(f"has no value ({text}); one number was expected") from fault
+
+
+def _exact(formula: Formula) -> Amount | None:
+    """A rational number, a surd, or a rational multiple of pi; None for what is neither."""
+    field = Field()
+    try:
+        value = evaluate(formula.tree, {"pi": field.turns(1)}, {"sqrt": field.sqrt}, field)
+    except Inexact:
+        return None
+    except ExpressionError:
+        if not formula.pi:
+            raise
+        return None  # an angle beside a number, as in 1 + pi: a ball holds both
+    if isinstance(value, Angle):
+        return Amount(value.half_turns, 1)
+    return Amount(value)
+
+
+def converted(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
+    """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational, else to 38 digits.
+
+    Raises Unreadable where the value is too large, too small or not finite.
+    """
+    power = amount.pi + pi
+    arithmetic = Balls(PRECISION)
+    with arithmetic.context():
+        size = amount.size * factor.numerator / factor.denominator
+        if power == 0 and is_rational(size):
+            return _bounded(Fraction(int(size.p), int(size.q))), Fraction(0)
+        ball = arithmetic.number(size) if is_rational(size) or isinstance(size, Surd) else size
+        return _enclosed(ball * arithmetic.turns(1) ** power)
+
+
+def is_rational(size: Any) -> bool:
+    """Whether the size of an amount is a rational number, not a surd or a ball."""
+    return hasattr(size, "p") and hasattr(size, "q")
+
+
+def _enclosed(ball: Any) -> tuple[Fraction, Fraction]:
+    if not ball.is_finite() or not abs(ball) < 10**LARGEST_EXPONENT:
+        raise Unreadable(f"has no finite value, or one beyond 1e{LARGEST_EXPONENT}")
+    if 0 not in ball and not abs(ball) * 10**LARGEST_EXPONENT > 1:
+        raise Unreadable(f"a value below 1e-{LARGEST_EXPONENT}")
+    if 0 in ball:
+        return Fraction(0), KNOWN  # a difference that vanishes to more digits than any key has
+    low, high = (Fraction(int(side.p), int(side.q)) for side in bounds(ball, PRECISION))
+    middle = (low + high) / 2
+    return middle, max(abs(middle) * KNOWN, high - low)
+
+
+def _bounded(value: Fraction) -> Fraction:
+    if value and not _SMALLEST <= abs(value) <= _LARGEST:
+        raise Unreadable(f"a value beyond 1e{LARGEST_EXPONENT} or below 1e-{LARGEST_EXPONENT}")
+    return value
+
+
+def rational_amount(value: Fraction) -> Amount:
+    """A fraction as an amount."""
+    literal = _literal(value)
+    return Amount(literal.value if isinstance(literal, Number) else None)

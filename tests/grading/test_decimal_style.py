@@ -1,0 +1,69 @@
+"""What 1,234 and 1.234 mean in a file: declared, or shown by a student's other answers, or by all others that tell."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.grading.answers import Reading, read
+from kinegrade.grading.decimal_style import Mark, evidence, file_style
+
+
+@pytest.mark.parametrize(("cells", "decimal", "groups"), [
+    (["1,234", "1.234", "12", "x", ""], "", ""), (["0,5"], ",", ""), (["0.5"], ".", ""), (["v = 12,5 m/s"], ",", ""),
+    (["v_2 = 12,5"], ",", ""), (["0，5"], ",", ""), ([",5"], ",", ""), (["0,5", "0.5"], ",.", ""),
+    (["1,234.5"], ".", ","), (["1.234,5"], ",", "."), (["1,234,567"], "", ","), (["1 234,5"], ",", " "),
+    (["1'234"], "", ""), (["0,5", "1,234.5"], ",.", ","), (["1,23,4"], "", ""), (["1,234e3"], ",", ""),
+    (["1,234×10^3"], ",", ""), ([","], "", ""), (["9" * 300 + ",5"], "", ""),
+])  # fmt: skip
+def test_only_cells_beyond_doubt_count(cells: list[str], decimal: str, groups: str) -> None:
+    found = evidence(cells)
+    assert (found.decimal, found.groups) == (set(decimal), set(groups))
+
+
+def reading(typed: str, own: list[str], others: list[list[str]], declared: Mark | None = None) -> Reading:
+    """`typed` by a student with the answers `own`, in a file with `others`."""
+    rows = [[typed, *own], *others]
+    return read(typed, "m", file_style(rows, declared).of_row(rows[0]))
+
+
+@pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "said"), [
+    ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says otherwise"),
+    ("1.234", [], [], None, 1.234, ""),
+    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in this student's other answers"),
+    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in this student's other answers"),
+    ("1,234", ["0.5"], [], None, 1234, "the point is the decimal mark in this student's other answers"),
+    ("1,234", ["0.5"], [["12"]] * 9, None, 1234, "the point is the decimal mark in this student's other answers"),
+    ("1,234", ["2,345.6"], [["0,5"]] * 9, None, 1234, "this student groups digits by commas elsewhere"),
+    ("1,234", ["12"], [["0.5"], ["2.5"]], None, 1234,
+     "the point is the decimal mark in the answers of 2 students, and nobody's the comma"),
+    ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,  # one of four tells: too little to group others' digits
+     "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, the point in those of "
+     "1 student"),
+    ("1,234", ["0.5"], [["0,5"]], None, 1.234,
+     "a comma is the decimal mark, as the papers say; so it is in the answers of 1 student, the point in those of "
+     "1 student"),
+    ("1.234", ["0,5"], [["0.5"]], None, 1.234, ""),
+    ("1.234", ["0,5"], [["2,5"]], None, 1.234,
+     "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"),
+    ("1.234", ["2.345,6"], [["0.5"]] * 9, None, 1234, "this student groups digits by points elsewhere"),
+    ("1,234", ["0,5"], [], "point", 1234, "the decimal mark was declared to be the point"),
+    ("1.234", [], [["0.5"]], "comma", 1234, "the decimal mark was declared to be the comma"),
+])  # fmt: skip
+def test_one_lone_mark(
+    typed: str, own: list[str], others: list[list[str]], declared: Mark | None, *, value: float, said: str
+) -> None:
+    found = reading(typed, own, others, declared)
+    assert float(found.value or 0) == value
+    assert found.remark == (said and f"read as {found.read_as}: {said}")
+
+
+def test_commas_in_both_ways_are_unreadable() -> None:
+    assert reading("1,234", ["1,234.5", "0,5"], []).reason == (
+        '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare the decimal mark')
+
+
+@pytest.mark.parametrize("others", [[], [["0,5"]] * 5, [["0.5"]] * 5, [["0,5"], ["0.5"]]])
+def test_what_leaves_no_doubt_depends_on_no_style(others: list[list[str]]) -> None:
+    for typed, value in (("0,866", 0.866), ("0.866", 0.866), ("1,234.5", 1234.5), ("1.234,5", 1234.5), ("12", 12)):
+        found = reading(typed, [], others)
+        assert (float(found.value or 0), found.remark) == (value, "")

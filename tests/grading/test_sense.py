@@ -1,0 +1,67 @@
+"""Senses in words, in two languages and signs, under every convention that has one."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+import pytest
+
+from kinegrade.grading.number_text import Unreadable, folded
+from kinegrade.grading.sense import Sense, direction, without_sense
+
+WORDS: dict[Sense, tuple[str, ...]] = {
+    "ccw": ("ccw", "CCW", "c.c.w.", "acw", "counter-clockwise", "Counter clockwise", "anticlockwise", "逆时针",
+            "逆時針方向", "↺"),
+    "cw": ("cw", "c.w.", "clockwise", "Clockwise", "顺时针", "順時針", "顺时针转动", "↻"),
+    "right": ("right", "to the right", "rightwards", "向右", "水平向右", "→"),
+    "left": ("left", "to the left", "向左", "←"),
+    "up": ("up", "upwards", "向上", "竖直向上", "↑"),
+    "down": ("down", "downward", "向下", "铅直向下", "↓"),
+}  # fmt: skip
+FORMS = ("12 {}", "12 m/s {}", "12 m/s, {}", "12 m/s ({})", "12（{}）", "{} 12", "({}) 12", "{}: 12", "{}，12 m/s")
+
+
+@pytest.mark.parametrize("sense", get_args(Sense))
+def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
+    for word in WORDS[sense]:
+        for form in FORMS:
+            rest, found = without_sense(folded(form.format(word)))
+            assert (rest.strip(), found) == ("12 m/s" if "m/s" in form else "12", sense), form.format(word)
+
+
+@pytest.mark.parametrize("typed", ["12 m/s", "12 rad/s", "12 mcw", "scw 12", "12 upper", "上 12", "12 rightful", ""])
+def test_what_is_no_such_word_stays(typed: str) -> None:
+    assert without_sense(typed) == (typed, None)
+
+
+@pytest.mark.parametrize(("convention", "positive", "negative"), [
+    ("counter-clockwise positive", "ccw", "cw"), ("positive counter-clockwise about $O$", "ccw", "cw"),
+    ("ccw", "ccw", "cw"), ("positive clockwise about $O$", "cw", "ccw"), ("clockwise positive", "cw", "ccw"),
+    ("cw", "cw", "ccw"),
+    ("positive in the direction of $+x$", "right", "left"), ("positive in the direction of $-x$", "left", "right"),
+    ("positive in the direction of $+y$", "up", "down"), ("positive in the direction of $-y$", "down", "up"),
+    ("+x", "right", "left"), ("-x", "left", "right"), ("+y", "up", "down"), ("-y", "down", "up"),
+])  # fmt: skip
+def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negative: Sense) -> None:
+    assert direction(positive, "", convention) == direction(positive, "+", convention) == (1, "")
+    assert direction(negative, "", convention) == (-1, "")
+    for sign, sense in (("-", positive), ("-", negative), ("+", negative)):
+        with pytest.raises(Unreadable, match="together can mean either way; write one of the two"):
+            direction(sense, sign, convention)
+    for sense in set(get_args(Sense)) - {positive, negative}:
+        with pytest.raises(Unreadable, match="does not tell the sign of this answer"):
+            direction(sense, "", convention)
+
+
+@pytest.mark.parametrize("convention", [
+    "with its sign", "", "positive as a counter-clockwise rocker carries $D$",
+    "positive in the direction of $BO$ turned through $90^\\circ$ counter-clockwise",
+])
+def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> None:
+    with pytest.raises(Unreadable, match="does not tell the sign of this answer"):
+        direction("ccw", "", convention)
+
+
+@pytest.mark.parametrize("convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"])
+def test_words_are_left_out_where_there_is_no_sign(convention: str) -> None:
+    assert direction("cw", "", convention) == (1, "a sense (clockwise) is not asked for; it was left out")
