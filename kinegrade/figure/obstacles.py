@@ -26,7 +26,6 @@ from kinegrade.mechanics.vector import Vector
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Segment = tuple[Vector, Vector]
-Pair = tuple[Floats, Floats]  # x and y
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
@@ -60,13 +59,11 @@ class Obstacles:
 
     def under_boxes(self, centres: Floats, width: float, height: float) -> Floats:
         """For an upright box about each centre (rows x, y) the sum of what it covers; zero when it is free."""
-        x, y = centres.T[:, :, None]
-        across, upward = width / 2, height / 2
-        line_x, line_y, dx, dy, pen, cost = self._near(x, y, across, upward)
-        met = _clipped((line_x - x, line_y - y), (dx, dy), (across + pen, upward + pen))
-        ring_x, ring_y, inner, outer, ring_cost = self._rings
-        rings = _encircled((ring_x - x, ring_y - y), (across, upward), inner, outer)
-        return np.asarray(met @ cost + rings @ ring_cost)
+        middles, half = centres.T[:, :, None], np.array(((width / 2,), (height / 2,)))
+        lines = self._near(centres.min(axis=0) - half[:, 0], centres.max(axis=0) + half[:, 0])
+        met = _clipped(lines[:2, None] - middles, lines[2:4, None], (half + lines[4])[:, None])
+        rings = _encircled(self._rings[:2, None] - middles, half[:, None], self._rings[2], self._rings[3])
+        return np.asarray(met @ lines[5] + rings @ self._rings[4])
 
     def along(self, paths: Sequence[Sequence[Segment]], shared: bool) -> Floats:
         """For each path of straight pieces the cost of drawing something thin along it.
@@ -89,8 +86,8 @@ class Obstacles:
             return False
         toward = (end - start) / size
         line_x, line_y, dx, dy = self._lines[:4]
-        near, near_off = _turned(line_x - start.x, line_y - start.y, *toward)
-        far, far_off = _turned(line_x + dx - start.x, line_y + dy - start.y, *toward)
+        near, near_off = _turned(np.array((line_x - start.x, line_y - start.y)), np.array(toward))
+        far, far_off = _turned(np.array((line_x + dx - start.x, line_y + dy - start.y)), np.array(toward))
         on_axis = (np.abs(near_off) < SAME_AXIS) & (np.abs(far_off) < SAME_AXIS)
         ends = (np.abs(np.minimum(near, far)) <= gap) & (np.abs(np.maximum(near, far) - size) <= gap)
         return bool((on_axis & ends).any())
@@ -99,54 +96,51 @@ class Obstacles:
         self, pieces: Floats, half: float, shared: bool
     ) -> tuple[tuple[Flags, Floats], tuple[Flags, Floats]]:
         """Which lines and rings, and at what cost, are met by strips whose axes are the pieces (x, y, x, y)."""
-        start_x, start_y, end_x, end_y = pieces.T[:, :, None]
-        x, y = (start_x + end_x) / 2, (start_y + end_y) / 2
-        size = np.maximum(np.hypot(end_x - start_x, end_y - start_y), TOUCH)
-        toward = (end_x - start_x) / size, (end_y - start_y) / size
+        starts, ends = pieces.T[:2, :, None], pieces.T[2:, :, None]
+        middles, steps = (starts + ends) / 2, ends - starts
+        size = np.maximum(np.hypot(steps[0], steps[1]), TOUCH)
+        toward = steps / size
         reach = float(size.max()) / 2 + half
-        line_x, line_y, dx, dy, pen, cost = self._near(x, y, reach, reach)
-        along, off = _turned(line_x - x, line_y - y, *toward)
-        step, rise = _turned(dx, dy, *toward)
-        met = _clipped((along, off), (step, rise), (size / 2 + pen, half + pen))
+        lines = self._near(middles.min(axis=1)[:, 0] - reach, middles.max(axis=1)[:, 0] + reach)
+        start = _turned(lines[:2, None] - middles, toward)
+        step = _turned(lines[2:4, None], toward)
+        met = _clipped(start, step, np.array((size / 2 + lines[4], np.broadcast_to(half + lines[4], step[1].shape))))
         if shared:
-            met &= (np.abs(off) > SAME_AXIS) | (np.abs(off + rise) > SAME_AXIS) | (cost > COST_THIN)
-        ring_x, ring_y, inner, outer, ring_cost = self._rings
-        rings = _encircled(_turned(ring_x - x, ring_y - y, *toward), (size / 2, half), inner, outer)
-        return (met, cost), (rings, ring_cost)
+            met &= (np.abs(start[1]) > SAME_AXIS) | (np.abs(start[1] + step[1]) > SAME_AXIS) | (lines[5] > COST_THIN)
+        inner, outer, ring_cost = self._rings[2:]
+        around = np.array((size / 2, np.full_like(size, half)))
+        rings = _encircled(_turned(self._rings[:2, None] - middles, toward), around, inner, outer)
+        return (met, lines[5]), (rings, ring_cost)
 
-    def _near(self, x: Floats, y: Floats, across: float, upward: float) -> Floats:
-        """The lines that come near any of the boxes: most do not, and clipping is what costs."""
-        left, bottom, right, top = self._lines[6:]
-        within = (right >= x.min() - across) & (left <= x.max() + across)
-        within &= (top >= y.min() - upward) & (bottom <= y.max() + upward)
-        return np.asarray(self._lines[:6].compress(within, axis=1))
-
-
-def _clipped(start: Pair, step: Pair, half: Pair) -> Flags:
-    """Whether lines meet boxes about the origin, given by their half sizes (Liang and Barsky)."""
-    enters_x, leaves_x = _passage(start[0], step[0], half[0])
-    enters_y, leaves_y = _passage(start[1], step[1], half[1])
-    first = np.maximum(np.maximum(enters_x, enters_y), 0.0)
-    return np.asarray(first <= np.minimum(np.minimum(leaves_x, leaves_y), 1.0))
+    def _near(self, lower: Floats, upper: Floats) -> Floats:
+        """The lines that come near a box (its corners x, y): most do not, and clipping is what costs."""
+        within = (self._lines[8:] >= lower[:, None]) & (self._lines[6:8] <= upper[:, None])
+        return self._lines[:6].compress(within[0] & within[1], axis=1)
 
 
-def _passage(start: Floats, step: Floats, half: Floats) -> tuple[Floats, Floats]:
-    """Where on its way, in shares of the step, a coordinate enters and leaves the band about zero."""
+def _clipped(start: Floats, step: Floats, half: Floats) -> Flags:
+    """Whether lines meet boxes about the origin, given by their half sizes (Liang and Barsky); x, y come first.
+
+    On its way, in shares of the step, a coordinate enters and leaves the band about zero.
+    """
     pace = 1.0 / np.where(np.abs(step) < 1e-9, 1e-9, step)
     middle, reach = start * -pace, (half - TOUCH) * np.abs(pace)
-    return middle - reach, middle + reach
+    enters, leaves = middle - reach, middle + reach
+    first = np.maximum(np.maximum(enters[0], enters[1]), 0.0)
+    return np.asarray(first <= np.minimum(np.minimum(leaves[0], leaves[1]), 1.0))
 
 
-def _encircled(centre: Pair, half: tuple[Floats | float, Floats | float], inner: Floats, outer: Floats) -> Flags:
+def _encircled(centre: Floats, half: Floats, inner: Floats, outer: Floats) -> Flags:
     """Whether rings meet boxes about the origin: the box's nearest point within, its farthest without."""
-    x, y, across, upward = np.abs(centre[0]), np.abs(centre[1]), half[0] - TOUCH, half[1] - TOUCH
-    nearest = np.maximum(x - across, 0.0) ** 2 + np.maximum(y - upward, 0.0) ** 2
-    return np.asarray((nearest <= outer**2) & ((x + across) ** 2 + (y + upward) ** 2 >= inner**2))
+    away, reach = np.abs(centre), half - TOUCH
+    near, far = np.maximum(away - reach, 0.0) ** 2, (away + reach) ** 2
+    return np.asarray((near[0] + near[1] <= outer**2) & (far[0] + far[1] >= inner**2))
 
 
-def _turned(x: Floats, y: Floats, along: Floats, across: Floats) -> tuple[Floats, Floats]:
+def _turned(vectors: Floats, toward: Floats) -> Floats:
     """The components of vectors along and across a direction."""
-    return x * along + y * across, y * along - x * across
+    (x, y), (along, across) = vectors, toward
+    return np.array((x * along + y * across, y * along - x * across))
 
 
 def _joined(base: Floats | None, found: list[tuple[float, ...]], numbers: int) -> Floats:

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import lru_cache
+
+from kinegrade.figure.alike import Subject, subject
 from kinegrade.figure.angles import angle_marks, least_legs
 from kinegrade.figure.dimensions import length_marks
-from kinegrade.figure.layers import Drawing, cam_outline, draw
+from kinegrade.figure.fitting import HEIGHT, WIDTH, fitted, span_of
+from kinegrade.figure.layers import Drawing, draw
 from kinegrade.figure.layout import Layout
 from kinegrade.figure.motions import moving_marks, pivot_of, turning_marks
 from kinegrade.figure.names import body_names, letters
@@ -12,23 +17,19 @@ from kinegrade.figure.paper import to_paper
 from kinegrade.figure.place import Wish, around
 from kinegrade.figure.plane import length
 from kinegrade.figure.radii import radius_marks
-from kinegrade.figure.rims import rims
-from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around, moved
+from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around
 from kinegrade.figure.symbols import arrowhead
 from kinegrade.figure.view import in_view
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
-WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
 SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first guess
 WRITING = 4.0, 5.6  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
 ARROWS = 6.6, 2.2  # millimetres that straight arrows take beside the symbols, as a rule
 AXES = 0.0, 4.4  # millimetres that a frame of axes takes at the side, as a rule
 USUAL, FURTHER = 4, 1.2  # marks that find room within WRITING, and the millimetres that each further one takes
 LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
-ATTEMPTS = 6
-MARGIN = 1.2  # millimetres a figure that was too large is aimed below its limit, for marks find new places
 PLAIN = FigureHints()
 
 
@@ -37,17 +38,18 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
-    mechanism = in_view(mechanism, hints)
-    span = _span(mechanism, hints)
+    shown, size = subject(in_view(mechanism, hints), hints)
+    scene = _sketched(shown)
+    return replace(scene, scale=scene.scale / size)
+
+
+@lru_cache(maxsize=256)
+def _sketched(shown: Subject) -> Scene:
+    """The figure of a mechanism of unit size."""
+    mechanism, hints = shown.mechanism, shown.hints
+    span = span_of(mechanism, hints)
     scale = _first_scale(mechanism, hints, span)
-    for _ in range(ATTEMPTS):
-        primitives = _compose(mechanism, hints, scale)
-        box = box_around(primitives)
-        if box.width <= WIDTH and box.height <= HEIGHT:
-            break
-        scale *= min(_shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, HEIGHT, span[1] * scale))
-    home = Vector(-box.left, -box.bottom)
-    return Scene(box.width, box.height, scale, tuple(moved(primitive, home) for primitive in primitives))
+    return fitted(lambda scale: _compose(mechanism, hints, scale), scale, span)
 
 
 def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
@@ -114,21 +116,3 @@ def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, fl
         beside += straight * ARROWS[axis] + hints.axes * AXES[axis]
         factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
     return min(factors)
-
-
-def _span(mechanism: Mechanism, hints: FigureHints) -> tuple[float, float]:
-    """Width and height in metres of what scales: points, circles, profiles of cams."""
-    boxes = [(point, 0.0) for point in mechanism.points.values()]
-    for rim in rims(mechanism, hints.shapes, hints.circles):
-        cam = rim.kind == "cam"
-        boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)] if cam else [(rim.at, rim.radius)]
-    across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
-    upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
-    return max(across) - min(across), max(upward) - min(upward)
-
-
-def _shrink(size: float, limit: float, scaled: float) -> float:
-    """The factor that brings a size within its limit when only its scaled part shrinks."""
-    if size <= limit or scaled <= 0:
-        return 1.0
-    return min(0.98, max(0.5, (limit - MARGIN - (size - scaled)) / scaled))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 import tylax
 
@@ -18,7 +19,6 @@ from kinegrade.figure.scene import (
     Primitive,
     Scene,
     Strokes,
-    moved,
 )
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import symbol_fault
@@ -31,12 +31,19 @@ def to_typst(scene: Scene) -> str:
 
     Raises TypesetError for a label that is no LaTeX symbol.
     """
-    lines = [_write(_downward(primitive, scene.height)) for primitive in scene.primitives]
+    return _box(scene.width, scene.height, scene.primitives)
+
+
+@lru_cache(maxsize=256)
+def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
+    """The box of a figure; papers of a class hold many equal ones."""
+    lines = [_write(primitive, height) for primitive in primitives]
     body = "\n".join(f"  {line}" for line in lines)
-    size = f"width: {_mm(scene.width)}, height: {_mm(scene.height)}"
+    size = f"width: {_mm(width)}, height: {_mm(height)}"
     return f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n{body}\n}})"
 
 
+@lru_cache(maxsize=1024)
 def math_to_typst(symbol: str) -> str:
     """A LaTeX symbol as Typst math with its dollar signs.
 
@@ -52,50 +59,34 @@ def math_to_typst(symbol: str) -> str:
     return str(tylax.latex_to_typst(f"${primes}$"))
 
 
-def _write(primitive: Primitive) -> str:
+def _write(primitive: Primitive, height: float) -> str:
+    """The primitive in Typst's frame, whose y axis points down from the top of the figure."""
     if isinstance(primitive, Label):
-        return _write_label(primitive)
+        return _write_label(primitive, height)
     if isinstance(primitive, Disc):
-        corner = primitive.centre - Vector(primitive.radius, primitive.radius)
-        circle = f"circle(radius: {_mm(primitive.radius)}, {_style(primitive.pen, primitive.fill)})"
-        return f"place(dx: {_mm(corner.x)}, dy: {_mm(corner.y)}, {circle})"
+        radius = primitive.radius
+        corner = _at(primitive.centre.x - radius, height - primitive.centre.y - radius)
+        return f"{corner}, circle(radius: {_mm(radius)}, {_style(primitive.pen, primitive.fill)}))"
     if isinstance(primitive, Strokes):
-        steps = [f"curve.move({_at(start)}), curve.line({_at(end)})" for start, end in primitive.lines]
+        steps = [f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
+                 for start, end in primitive.lines]
         return f"place(curve({_style(primitive.pen, 'none')}, {', '.join(steps)}))"
     outline = (
         Outline(primitive.path(), primitive.pen, closed=False) if isinstance(primitive, Bow) else primitive
     )
-    first, *rest = outline.corners
-    steps = [f"curve.move({_at(first)})", *(f"curve.line({_at(corner)})" for corner in rest)]
+    first, *rest = (_point(corner, height) for corner in outline.corners)
+    steps = [f"curve.move({first})", *(f"curve.line({corner})" for corner in rest)]
     closing = ['curve.close(mode: "straight")'] if outline.closed else []
     return f"place(curve({_style(outline.pen, outline.fill)}, {', '.join(steps + closing)}))"
 
 
-def _write_label(label: Label) -> str:
-    corner = label.centre - Vector(label.width, label.height) / 2
+def _write_label(label: Label, height: float) -> str:
+    corner = _at(label.centre.x - label.width / 2, height - label.centre.y - label.height / 2)
     size = f"width: {_mm(label.width)}, height: {_mm(label.height)}"
-    box = f"box({size}, align(center + horizon, box({math_to_typst(label.symbol)})))"
-    return f"place(dx: {_mm(corner.x)}, dy: {_mm(corner.y)}, {box})"
+    return f"{corner}, box({size}, align(center + horizon, box({math_to_typst(label.symbol)}))))"
 
 
-def _downward(primitive: Primitive, height: float) -> Primitive:
-    """The primitive in Typst's frame, whose y axis points down from the top."""
-    if isinstance(primitive, Strokes):
-        lines = tuple((_flip(start, height), _flip(end, height)) for start, end in primitive.lines)
-        return Strokes(lines, primitive.pen)
-    if isinstance(primitive, Bow):
-        path = tuple(_flip(point, height) for point in primitive.path())
-        return Outline(path, primitive.pen, closed=False)
-    if isinstance(primitive, Outline):
-        path = tuple(_flip(corner, height) for corner in primitive.corners)
-        return Outline(path, primitive.pen, primitive.fill, primitive.closed)
-    return moved(primitive, _flip(primitive.centre, height) - primitive.centre)
-
-
-def _flip(point: Vector, height: float) -> Vector:
-    return Vector(point.x, height - point.y)
-
-
+@lru_cache(maxsize=64)
 def _style(pen: Pen | None, fill: Fill) -> str:
     return f"stroke: {_stroke(pen)}, fill: {_FILLS[fill]}"
 
@@ -107,8 +98,12 @@ def _stroke(pen: Pen | None) -> str:
     return f'(thickness: {_mm(pen.width)}, cap: "round", join: "round"{dash})'
 
 
-def _at(point: Vector) -> str:
-    return f"({_mm(point.x)}, {_mm(point.y)})"
+def _at(across: float, downward: float) -> str:
+    return f"place(dx: {_mm(across)}, dy: {_mm(downward)}"
+
+
+def _point(point: Vector, height: float) -> str:
+    return f"({_mm(point.x)}, {_mm(height - point.y)})"
 
 
 def _mm(value: float) -> str:

@@ -10,7 +10,6 @@ import re
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Any, Literal, cast
 
 from kinegrade.errors import TemplateError, did_you_mean
@@ -29,11 +28,12 @@ GREEK = re.findall(
     "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
 )
 COMMANDS = frozenset(
-    (*GREEK, "mathrm", "mathbf", "vec", "dot", "ddot", "bar", "sqrt", "frac", "prime", "circ", "cdot")
+    (*GREEK, "mathrm", "mathbf", "boldsymbol", "vec", "dot", "ddot", "bar", "sqrt", "frac", "prime", "circ", "cdot",
+     "infty")
 )
 _LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
 _DANGLING = re.compile(
-    r"[_^]\s*(?:[_^}]|$)|^\s*[_^]|\\(?:sqrt|mathrm|mathbf|vec|dot|ddot|bar|frac)(?![A-Za-z])\s*(?!\{)"
+    r"[_^]\s*(?:[_^}]|$)|^\s*[_^]|\\(?:sqrt|mathrm|mathbf|boldsymbol|vec|dot|ddot|bar|frac)(?![A-Za-z])\s*(?!\{)"
 )
 _TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
@@ -116,8 +116,8 @@ class FigureHints:
     circles: tuple[Rimmed, ...] = ()
     lines: tuple[tuple[str, str], ...] = ()
     arrows: tuple[Turning | Moving, ...] = ()
-    labels: Mapping[str, str | None] = field(default_factory=lambda: MappingProxyType({}))
-    shapes: Mapping[str, Shape] = field(default_factory=lambda: MappingProxyType({}))
+    labels: Mapping[str, str | None] = field(default_factory=dict)
+    shapes: Mapping[str, Shape] = field(default_factory=dict)
     axes: bool = False
 
 
@@ -269,7 +269,7 @@ class _Reader:
             if problem:
                 self.fault(f"labels.{name}", problem)
             found[name] = text if text and problem is None else None
-        return MappingProxyType(found)
+        return found
 
     def shapes(self, value: object) -> Mapping[str, Shape]:
         found: dict[str, Shape] = {}
@@ -278,7 +278,7 @@ class _Reader:
                 found[name] = cast(Shape, shape)
             else:
                 self.fault(f"shapes.{name}", f"no shape {shape!r}; {did_you_mean(str(shape), SHAPES)}")
-        return MappingProxyType(found)
+        return found
 
     def pairs(self, key: str, value: object, names: AbstractSet[str]) -> list[tuple[str, Any]]:
         if not isinstance(value, dict):

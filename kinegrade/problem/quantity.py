@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from flint import arb, fmpq
@@ -41,7 +42,7 @@ class Quantity:
         """Whether the number is exact, not an enclosure."""
         return not isinstance(self.number, arb)
 
-    @property
+    @cached_property
     def exact(self) -> str | None:
         """The exact number as text that our grammar reads back, or None for an enclosure."""
         if not self.is_exact:
@@ -90,10 +91,15 @@ class Quantity:
             return not self.number.parts and bool(self.number.half_turns == 0)
         return 0 in self.number if isinstance(self.number, arb) else bool(self.number == 0)
 
+    @cached_property
+    def certified(self) -> str:
+        """The number to CERTIFIED_DIGITS significant digits, correctly rounded."""
+        return self.decimal(CERTIFIED_DIGITS)
+
     @property
     def value(self) -> float:
         """The nearest double; infinity at infinity."""
-        return float(self.decimal(CERTIFIED_DIGITS))  # from 17 digits one in a hundred would be off by one bit
+        return float(self.certified)  # from 17 digits one in a hundred would be off by one bit
 
     def decimal(self, digits: int) -> str:
         """The number to `digits` significant digits, correctly rounded."""
@@ -114,7 +120,7 @@ class Quantity:
     def record(self) -> dict[str, Any]:
         """exact, value and unit, as the key and `solve --json` write them; no value at infinity."""
         return {"exact": self.exact, "value": None if self.at_infinity else self.value, "unit": self.unit,
-                "decimal": self.decimal(CERTIFIED_DIGITS)}
+                "decimal": self.certified}
 
 
 def is_short_decimal(number: Any) -> bool:

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from jinja2 import StrictUndefined, TemplateSyntaxError, UndefinedError, nodes
+from jinja2 import Template as JinjaTemplate
 from jinja2.sandbox import SandboxedEnvironment
 
 from kinegrade.errors import TemplateError
@@ -55,9 +57,15 @@ def statement(template: Template, parameters: Mapping[str, Quantity], language: 
               for name, quantity in parameters.items()}
     text = template.statement.in_language(language)
     try:
-        return ENVIRONMENT.from_string(text).render(givens)
+        return prepared(text).render(givens)
     except (TemplateSyntaxError, UndefinedError) as error:
         raise TemplateError(f"{template.name}.toml: statement.{language}: {error.message}") from error
+
+
+@lru_cache(maxsize=256)
+def prepared(text: str) -> JinjaTemplate:
+    """A statement's text read once; raises TemplateSyntaxError."""
+    return ENVIRONMENT.from_string(text)
 
 
 def check_statements(template: Template) -> None:

@@ -1,4 +1,4 @@
-"""The Typst back end sets every primitive, and nothing but symbols reaches the typesetter."""
+"""The Typst back end's own ways; what it shares with the other stands in test_back_ends."""
 
 from __future__ import annotations
 
@@ -7,14 +7,10 @@ import json
 import pytest
 import typst
 
-from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import symbol_size
 from kinegrade.figure.names import point_symbol
-from kinegrade.figure.scene import Label, Scene
-from kinegrade.figure.sketch import sketch
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import math_to_typst, to_typst
-from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import EIGHT
 
 SYMBOLS = [
     "O",
@@ -44,12 +40,6 @@ SYMBOLS += [
 ]
 
 
-def test_all_eight_figures_compile_on_one_page_each() -> None:
-    scenes = [sketch(*build(*values[0])) for build, values in EIGHT.values()]
-    page = "#set page(width: auto, height: auto)\n" + "\n#pagebreak()\n".join(map(to_typst, scenes))
-    assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
-
-
 def test_the_box_has_the_size_of_the_scene() -> None:
     source = to_typst(Scene(30.0, 20.0, 1.0, ()))
     assert source.startswith("#box(width: 30mm, height: 20mm, {")
@@ -76,9 +66,3 @@ def test_point_names_become_symbols(name: str, symbol: str) -> None:
 
 def test_primes_are_raised() -> None:
     assert math_to_typst("O'") == "$O^(prime)$"
-
-
-def test_what_is_no_symbol_is_refused() -> None:
-    scene = Scene(9.0, 9.0, 1.0, (Label("#read(1)", Vector(1.0, 1.0), 1.0, 1.0),))
-    with pytest.raises(TypesetError, match=r"figure: label: '#read\(1\)' has characters no symbol needs"):
-        to_typst(scene)

@@ -1,0 +1,61 @@
+"""Mechanisms that differ only in size and speed have one figure, and a class's papers hold many such.
+
+A figure is to scale, but the scale is chosen to fill the paper, so it shows shape alone; of given motions it shows the
+sense. What it shows is brought here to a form in which alike mechanisms are equal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from typing import Any
+
+from kinegrade.figure.paper import to_paper
+from kinegrade.figure.plane import unit
+from kinegrade.mechanics.joints import Circle, Line
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
+
+DECIMALS = 10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a figure shows: a mechanism of unit size with its hints; two are equal when their texts are."""
+
+    text: str
+    mechanism: Mechanism = field(compare=False)
+    hints: FigureHints = field(compare=False)
+
+
+def subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
+    """The subject of a mechanism's figure, and the mechanism's size in metres."""
+    size = max((abs(number) for number in _lengths(mechanism)), default=0.0) or 1.0
+    scaled = to_paper(mechanism, 1 / size)
+    shown = Mechanism({name: _settled(point) for name, point in scaled.points.items()}, scaled.bodies,
+                      tuple(map(_settled, scaled.joints)), tuple(map(_sense, scaled.drivers)))
+    return Subject(repr((shown, hints)), shown, hints), size
+
+
+def _lengths(mechanism: Mechanism) -> list[float]:
+    """All coordinates, and the radii of all circles."""
+    circles = (getattr(joint, name, None) for joint in mechanism.joints for name in ("circle", "on"))
+    radii = [circle.radius for circle in circles if isinstance(circle, Circle)]
+    return radii + [number for point in mechanism.points.values() for number in point]
+
+
+def _settled(part: Any) -> Any:
+    """A vector, line, circle or joint without the last bits of its numbers; directions of unit length."""
+    if isinstance(part, Vector):
+        return Vector(round(part.x, DECIMALS) + 0.0, round(part.y, DECIMALS) + 0.0)
+    if isinstance(part, Line):
+        return Line(_settled(part.point), _settled(unit(part.direction)))
+    if is_dataclass(part) and not isinstance(part, type):
+        return replace(part, **{entry.name: _settled(getattr(part, entry.name)) for entry in fields(part)})
+    return round(part, DECIMALS) if isinstance(part, float) else part
+
+
+def _sense(driver: Any) -> Any:
+    """A driver by the sense of its velocity alone."""
+    direction = {"direction": _settled(unit(driver.direction))} if hasattr(driver, "direction") else {}
+    return replace(driver, velocity=-1.0 if driver.velocity < 0 else 1.0, acceleration=0.0, **direction)

@@ -1,0 +1,70 @@
+"""The mechanism alone with its letters, as a ground for the vectors of a worked solution."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from kinegrade.figure.fitting import HEIGHT, WIDTH, span_of
+from kinegrade.figure.layers import Drawing, draw
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.paper import to_paper
+from kinegrade.figure.scene import BOLD, Disc, Primitive, Strokes, box_around
+from kinegrade.figure.symbols import PIN
+from kinegrade.figure.view import in_view
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
+
+LARGEST_PIN = PIN + 0.1  # millimetres, radius of what is drawn at a point
+SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first guess
+
+
+def without_givens(hints: FigureHints) -> FigureHints:
+    """The hints about the mechanism itself: no dimensions, angles, radii, given motions and axes."""
+    return replace(hints, lengths=(), angles=(), radii=(), arrows=(), axes=False)
+
+
+@dataclass(frozen=True)
+class BareMechanism:
+    """A mechanism (metres) without what is given, with `beside` it the points that must be in the picture."""
+
+    mechanism: Mechanism
+    hints: FigureHints
+    beside: tuple[Vector, ...] = ()
+
+    @staticmethod
+    def of(mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()) -> BareMechanism:
+        """The mechanism of a figure without its givens."""
+        bare = without_givens(hints)
+        return BareMechanism(in_view(mechanism, bare), bare, tuple(beside))
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Width and height of what scales, m."""
+        return span_of(self.mechanism, self.hints, self.beside)
+
+    def first_scale(self, height: float = HEIGHT) -> float:
+        """The largest scale, in millimetres per metre, at which the mechanism's own symbols fit under that height."""
+        across, upward = (max(size, 1e-9) for size in self.span)
+        guess = min((WIDTH - SURROUND) / across, (height - SURROUND) / upward)
+        drawn = box_around(self.at(guess)[1].primitives)
+        return guess * min(1.0, WIDTH / drawn.width, height / drawn.height)
+
+    def at(self, scale: float) -> tuple[Mechanism, Drawing]:
+        """The mechanism in millimetres on paper, and its drawing."""
+        paper = to_paper(self.mechanism, scale)
+        return paper, draw(paper, self.hints)
+
+
+def bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
+    """The straight bold lines, on which no arrow can be seen."""
+    for primitive in primitives:
+        if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
+            yield from primitive.lines
+
+
+def pins(primitives: Iterable[Primitive]) -> tuple[Primitive, ...]:
+    """The small circles of pins and marked points, to be drawn once more on top of arrows that start there."""
+    discs = (part for part in primitives if isinstance(part, Disc) and part.fill != "none")
+    return tuple(disc for disc in discs if disc.radius <= LARGEST_PIN)

@@ -1,0 +1,58 @@
+"""To scale and within the paper: the largest scale at which a drawing, whose symbols do not scale, fits its frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from kinegrade.figure.layers import cam_outline
+from kinegrade.figure.rims import rims
+from kinegrade.figure.scene import Primitive, Scene, box_around, moved
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
+
+WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
+ATTEMPTS = 6
+MARGIN = 1.2  # millimetres a figure that was too large is aimed below its limit, for marks find new places
+
+
+def fitted(
+    compose: Callable[[float], tuple[Primitive, ...]], scale: float, span: tuple[float, float], height: float = HEIGHT
+) -> Scene:
+    """The scene that `compose` gives at the first scale, from `scale` downward, at which it is within WIDTH x `height`.
+
+    `span` is the width and height of what scales, in the unit that the scale (millimetres per unit) is about.
+    """
+    for _ in range(ATTEMPTS):
+        primitives = compose(scale)
+        box = box_around(primitives)
+        if box.width <= WIDTH and box.height <= height:
+            break
+        scale *= min(_shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, height, span[1] * scale))
+    return scene_of(primitives, scale)
+
+
+def scene_of(primitives: Iterable[Primitive], scale: float) -> Scene:
+    """The primitives as a scene, moved so that nothing is left of or below its corner."""
+    drawn = tuple(primitives)
+    box = box_around(drawn)
+    home = Vector(-box.left, -box.bottom)
+    return Scene(box.width, box.height, scale, tuple(moved(primitive, home) for primitive in drawn))
+
+
+def span_of(mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()) -> tuple[float, float]:
+    """Width and height in metres of what scales: points, circles, profiles of cams, and points `beside` them."""
+    boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
+    for rim in rims(mechanism, hints.shapes, hints.circles):
+        cam = rim.kind == "cam"
+        boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)] if cam else [(rim.at, rim.radius)]
+    across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
+    upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
+    return max(across) - min(across), max(upward) - min(upward)
+
+
+def _shrink(size: float, limit: float, scaled: float) -> float:
+    """The factor that brings a size within its limit when only its scaled part shrinks."""
+    if size <= limit or scaled <= 0:
+        return 1.0
+    return min(0.98, max(0.5, (limit - MARGIN - (size - scaled)) / scaled))

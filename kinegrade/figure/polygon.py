@@ -1,0 +1,97 @@
+"""The polygon of a vector equation, to scale: both sides laid tip to tail from one origin to one end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import floor, log10
+
+from kinegrade.figure.fitting import HEIGHT, WIDTH, scene_of
+from kinegrade.figure.layout import Layout
+from kinegrade.figure.place import Wish, around
+from kinegrade.figure.plane import length
+from kinegrade.figure.scene import Disc, Primitive, Scene
+from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
+from kinegrade.mechanics.vector import Vector
+
+WIDE, HIGH = 52.0, 38.0  # millimetres an own polygon takes at most: the rest of a figure is for symbols
+ROUND = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # leading figures of a scale that is easily told
+NEGLIGIBLE = 0.01  # of the longest vector: what is shorter is not drawn
+OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
+LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
+TINY = 1e-12
+ORIGIN = "o"
+ZERO = Vector(0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A vector of an equation by its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known` before solving."""
+
+    symbol: str
+    value: Vector
+    known: bool = True
+
+
+def polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
+    """The polygon of "sum of `left` = sum of `right`" from the common origin o.
+
+    Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors shorter than a
+    hundredth of the longest are not drawn. Where vectors lie on one line they are drawn side by side, tied by
+    thin lines to where they belong. The scale of the scene is millimetres per m/s (or m/s^2), a round number.
+    The figure is within WIDTH x HEIGHT of `fitting`.
+    """
+    across, upward = (_span(axis) for axis in zip(*_corners(left), *_corners(right), strict=True))
+    if across + upward == 0.0:
+        return scene_of(_compose(left, right, 1.0), 1.0)
+    scale = round_below(min(WIDE / max(across, TINY), HIGH / max(upward, TINY)))
+    scene = scene_of(_compose(left, right, scale), scale)
+    while (scene.width > WIDTH or scene.height > HEIGHT) and max(across, upward) * scale > LEAST:
+        scale = round_below(scale * 0.99)
+        scene = scene_of(_compose(left, right, scale), scale)
+    return scene
+
+
+def round_below(number: float) -> float:
+    """The largest round number that is not above a positive number.
+
+    >>> round_below(13.7), round_below(0.0299)
+    (12.0, 0.025)
+    """
+    power = 10.0 ** floor(log10(number) + 1e-9)
+    leading = max(figure for figure in ROUND if figure <= number / power * (1 + 1e-9))
+    return float(f"{leading * power:.6g}")
+
+
+def _corners(chain: Sequence[Arrow]) -> Iterator[Vector]:
+    """The origin and the tips of a chain."""
+    at = ZERO
+    yield at
+    for arrow in chain:
+        at = at + arrow.value
+        yield at
+
+
+def _span(numbers: Sequence[float]) -> float:
+    return max(numbers) - min(numbers)
+
+
+def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[Primitive, ...]:
+    """The arrows, then the symbols, of the shortest arrow first: it has the least choice of place."""
+    least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
+    laid = [arrow for side in (left, right) for arrow in _laid(side, scale, least)]
+    arrows = side_by_side(laid, (), OFFSETS)
+    origin = Disc(ZERO, 0.5, None, "black")
+    ties = (tie for arrow in arrows for tie in arrow.ties())
+    layout = Layout.of((*ties, *(part for arrow in arrows for part in arrow.primitives()), origin))
+    for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
+        layout = layout.written((arrow.wish_beside(arrows),))
+    leaving = sum((arrow.end for arrow in arrows), ZERO)
+    return layout.written((Wish(ORIGIN, around(ORIGIN, ZERO, away=-leaving)),)).primitives
+
+
+def _laid(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
+    """The arrows of one side tip to tail on paper, without the negligible ones."""
+    for arrow, start, end in zip(chain, list(_corners(chain))[:-1], list(_corners(chain))[1:], strict=True):
+        if length(arrow.value) > least:
+            yield VectorArrow(arrow.symbol, start * scale, end * scale, arrow.known)

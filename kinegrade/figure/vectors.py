@@ -1,0 +1,103 @@
+"""The mechanism to scale with velocities or accelerations as arrows at its points, and rotations as curved arrows."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kinegrade.figure.bare import BareMechanism, bold_lines, pins
+from kinegrade.figure.fitting import fitted
+from kinegrade.figure.layers import Drawing
+from kinegrade.figure.layout import Layout
+from kinegrade.figure.motions import pivot_of, turning_marks
+from kinegrade.figure.names import body_names, letters
+from kinegrade.figure.plane import length
+from kinegrade.figure.scene import Primitive, Scene
+from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints, Turning
+
+LONGEST, CROWDED = 16.0, 21.0  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
+FEW = 3
+SHORTEST = 1.2  # millimetres: a shorter arrow could not be seen and is left out
+OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)  # millimetres between arrows, or an arrow and a bar, on one line
+LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+
+
+@dataclass(frozen=True)
+class PointArrow:
+    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before it is solved."""
+
+    symbol: str
+    at: Vector
+    value: Vector
+    known: bool = True
+
+
+def with_vectors(
+    mechanism: Mechanism, hints: FigureHints, arrows: Sequence[PointArrow], turnings: Sequence[Turning] = ()
+) -> Scene:
+    """The mechanism (floats, metres) with its letters but without its givens, and all arrows to one scale.
+
+    The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or too short to
+    be seen are left out. `turnings` are the curved arrows of rotations, each with its sense. The scale of the
+    scene is that of the mechanism.
+
+    Raises TemplateError for a hint about something that the mechanism does not have.
+    """
+    bare = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
+    return fitted(lambda scale: _compose(bare, arrows, turnings, scale), bare.first_scale(), bare.span)
+
+
+def placed_arrows(
+    arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = SHORTEST
+) -> tuple[VectorArrow, ...]:
+    """The arrows on paper to one scale of their own, beside bold lines and beside each other, the longest first."""
+    longest = max((length(arrow.value) for arrow in arrows), default=0.0)
+    reach = CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
+    seen = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
+    ordered = sorted(seen, key=lambda arrow: -round(length(arrow.value) / longest, 6))
+    on_paper = [
+        VectorArrow(arrow.symbol, arrow.at * scale, arrow.at * scale + arrow.value * (reach / longest), arrow.known)
+        for arrow in ordered
+    ]
+    return side_by_side(on_paper, bold_lines(drawing.primitives), OFFSETS)
+
+
+def with_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
+    """The arrows drawn without their symbols, from under the pins at which they start."""
+    parts = tuple(part for arrow in arrows for part in arrow.primitives())
+    return layout.drawn((*parts, *pins(drawing.primitives)))
+
+
+def with_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
+    """The symbols of the arrows, of the shortest first: they have the least choice of place."""
+    for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
+        layout = layout.written((arrow.wish_at_tip(arrows),))
+    return layout
+
+
+def with_turnings(layout: Layout, paper: Mechanism, turnings: Sequence[Turning], drawing: Drawing,
+                  hints: FigureHints) -> Layout:
+    """The curved arrows, which spare the letters to come at their pivots."""
+    named = tuple(letters(paper, hints, drawing))
+    for turning in turnings:
+        pivot = pivot_of(paper, turning.body, drawing.rims)
+        close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < LETTERED]
+        layout = layout.marked(turning_marks(paper, turning, drawing), layout.written(close).labels)
+    return layout
+
+
+def _compose(
+    bare: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
+) -> tuple[Primitive, ...]:
+    """The mechanism and its arrows, then what has least choice of place first: letters, symbols, names of bodies."""
+    paper, drawing = bare.at(scale)
+    placed = placed_arrows(arrows, scale, drawing)
+    layout = with_arrows(Layout.of(drawing.primitives), placed, drawing)
+    layout = layout.written(letters(paper, bare.hints, drawing))
+    layout = with_symbols(layout, placed)
+    layout = with_turnings(layout, paper, turnings, drawing, bare.hints)
+    return layout.written(body_names(paper, bare.hints, drawing)).primitives

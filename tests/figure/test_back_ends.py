@@ -1,0 +1,81 @@
+"""What every back end keeps: the size of the scene, all primitives, and symbols alone reach the typesetter."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import typst
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.latex_run import run
+from kinegrade.figure.extent import symbol_size
+from kinegrade.figure.scene import Label, Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.tikz import to_tikz
+from kinegrade.figure.typst import to_typst
+from kinegrade.mechanics.vector import Vector
+from tests.figure.mechanisms import EIGHT
+from tests.figure.test_typst import SYMBOLS
+from tests.tex import needs_tex
+
+BackEnd = Callable[[Scene], str]
+BACK_ENDS = pytest.mark.parametrize("back_end", [to_typst, to_tikz])
+
+
+def eight_scenes() -> list[Scene]:
+    return [sketch(*build(*values[0])) for build, values in EIGHT.values()]
+
+
+def latex(body: str) -> str:
+    return rf"\documentclass{{article}}\usepackage{{amsmath,tikz}}\begin{{document}}{body}\end{{document}}"
+
+
+def test_typst_draws_all_eight_figures() -> None:
+    page = "#set page(width: auto, height: auto)\n" + "\n#pagebreak()\n".join(map(to_typst, eight_scenes()))
+    assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
+
+
+@needs_tex
+def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) -> None:
+    scenes = eight_scenes()
+    boxes = (rf"\setbox0\hbox{{{to_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
+             for scene in scenes)
+    assert run("pdflatex", latex("".join(boxes)), tmp_path, 60).fault is None
+    sizes = re.findall(r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE)
+    for scene, found in zip(scenes, sizes, strict=True):
+        assert [float(size) * 25.4 / 72.27 for size in found] == pytest.approx([scene.width, scene.height], abs=0.02)
+
+
+@needs_tex
+def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> None:
+    boxes = (rf"\setbox0\hbox{{${symbol}$}}\typeout{{size \the\wd0 \space\the\dimexpr\ht0+\dp0}}" for symbol in SYMBOLS)
+    run("pdflatex", latex(r"\fontsize{9}{9}\selectfont" + "".join(boxes)), tmp_path, 60)
+    sizes = re.findall(r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE)
+    for symbol, (width, height) in zip(SYMBOLS, sizes, strict=True):
+        room = symbol_size(symbol)
+        assert float(width) * 25.4 / 72.27 <= room[0] + 0.05, symbol
+        assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, symbol  # TeX's root stands out a little
+
+
+@BACK_ENDS
+def test_what_is_no_symbol_is_refused(back_end: BackEnd) -> None:
+    for symbol in ("#read(1)", r"\input{x}", "a$b"):
+        scene = Scene(9.0, 9.0, 1.0, (Label(symbol, Vector(1.0, 1.0), 1.0, 1.0),))
+        with pytest.raises(TypesetError, match=r"^figure: label: "):
+            back_end(scene)
+
+
+@BACK_ENDS
+def test_every_label_and_every_primitive_is_drawn(back_end: BackEnd) -> None:
+    for scene in eight_scenes():
+        less = Scene(scene.width, scene.height, scene.scale, scene.primitives[1:])
+        assert len(back_end(less)) < len(back_end(scene))
+
+
+@BACK_ENDS
+def test_numbers_are_short_and_the_same_on_every_machine(back_end: BackEnd) -> None:
+    for scene in eight_scenes():
+        assert not re.search(r"\d\.\d{4,}|\de[-+]\d", back_end(scene))

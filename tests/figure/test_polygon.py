@@ -1,0 +1,92 @@
+"""The polygon of a vector equation is to scale, closed, and readable whatever the vectors."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import cos, hypot, log10, sin
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kinegrade.figure.fitting import HEIGHT, WIDTH
+from kinegrade.figure.polygon import ROUND, Arrow, polygon
+from kinegrade.figure.scene import FIRM, THIN, Scene
+from kinegrade.figure.vector_arrows import DASHED
+from kinegrade.mechanics.vector import Vector
+from tests.figure.clear import dots, faults, heads, lines, symbols
+
+A, B = Vector(3.0, 4.0), Vector(6.0, 0.0)
+TRIANGLE = ([Arrow("v_B", B, False)], [Arrow("v_A", A), Arrow("v_{BA}", B - A, False)])
+
+
+def tips(scene: Scene) -> list[Vector]:
+    """The tips of all arrows, from the origin, in the unit of the vectors."""
+    (origin,) = dots(scene)
+    return [(head.corners[0] - origin) / scene.scale for fill in ("black", "white") for head in heads(scene, fill)]
+
+
+def same(found: list[Vector], wanted: list[Vector]) -> bool:
+    pairs = zip(found, wanted, strict=True)
+    return all(hypot(*(one - other)) < 1e-9 for one, other in pairs)
+
+
+def test_both_sides_lead_from_one_origin_to_one_end() -> None:
+    scene = polygon(*TRIANGLE)
+    assert same(tips(scene), [A, B, B])
+    assert symbols(scene) == ["o", "v_A", "v_B", "v_{BA}"]
+
+
+def test_known_and_unknown_are_told_apart() -> None:
+    scene = polygon(*TRIANGLE)
+    assert (len(lines(scene, FIRM)), len(lines(scene, DASHED))) == (1, 2)
+    assert (len(heads(scene, "black")), len(heads(scene, "white"))) == (1, 2)
+
+
+@pytest.mark.parametrize("factor", [1e-3, 1.0, 37.0, 1e4])
+def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> None:
+    left, right = ([Arrow(arrow.symbol, arrow.value * factor) for arrow in side] for side in TRIANGLE)
+    scene = polygon(left, right)
+    figures = scene.scale / 10 ** int(log10(scene.scale) // 1)
+    assert min(abs(figures - leading) for leading in ROUND) < 1e-6
+    assert max(scene.width, scene.height) > 30.0
+    assert faults(scene, WIDTH, HEIGHT) == []
+
+
+def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
+    tiny = Vector(0.02, 0.03)
+    scene = polygon([Arrow("a_B", A + tiny)], [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", Vector(0.0, 0.0))])
+    assert symbols(scene) == ["a_1", "a_B", "o"]
+
+
+def test_an_equation_of_zeros_is_its_origin() -> None:
+    scene = polygon([Arrow("v_B", Vector(0.0, 0.0))], [Arrow("v_A", Vector(0.0, 0.0))])
+    assert symbols(scene) == ["o"]
+    assert scene.scale == 1.0
+    assert faults(scene, WIDTH, HEIGHT) == []
+
+
+def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
+    scene = polygon([Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)])
+    levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
+    assert len(levels) == 4
+    assert min(high - low for low, high in pairwise(levels)) > 1.5
+    assert len(lines(scene, THIN)) == 6
+    assert faults(scene, WIDTH, HEIGHT) == []
+
+
+def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
+    right = [Arrow(rf"a_{{{number}}}^{{\mathrm{{n}}}}", Vector(cos(number), sin(2 * number))) for number in range(9)]
+    total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
+    scene = polygon([Arrow("a_B", total)], right)
+    assert len(scene.labels) == 11
+    assert faults(scene, WIDTH, HEIGHT) == []
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.tuples(st.integers(-12, 12), st.floats(0.0, 10.0)), min_size=2, max_size=4))
+def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> None:
+    right = [Arrow(f"v_{number}", Vector(cos(turn * 0.2618), sin(turn * 0.2618)) * size, number % 2 == 0)
+             for number, (turn, size) in enumerate(polar)]
+    total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
+    assert faults(polygon([Arrow("v_B", total, False)], right), WIDTH, HEIGHT) == []
