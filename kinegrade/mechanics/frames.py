@@ -83,7 +83,7 @@ def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str
     if point == base.point or mechanism.body(body).particle:
         return base.chain
     arm = mechanism.points[point] - mechanism.points[base.point]
-    return (*base.chain, Term("rotation", omega_of(body), arm, point + base.point))
+    return (*base.chain, Term("rotation", omega_of(body), arm, point, base.point))
 
 
 def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
@@ -118,11 +118,10 @@ def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
 
 def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str) -> Term:
     """`point` of `body` moves along a line, or about the centre of a circle, seen from `of`."""
-    name = f"{point}/{of}"
     if isinstance(track, Line):
-        return Term("sliding", f"slide {point} {body}/{of}", track.direction, name, of)
+        return Term("sliding", f"slide {point} {body}/{of}", track.direction, point, frame=of)
     arm = mechanism.points[point] - mechanism.points[track.centre]
-    return Term("arc", f"circle {point} {body}/{of}", arm, name, of)
+    return Term("arc", f"circle {point} {body}/{of}", arm, point, track.centre, of)
 
 
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
@@ -176,8 +175,8 @@ def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
 
 def free_terms(point: str, body: str) -> Chain:
     """The two components of a free point's velocity."""
-    return (Term("sliding", f"free {point} {body} x", Vector(1, 0), f"{point}x"),
-            Term("sliding", f"free {point} {body} y", Vector(0, 1), f"{point}y"))
+    return (Term("sliding", f"free {point} {body} x", Vector(1, 0), point),
+            Term("sliding", f"free {point} {body} y", Vector(0, 1), point))
 
 
 def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint,
@@ -187,9 +186,11 @@ def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Join
         yield from pin_relations(mechanism, bases, joint)
     elif guide and not any(base.joint is joint for base in bases.values()):
         right = (*chain(mechanism, bases, guide.of, guide.point), guide.term)
-        yield Relation(describe(joint), chain(mechanism, bases, guide.body, guide.point), right)
+        yield Relation(describe(joint), chain(mechanism, bases, guide.body, guide.point), right,
+                       source=joint)
     if isinstance(joint, (Parallel, Sleeve)):
-        yield Relation(f"{joint.body} does not turn relative to {joint.of}", turning=turning(joint.body, joint.of, 1))
+        yield Relation(f"{joint.body} does not turn relative to {joint.of}", turning=turning(joint.body, joint.of, 1),
+                       source=joint)
     if isinstance(joint, Roll) and guide:
         yield rolling(mechanism, joint, guide)
     if isinstance(joint, Mesh):
@@ -203,7 +204,7 @@ def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> 
     for name in unused:
         if name != first:
             yield Relation(describe(pin), chain(mechanism, bases, name, pin.point),
-                           chain(mechanism, bases, first, pin.point))
+                           chain(mechanism, bases, first, pin.point), source=pin)
 
 
 def turning(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
@@ -226,7 +227,7 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
         own, other = roll.circle.radius, roll.on.radius
         slip = own / (other - own) if roll.inside else -own / (other + own)
     relative = ((guide.term.rate, 1), *turning(roll.body, roll.of, slip))
-    return Relation(f"no slip: {describe(roll)}", turning=relative)
+    return Relation(f"no slip: {describe(roll)}", turning=relative, source=roll)
 
 
 def meshing(mesh: Mesh) -> Relation:
@@ -236,12 +237,12 @@ def meshing(mesh: Mesh) -> Relation:
     rates: dict[str, Any] = {}
     for rate, factor in (*turning(mesh.body, mesh.carrier, own), *turning(mesh.of, mesh.carrier, other)):
         rates[rate] = rates[rate] + factor if rate in rates else factor
-    return Relation(describe(mesh), turning=tuple(rates.items()))
+    return Relation(describe(mesh), turning=tuple(rates.items()), source=mesh)
 
 
 def driver_relation(mechanism: Mechanism, bases: Mapping[str, Base], driver: Driver, arithmetic: Any) -> Relation:
     """What a driver imposes."""
-    imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration}
+    imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration, "source": driver}
     if isinstance(driver, Rotation):
         return Relation(describe(driver), turning=turning(driver.body, driver.of, 1), **imposed)
     left = chain(mechanism, bases, driver.body, driver.point)

@@ -13,7 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.drivers import Driver
+from kinegrade.mechanics.joints import GROUND, Joint
 from kinegrade.mechanics.vector import Vector
 
 Rates = Mapping[str, Any]
@@ -32,13 +33,14 @@ class Term:
     rotation: the point turns about a base point of its body; `vector` goes from base to point, the rate is omega.
     sliding:  the point moves along `vector` seen from the body `frame`; the rate is in units of `vector`.
     arc:      the point turns about a centre fixed in `frame`; `vector` goes from centre to point, rate as omega.
-    `name` tells the term in a printed equation: "BA" for v_BA, "A/OC" for the motion of A relative to OC.
+    `point` is the point that moves so, `base` the base point or the centre, "" for a sliding point.
     """
 
     kind: Kind
     rate: str
     vector: Vector
-    name: str
+    point: str
+    base: str = ""
     frame: str = GROUND
 
     def coefficient(self) -> Vector:
@@ -81,8 +83,8 @@ Chain = tuple[Term, ...]
 class Relation:
     """left chain = right chain (two equations), or their difference along a vector plus turning rates = imposed.
 
-    `origin` says in words which joint or driver states it. `frame` is the body from which a component is imposed:
-    its rotation adds the Coriolis acceleration of the relative motion.
+    `origin` says in words which joint or driver states it, `source` is that part. `frame` is the body from which a
+    component is imposed: its rotation adds the Coriolis acceleration of the relative motion.
     """
 
     origin: str
@@ -93,6 +95,7 @@ class Relation:
     velocity: Any = 0
     acceleration: Any = 0
     frame: str = GROUND
+    source: Joint | Driver | None = None
 
     @property
     def is_vector(self) -> bool:
@@ -131,9 +134,14 @@ class Relation:
         if self.along is None:
             return [self.acceleration]
         if self.frame != GROUND:
-            relative = total(t.velocity(rates) for t in self.left) - total(t.velocity(rates) for t in self.right)
-            decided = decided - relative.turned() * (rates[omega_of(self.frame)] * 2)
+            decided = decided - self.imposed_coriolis(rates)
         return [self.acceleration - self.along.dot(decided)]
+
+    def imposed_coriolis(self, rates: Rates) -> Vector:
+        """The Coriolis acceleration 2 omega x v_r of the relative motion seen from `frame`, m/s^2."""
+        relative = total(t.velocity(rates) for t in self.left) - total(t.velocity(rates) for t in self.right)
+        coriolis: Vector = relative.turned() * (rates[omega_of(self.frame)] * 2)
+        return coriolis
 
 
 def total(vectors: Any) -> Vector:

@@ -17,6 +17,7 @@ from kinegrade.expression import MAX_DIGITS, Expression, names, read
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
+from kinegrade.problem.author_words import read_method, read_tags
 from kinegrade.problem.conditions import mixed, read_condition
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.hints import FigureHints, read_hints
@@ -37,7 +38,7 @@ from kinegrade.units import read_unit
 
 MAX_CHARACTERS = 100_000
 KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
-        "asks", "statement", "published", "figure", "tags")
+        "asks", "statement", "published", "figure", "tags", "method")
 KNOWN = (*KEYS, "mechanism")  # a template that stands alone has no use for the last
 NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
@@ -45,7 +46,6 @@ MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands ther
 TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', '.join(sorted(RESERVED))}"
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
-TAG = re.compile(r"[a-z][a-z0-9-]{0,29}", re.ASCII)
 Part = TypeVar("Part")
 Mechanisms = Callable[[str], str]  # the text of the mechanism of that name; raises TemplateError when there is none
 
@@ -139,7 +139,9 @@ class Reader:
             self.name, self.section("family", str), self.translated(self.table, "title"),
             self.translated(self.table, "statement"), self.section("source", str), parameters, lengths, points, bodies,
             self.joints(), self.drivers(), self.conditions(), self.asks(), self.published(parameters),
-            self.hints(points, bodies), self.text, self.tags(), self.mechanism)
+            self.hints(points, bodies), self.text,
+            read_tags(self.section("tags", list), self.fault), self.mechanism,
+            read_method(self.table.get("method"), self.fault))
         self.check_uses(result)
         if self.faults:
             raise TemplateError(*self.faults)
@@ -307,14 +309,6 @@ class Reader:
         key = re.match(r"[\w-]+: (figure\.\w+)", problem)
         file, _ = self.layers.standing(key[1] if key else "figure")
         self.faults.append(f"{file}: figure: {short_line(problem)}")
-
-    def tags(self) -> tuple[str, ...]:
-        """The author's own tags."""
-        words = self.section("tags", list)
-        if all(isinstance(word, str) and TAG.fullmatch(word) for word in words):
-            return tuple(words)
-        self.fault("tags", 'expected short words of small letters, digits and hyphens, like ["two-drivers"]')
-        return ()
 
     def check_uses(self, template: Template) -> None:
         """Names in expressions are known where they are used; published results and asks belong together."""

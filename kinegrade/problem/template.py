@@ -17,6 +17,8 @@ from kinegrade.units import Unit
 
 Language = Literal["en", "zh"]
 LANGUAGES: tuple[Language, ...] = ("en", "zh")
+Method = Literal["base-point", "projection", "pole"]
+METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,8 @@ class Template:
     """One mechanism with its questions; `text` is the file as it was read, kept with every exam.
 
     `tags` are the author's words for finding it, besides those that follow from what it asks. `mechanism` is the
-    name and the text of the file that it shares with other templates, if it does.
+    name and the text of the file that it shares with other templates, if it does. `method` is how its worked solution
+    finds velocities where several methods serve.
     """
 
     name: str
@@ -119,6 +122,7 @@ class Template:
     text: str
     tags: tuple[str, ...] = ()
     mechanism: tuple[str, str] | None = None
+    method: Method | None = None
 
     @property
     def angles(self) -> frozenset[str]:

@@ -35,7 +35,7 @@ def test_slider_crank_first_the_crank_then_the_base_point_equation_of_the_rod() 
     motion = slider_crank()
     assert origins(motion) == [["the given rotation of OA"], ["B of AB on the line of ground"]]
     assert order(motion) == [("omega OA",), ("omega AB", "slide B AB/ground")]
-    assert [term.name for term in motion.frames.chain("AB", "B")] == ["AO", "BA"]  # v_B = v_A + v_BA
+    assert [(t.point, t.base) for t in motion.frames.chain("AB", "B")] == [("A", "O"), ("B", "A")]  # v_B = v_A + v_BA
 
 
 def test_four_bar_one_vector_equation_for_coupler_and_rocker() -> None:

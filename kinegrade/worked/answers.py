@@ -1,0 +1,287 @@
+"""From the rates to the answers: the last lines of a solution, whose values are the key's own."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.expression import Call, Expression, Name, Number, Operation, evaluate
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.quantities import Quantities, body_names, quantities
+from kinegrade.problem.template import Ask
+from kinegrade.worked.case import Case
+from kinegrade.worked.centrodes import centrode_blocks
+from kinegrade.worked.deduced import with_cosine
+from kinegrade.worked.document import Block, Display, Result
+from kinegrade.worked.facts import Facts, is_vector_call, prerequisites
+from kinegrade.worked.formula_text import latex_of, symbols_of
+from kinegrade.worked.needs import calls
+from kinegrade.worked.numbers import (
+    DIGITS,
+    absolute_value,
+    angle_text,
+    bearing,
+    bracketed,
+    double,
+    length,
+    short,
+    stated,
+    stated_quantity,
+    tidy,
+    with_unit,
+)
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.points import NUMBER, Fact, Findings, Piece, component
+from kinegrade.worked.poles import pole_blocks, pole_name
+from kinegrade.worked.scalars import turning, turning_value
+from kinegrade.worked.senses import direction_words, rotation_words
+
+RIGHT = 1e-7  # degrees from a right angle that count as none
+PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
+MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
+
+
+@dataclass(frozen=True)
+class Written:
+    """A number in symbols, and with numbers put in where that says more."""
+
+    symbols: str
+    numbers: str = ""
+
+
+def answer_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
+    """How an answer follows from what the steps have given; not for answers that positions alone decide."""
+    if any(call.function == "circle_of_poles" for call in calls(ask.quantity)):
+        yield from centrode_blocks(ask, case, findings)
+        return
+    facts = Facts(case, findings, Quantities(case.motion, case.arithmetic))
+    for call in calls(ask.quantity):
+        if call.function == "pole" and isinstance(call.arguments[0], Name):
+            yield from pole_blocks(call.arguments[0].name, case, findings)
+    yield from prerequisites(ask.quantity, facts)
+    writer = Writer(case, facts)
+    written = writer.write(ask.quantity)
+    if written.symbols == absolute_value(ask.symbol):
+        yield Display((f"{written.symbols} &= {stated_quantity(case.solution.answers[ask.name])}",))
+    elif written.symbols == f"-{ask.symbol}":
+        if double(case.solution.answers[ask.name].number):
+            yield Display((counted_as_asked(ask, case),))
+    elif written.symbols != ask.symbol:  # else a step has given it already
+        yield Display((last_line(ask, written, writer),))
+
+
+def counted_as_asked(ask: Ask, case: Case) -> str:
+    """An answer that a step has given under the same symbol, with the opposite sense positive."""
+    answer = case.solution.answers[ask.name]
+    sign = "-" if double(answer.number) < 0 else ""
+    return (f"{ask.symbol} &= {sign}{absolute_value(ask.symbol)} = {stated_quantity(answer)}"
+            rf"\quad\text{{({phrase('as_asked', case.language)})}}")
+
+
+def last_line(ask: Ask, written: Written, writer: Writer) -> str:
+    """The answer's symbol, its formula, its numbers and its value, which is the key's; in SI first where numbers lead
+    to a value in centimetres or millimetres."""
+    answer = writer.case.solution.answers[ask.name]
+    between = [text for text in (written.symbols, written.numbers) if text not in ("", "0", ask.symbol)]
+    values = [stated_quantity(answer)]
+    if between and PREFIXED.match(answer.unit):
+        base = stated(writer.value(ask.quantity), PREFIXED.sub("m", answer.unit))
+        values = [base, with_unit(answer.decimal(DIGITS), answer.unit)]
+    return f"{ask.symbol} &= " + " = ".join([*between, *values])
+
+
+@dataclass(frozen=True)
+class Writer:
+    """Writes the quantity of an ask as a formula of what has been found."""
+
+    case: Case
+    facts: Facts
+
+    def write(self, tree: Expression) -> Written:
+        """An expression that is a number."""
+        if isinstance(tree, Call):
+            if tree.function in MEASURES and tree.arguments and is_vector_call(tree.arguments[0]):
+                return self.measured(tree)
+            if tree.function in ("omega", "alpha"):
+                return self.rotation(tree)
+        if isinstance(tree, Operation) and not isinstance(tree.left, Number):
+            return self.combined(tree)
+        if isinstance(tree, Operation) and tree.sign == "-":
+            inner = self.write(tree.right)
+            return Written(f"-{inner.symbols}", f"-{inner.numbers}" if inner.numbers else "")
+        return Written(self.placed(tree))
+
+    def measured(self, tree: Call) -> Written:
+        """Size, component or direction of a vector of the motion."""
+        fact = self.fact(tree.arguments[0])
+        match tree.function:
+            case "magnitude":
+                return self.magnitude(fact)
+            case "x" | "y":
+                return self.axis(fact, tree.function)
+            case "along":
+                return self.along(fact, self.value(tree.arguments[1]))
+        return self.angle(tree)
+
+    def fact(self, tree: Expression) -> Fact:
+        """A vector that has been told."""
+        finding = self.facts.find(tree)
+        while True:
+            try:
+                next(finding)
+            except StopIteration as found:
+                fact: Fact = found.value
+                return fact
+
+    def magnitude(self, fact: Fact) -> Written:
+        """The size of a vector, from its components or its normal and tangential parts."""
+        if fact.symbol in self.facts.findings.sized:
+            return Written(fact.symbol)
+        if fact.by_components:
+            seen = [axis for axis, number in zip("xy", fact.value, strict=True) if double(number)]
+            names = [component(fact.symbol, axis) for axis in seen]
+            if len(names) < 2:
+                sign = "-" if double(sum(fact.value)) < 0 else ""
+                return Written(f"{sign}{names[0]}" if names else "0")
+            numbers = [bracketed(short(number)) for number in fact.value]
+            return Written(rf"\sqrt{{{names[0]}^{{2}}+{names[1]}^{{2}}}}",
+                           rf"\sqrt{{{numbers[0]}^{{2}}+{numbers[1]}^{{2}}}}")
+        pieces = [piece for piece in fact.told if double(piece.value.squared())] or fact.told[:1]
+        if len(pieces) > 1:
+            return Written(root(piece.symbol for piece in pieces),
+                           root(bracketed(signed(piece, self.case)) for piece in pieces))
+        piece = pieces[0]
+        negative = double(piece.value.dot(piece.positive)) < 0
+        return Written(absolute_value(piece.symbol) if negative else piece.symbol)
+
+    def axis(self, fact: Fact, axis: str) -> Written:
+        """A component along an axis of the frame."""
+        if fact.by_components:
+            return Written(component(fact.symbol, axis))
+        return self.along(fact, Vector(*((1, 0) if axis == "x" else (0, 1))))
+
+    def along(self, fact: Fact, direction: Vector) -> Written:
+        """The component along a direction: from the components, or each size times a cosine."""
+        pieces = components(fact) if fact.by_components else fact.told
+        return projected(pieces, bearing(direction), self.case)
+
+    def angle(self, tree: Call) -> Written:
+        """The angle from one vector to another, or between them, from their directions."""
+        first, second = (bearing(self.value(argument)) for argument in tree.arguments)
+        if tree.function == "between" and second < first:
+            first, second = second, first
+        difference = f"{angle_text(second)} - {angle_text(first)}"
+        return Written(difference if tree.function == "angle" or second - first <= 180
+                       else rf"360^\circ - ({difference})")
+
+    def rotation(self, tree: Call) -> Written:
+        """An angular velocity or acceleration, absolute or relative."""
+        level: Any = "velocity" if tree.function == "omega" else "acceleration"
+        names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
+        if len(names) == 1 or names[1] == GROUND:
+            return Written(turning(names[0], self.case, level))
+        symbols = " - ".join(turning(name, self.case, level) for name in names)
+        rates = [turning_value(name, self.case, level) for name in names]
+        return Written(symbols, f"{short(rates[0])} - {bracketed(short(rates[1]))}" if any(map(double, rates)) else "")
+
+    def combined(self, tree: Operation) -> Written:
+        """A formula of two numbers."""
+        left, right = self.write(tree.left), self.write(tree.right)
+        numbers = [short(self.value(side)) if not isinstance(side, Number) else short(side.value)
+                   for side in (tree.left, tree.right)]
+        symbols = [part.symbols or self.component_symbol(side)
+                   for part, side in ((left, tree.left), (right, tree.right))]
+        if tree.sign == "/":
+            return Written(rf"\frac{{{symbols[0]}}}{{{symbols[1]}}}", rf"\frac{{{numbers[0]}}}{{{numbers[1]}}}")
+        sign = r"\cdot" if tree.sign == "*" else tree.sign
+        return Written(f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}")
+
+    def component_symbol(self, tree: Expression) -> str:
+        """The symbol of a component that has been told."""
+        if isinstance(tree, Call) and tree.function in ("x", "y"):
+            return component(self.fact(tree.arguments[0]).symbol, tree.function)
+        return ""
+
+    def placed(self, tree: Expression) -> str:
+        """A length, coordinate or constant in symbols, poles by their letters."""
+        symbols = symbols_of(self.case.template)
+        named = poles_named(tree, self.case)
+        letters = {name: name for name in self.facts.findings.poles.values()}
+        return latex_of(named, {**symbols, **letters}, points=(*self.case.motion.points, *letters))
+
+    def value(self, tree: Expression) -> Any:
+        """The exact value of a part of the quantity."""
+        own = self.case.arithmetic.fork()
+        assembly = self.case.solution.assembly
+        values = {**body_names(assembly.mechanism), **assembly.values}
+        return evaluate(tree, values, {**assembly.functions, **quantities(self.case.motion, own)}, own)
+
+
+def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
+    """The sum of pieces along the axis at an angle in degrees; those that are normal to it add nothing."""
+    symbols, numbers = "", ""
+    for piece in pieces:
+        angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
+        if abs(angle - 90) > RIGHT and double(piece.positive.squared()):
+            sign = "+" if angle < 90 else "-"
+            acute = tidy(min(angle, 180 - angle))
+            symbols += sign + with_cosine(piece.symbol, acute)
+            size = signed(piece, case)
+            if size != "0":
+                minus = (sign == "-") != size.startswith("-")
+                numbers += ("-" if minus else "+") + with_cosine(size.removeprefix("-"), acute)
+    numbers = numbers.removeprefix("+")
+    return Written(symbols.removeprefix("+") or "0", "" if NUMBER.fullmatch(numbers) else numbers)
+
+
+def components(fact: Fact) -> tuple[Piece, ...]:
+    """A vector that is known by its components as the sum of these."""
+    axes = Vector(1, 0), Vector(0, 1)
+    return tuple(Piece(component(fact.symbol, name), axis, axis * number)
+                 for name, axis, number in zip("xy", axes, fact.value, strict=True))
+
+
+def signed(piece: Piece, case: Case) -> str:
+    """The number of a piece, negative where it is opposite to its positive sense."""
+    size = short(length(piece.value, case.arithmetic))
+    return f"-{size}" if double(piece.value.dot(piece.positive)) < 0 else size
+
+
+def root(numbers: Iterable[str]) -> str:
+    """The root of a sum of squares."""
+    squares = (rf"\left({number}\right)^{{2}}" if "^" in number else f"{number}^{{2}}" for number in numbers)
+    return rf"\sqrt{{{'+'.join(squares)}}}"
+
+
+def poles_named(tree: Expression, case: Case) -> Expression:
+    """The expression with every velocity pole as a named point."""
+    if isinstance(tree, Call):
+        if tree.function == "pole" and isinstance(tree.arguments[0], Name):
+            return Name(pole_name(tree.arguments[0].name, case))
+        return Call(tree.function, tuple(poles_named(argument, case) for argument in tree.arguments))
+    if isinstance(tree, Operation):
+        return Operation(tree.sign, poles_named(tree.left, case), poles_named(tree.right, case))
+    return tree
+
+
+def result(ask: Ask, case: Case) -> Result:
+    """An answer as the list at the end states it."""
+    answer = case.solution.answers[ask.name]
+    return Result(ask.symbol, answer.closed_form, answer.decimal(6), answer.unit, sense(ask, case))
+
+
+def sense(ask: Ask, case: Case) -> str:
+    """The sense or direction of an answer in words, "" where there is none."""
+    tree = ask.quantity
+    if not isinstance(tree, Call):
+        return ""
+    if tree.function in ("omega", "alpha"):
+        return rotation_words(case.solution.answers[ask.name].value, case)
+    if tree.function == "magnitude" and is_vector_call(tree.arguments[0]):
+        facts = Facts(case, Findings(), Quantities(case.motion, case.arithmetic))
+        return direction_words(Writer(case, facts).fact(tree.arguments[0]).value, case)
+    return ""
+

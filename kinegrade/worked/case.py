@@ -1,0 +1,66 @@
+"""The solved instance whose solution is worked out, with the language and the method it is told in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from kinegrade.expression import Call, Name
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.relations import Term
+from kinegrade.problem.sentences import JointSentence
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Language, Method, Template
+from kinegrade.worked.naming import Naming
+
+
+@dataclass(frozen=True)
+class Case:
+    """A solved instance with the words for it."""
+
+    solution: Solution
+    language: Language
+    method: Method | None = None
+
+    @property
+    def template(self) -> Template:
+        """The template of the instance."""
+        return self.solution.template
+
+    @property
+    def motion(self) -> Motion:
+        """The motion of the instance."""
+        return self.solution.motion
+
+    @property
+    def arithmetic(self) -> Any:
+        """The arithmetic in which the instance is solved."""
+        return self.solution.arithmetic
+
+    @cached_property
+    def naming(self) -> Naming:
+        """The names of bodies, points and rates."""
+        return Naming(self.template, self.language)
+
+    def joint(self, term: Term) -> JointSentence | None:
+        """The sentence of the joint that guides a sliding or circling point, None for a free point."""
+        kind, point, bodies = term.rate.split(" ")[:3]
+        if kind == "free":
+            return None
+        body, of = bodies.split("/")
+        for sentence in self.template.joints:
+            same = sentence.body == body and sentence.of == of
+            if same and (sentence.point == point or centre_of(sentence) == point or sentence.kind == "sleeve"):
+                return sentence
+        return None
+
+
+def centre_of(sentence: JointSentence) -> str:
+    """The point about which a touching or rolling circle lies, "" where the joint has none."""
+    return first_name(sentence.circle) if sentence.circle else ""
+
+
+def first_name(call: Call) -> str:
+    """The name that stands first in the brackets of a line or a circle, "" where none does."""
+    return call.arguments[0].name if call.arguments and isinstance(call.arguments[0], Name) else ""

@@ -1,0 +1,134 @@
+"""One construction of a point in textbook words and equations: where it lies, and its coordinates worked out.
+
+Lines, circles and feet of perpendiculars are in `kinegrade.worked.meetings`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.problem.template import Language
+from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scaled
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.formula_text import quarter_turns
+from kinegrade.worked.instance import Instance
+from kinegrade.worked.meetings import foot_blocks, meeting_blocks
+from kinegrade.worked.position_words import PositionWords, position_words
+from kinegrade.worked.vector_words import negated, vector_words
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """Points given by their coordinates alone, in one sentence, with their equations."""
+
+    points: tuple[str, ...]
+    lines: tuple[str, ...]
+
+    def blocks(self, words: PositionWords) -> tuple[Block, ...]:
+        """The sentence and the equations."""
+        points = words.listing.join(f"${point}$" for point in self.points)
+        told = words.coordinates if len(self.points) == 1 else words.coordinates_of_several
+        return Prose(told.format(points=points)), Display(self.lines)
+
+
+def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tuple[Block, ...]:
+    """The blocks of all steps, the origin first; neighbours that are given by their coordinates share a sentence."""
+    words, blocks = position_words(language), list[Block | Coordinates]()
+    for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
+        told = construction(step, instance, language)
+        before = blocks[-1] if blocks else None
+        if isinstance(told, Coordinates) and isinstance(before, Coordinates):
+            told = Coordinates(before.points + told.points, before.lines + told.lines)
+            blocks.pop()
+        blocks += [told] if isinstance(told, Coordinates) else told
+    return tuple(part for block in blocks
+                 for part in (block.blocks(words) if isinstance(block, Coordinates) else (block,)))
+
+
+def construction(step: Step, instance: Instance, language: Language) -> tuple[Block, ...] | Coordinates:
+    """The blocks of one step, or its coordinates where these say all."""
+    words, tree = position_words(language), step.tree
+    if isinstance(tree, Call) and tree.function == "meet":
+        return meeting_blocks(step, instance, language)
+    if isinstance(tree, Call) and tree.function == "foot":
+        return foot_blocks(step, instance, language)
+    if isinstance(tree, Call) and tree.function == "toward":
+        return toward_blocks(step, instance, words)
+    pair = instance.axes.pair(tree) or (ZERO, ZERO)
+    if pair == (ZERO, ZERO):
+        return (Prose(words.origin.format(point=instance.symbols[step.point])),)
+    told, lines = sentence(step, instance, words), coordinate_lines(step.point, pair, instance)
+    return (Prose(told), Display(lines)) if told else Coordinates((instance.symbols[step.point],), lines)
+
+
+def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, ...]:
+    """x = ..., y = ... worked out."""
+    name = instance.symbols[point]
+    return tuple(line for axis, tree in zip("xy", pair, strict=True)
+                 for line in instance.equation(f"{axis}_{{{name}}}", tree))
+
+
+def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
+    """Where the point of a step lies, for constructions whose coordinates follow at once; "" where these say all."""
+    point, tree = instance.symbols[step.point], step.tree
+    match tree:
+        case Name():
+            return words.coincides.format(point=point, other=instance.symbols[tree.name])
+        case Call(function="polar", arguments=(centre, radius, angle)):
+            return polar_sentence(point, (centre, radius, angle), instance, words)
+        case Call(function="midpoint", arguments=(Name(first), Name(second))):
+            return words.midpoint.format(point=point, first=instance.symbols[first], second=instance.symbols[second])
+        case Operation(sign="+" | "-", left=Name(base), right=right):
+            vector = right if tree.sign == "+" else negated(right, instance)
+            return words.displaced.format(point=point, base=instance.symbols[base],
+                                          vector=vector_words(vector, instance, words))
+    return ""
+
+
+def polar_sentence(point: str, parts: tuple[Expression, Expression, Expression], instance: Instance,
+                   words: PositionWords) -> str:
+    """Distance and direction from a centre; a negative distance is one in the opposite direction."""
+    centre, radius, angle = parts
+    quarters = quarter_turns(angle)
+    against = instance.sign(radius) < 0
+    texts = {"point": point, "centre": instance.symbolic(centre), "angle": instance.symbolic(angle, degrees=True),
+             "radius": instance.symbolic(minus(ZERO, radius) if against else radius)}
+    if quarters is not None:
+        return words.beside[(quarters + 2 * against) % 4].format(**texts)
+    return (words.polar_against if against else words.polar).format(**texts)
+
+
+def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
+    """A point at a distance on the way from one point to another, or along a vector."""
+    start, end, distance = step.tree.arguments if isinstance(step.tree, Call) else (ZERO, ZERO, ZERO)
+    vector = way(start, end, instance)
+    size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
+    base = instance.axes.pair(start)
+    texts = {"point": instance.symbols[step.point], "start": instance.symbolic(start),
+             "end": instance.symbolic(end), "distance": instance.symbolic(distance)}
+    told = words.toward.format(**texts) if isinstance(end, Name) else \
+        words.along.format(vector=vector_words(vector, instance, words), **texts)
+    if base is None or direction is None:
+        return (Prose(told),)
+    lines = length_lines(size, instance)
+    reached = scaled(direction, over(distance, size)) or (ZERO, ZERO)
+    pair = plus(base[0], reached[0]), plus(base[1], reached[1])
+    return Prose(told), Display((*lines, *coordinate_lines(step.point, pair, instance)))
+
+
+def way(start: Expression, end: Expression, instance: Instance) -> Expression:
+    """The vector from one point to another; what is added to the first is that vector itself."""
+    if isinstance(end, Operation) and end.sign in "+-" and end.left == start:
+        return end.right if end.sign == "+" else negated(end.right, instance)
+    return Operation("-", end, start)
+
+
+def length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
+    """AB = the root of the squares, worked out; nothing for a length that is no distance of two points."""
+    if not isinstance(size, Call) or size.function != "distance":
+        return ()
+    first, second = size.arguments
+    vector = instance.axes.pair(Operation("-", second, first)) or (ZERO, ZERO)
+    return instance.equation(instance.symbolic(size), length_of(Call("", vector), instance.axes))

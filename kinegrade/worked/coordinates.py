@@ -1,0 +1,291 @@
+"""From constructions to coordinates: every point of a template as a step, and what a step says of x and y.
+
+A construction within another becomes a step of its own, with an auxiliary point H; differences, sums and turns of
+vectors become formulas in the coordinates of named points. Coordinates that are zero by the choice of the axes are put
+in, so that formulas are as short as in a textbook.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TypeGuard
+
+from kinegrade.expression import Call, Expression, Name, Number, Operation, is_literal_zero, names, read
+from kinegrade.problem.template import Template
+from kinegrade.worked.formula_text import quarter_turns
+
+Pair = tuple[Expression, Expression]
+ZERO, ONE, TWO = read("0"), read("1"), read("2")
+CENTRED = frozenset({"polar", "foot", "toward", "circle", "line"})
+PLACED = frozenset({"polar", "meet", "foot", "midpoint", "toward"})
+QUARTERS: Mapping[int, tuple[int, int]] = {0: (1, 0), 1: (0, 1), 2: (-1, 0), 3: (0, -1)}
+
+
+@dataclass(frozen=True)
+class Step:
+    """A point and its construction, whose arguments are names, numbers and vectors of named points."""
+
+    point: str
+    tree: Expression
+
+
+def steps(template: Template) -> tuple[Step, ...]:
+    """The template's points in its order, each after the auxiliary points that its construction needs."""
+    found: list[Step] = []
+    taken = {*template.points, *template.parameters, *template.lengths}
+    for point, tree in template.points.items():
+        hoisted: list[Step] = []
+        before = sum(step.point not in template.points for step in found)
+        plain = unnested(tree, hoisted, before, taken, top=True)
+        found += [*hoisted, Step(point, plain)]
+    return tuple(found)
+
+
+def unnested(tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False) -> Expression:
+    """The tree with inner constructions replaced by the names of auxiliary points, which are added to `found`."""
+    if isinstance(tree, Operation):
+        left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
+        return Operation(tree.sign, left, right)
+    if not isinstance(tree, Call):
+        return tree
+    plain = Call(tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments))
+    if tree.function in CENTRED and awkward(tree.function, plain.arguments[0]):
+        centre = auxiliary(plain.arguments[0], found, before, taken)
+        plain = Call(tree.function, (centre, *plain.arguments[1:]))
+    return plain if top or tree.function not in PLACED else auxiliary(plain, found, before, taken)
+
+
+def awkward(function: str, centre: Expression) -> bool:
+    """Whether a sentence would stumble over the point about which, or from which, a thing is constructed."""
+    pair = isinstance(centre, Call) and function == "circle"
+    return pair or isinstance(centre, Operation)
+
+
+def auxiliary(tree: Expression, found: list[Step], before: int, taken: set[str]) -> Name:
+    """The name of an auxiliary point, whose step is added to `found`."""
+    name = next(name for count in range(before + len(found) + 1, 10_000) if (name := f"H{count}") not in taken)
+    found.append(Step(name, tree))
+    return Name(name)
+
+
+def needed(all_steps: tuple[Step, ...], wanted: Iterable[str]) -> tuple[Step, ...]:
+    """The steps of the points wanted and of those they are constructed from, in order."""
+    missing = set(wanted)
+    for step in reversed(all_steps):
+        if step.point in missing:
+            missing |= set(names(step.tree))
+    return tuple(step for step in all_steps if step.point in missing)
+
+
+@dataclass(frozen=True)
+class Axes:
+    """Writes vectors in coordinates; `points` are the named ones, `zeros` the coordinates x(A) that are zero."""
+
+    points: frozenset[str]
+    zeros: frozenset[Expression]
+
+    def x(self, point: str) -> Expression:
+        """The x coordinate of a named point."""
+        return self.coordinate("x", point)
+
+    def y(self, point: str) -> Expression:
+        """The y coordinate of a named point."""
+        return self.coordinate("y", point)
+
+    def coordinate(self, axis: str, point: str) -> Expression:
+        """A coordinate of a named point, or the zero that it is by the choice of the axes."""
+        leaf = Call(axis, (Name(point),))
+        return ZERO if leaf in self.zeros else leaf
+
+    def is_vector(self, tree: Expression) -> bool:
+        """Whether an expression is a point or a vector, not a number."""
+        if isinstance(tree, Name):
+            return tree.name in self.points
+        if isinstance(tree, Call):
+            return tree.function in ("", "turned") or tree.function in PLACED
+        return isinstance(tree, Operation) and (self.is_vector(tree.left) or self.is_vector(tree.right))
+
+    def pair(self, tree: Expression) -> Pair | None:
+        """The coordinates of a point or vector as formulas; None for what meets or stands at right angles."""
+        match tree:
+            case Name():
+                return (self.x(tree.name), self.y(tree.name)) if tree.name in self.points else None
+            case Call(function="", arguments=(x, y)):
+                return x, y
+            case Call(function="turned", arguments=(vector,)):
+                return turned(self.pair(vector))
+            case Call(function="polar", arguments=(centre, radius, angle)):
+                return added("+", self.pair(centre), scaled(unit(angle), radius))
+            case Call(function="midpoint", arguments=(first, second)):
+                return divided(added("+", self.pair(first), self.pair(second)), TWO)
+            case Operation():
+                return self.combined(tree)
+        return None
+
+    def combined(self, tree: Operation) -> Pair | None:
+        """Sums and multiples of vectors."""
+        if is_negated(tree):
+            return added("-", (ZERO, ZERO), self.pair(tree.right))
+        if tree.sign in "+-":
+            return added(tree.sign, self.pair(tree.left), self.pair(tree.right))
+        if tree.sign == "/":
+            return divided(self.pair(tree.left), tree.right)
+        vector, factor = (tree.left, tree.right) if self.is_vector(tree.left) else (tree.right, tree.left)
+        return scaled(self.pair(vector), factor)
+
+
+def axes_of(all_steps: tuple[Step, ...]) -> Axes:
+    """The axes in which points are given, with the coordinates that each construction makes zero at sight."""
+    axes = Axes(frozenset(step.point for step in all_steps), frozenset())
+    for step in all_steps:
+        leaves = (Call("x", (Name(step.point),)), Call("y", (Name(step.point),)))
+        pairs = [axes.pair(step.tree), *met_along_axes(step.tree, axes)]
+        zeros = {leaf for pair in pairs if pair is not None
+                 for leaf, part in zip(leaves, pair, strict=True) if part == ZERO}
+        axes = Axes(axes.points, axes.zeros | zeros)
+    return axes
+
+
+def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
+    """What the lines parallel to the axes say of the point in which they meet something; ONE where they say nothing."""
+    if not isinstance(tree, Call) or tree.function != "meet":
+        return
+    for shape in tree.arguments[:2]:
+        if isinstance(shape, Call) and shape.function == "line":
+            start, direction = line_of(shape, axes)
+            yield ONE if direction[0] != ZERO else start[0], ONE if direction[1] != ZERO else start[1]
+
+
+def line_of(shape: Call, axes: Axes) -> tuple[Pair, Pair]:
+    """A point of a line and its direction, of length one where the line is given by an angle."""
+    start = axes.pair(shape.arguments[0]) or (ZERO, ZERO)
+    if not axes.is_vector(shape.arguments[1]):
+        return start, unit(shape.arguments[1])
+    end = axes.pair(shape.arguments[1]) or (ZERO, ZERO)
+    return start, (minus(end[0], start[0]), minus(end[1], start[1]))
+
+
+def unit(angle: Expression) -> Pair:
+    """The unit vector in a direction; along an axis it is worked out."""
+    quarters = quarter_turns(angle)
+    if quarters is not None:
+        x, y = QUARTERS[quarters]
+        return integer(x), integer(y)
+    if is_negated(angle):
+        return Call("cos", (angle.right,)), minus(ZERO, Call("sin", (angle.right,)))
+    return Call("cos", (angle,)), Call("sin", (angle,))
+
+
+def integer(value: int) -> Expression:
+    """A small whole number as an expression."""
+    return read(str(value))
+
+
+def turned(pair: Pair | None) -> Pair | None:
+    """The vector turned by 90 degrees counter-clockwise."""
+    return None if pair is None else (minus(ZERO, pair[1]), pair[0])
+
+
+def added(sign: str, first: Pair | None, second: Pair | None) -> Pair | None:
+    """The sum or difference of two vectors."""
+    if first is None or second is None:
+        return None
+    combine = plus if sign == "+" else minus
+    return combine(first[0], second[0]), combine(first[1], second[1])
+
+
+def scaled(pair: Pair | None, factor: Expression) -> Pair | None:
+    """A multiple of a vector."""
+    return None if pair is None else (times(factor, pair[0]), times(factor, pair[1]))
+
+
+def divided(pair: Pair | None, divisor: Expression) -> Pair | None:
+    """A part of a vector."""
+    return None if pair is None else (over(pair[0], divisor), over(pair[1], divisor))
+
+
+def is_negated(tree: Expression) -> TypeGuard[Operation]:
+    """Whether an expression is a minus with what follows it."""
+    return isinstance(tree, Operation) and tree.sign == "-" and is_literal_zero(tree)
+
+
+def plus(left: Expression, right: Expression) -> Expression:
+    """left + right, without zeros and double signs."""
+    if ZERO in (left, right):
+        return right if left == ZERO else left
+    if is_negated(right):
+        return minus(left, right.right)
+    return Operation("+", left, right)
+
+
+def minus(left: Expression, right: Expression) -> Expression:
+    """left - right, without zeros and double signs."""
+    if right in (ZERO, left):
+        return ZERO if left == right else left
+    if is_negated(right):
+        return plus(left, right.right)
+    if isinstance(left, Operation) and left.sign in "+-" and left.left == right:
+        return left.right if left.sign == "+" else minus(ZERO, left.right)
+    return Operation("-", left, right)
+
+
+def times(left: Expression, right: Expression) -> Expression:
+    """left * right, without ones and zeros."""
+    if ZERO in (left, right):
+        return ZERO
+    if ONE in (left, right):
+        return right if left == ONE else left
+    if is_negated(left) or is_negated(right):
+        product = times(*(part.right if is_negated(part) else part for part in (left, right)))
+        return product if is_negated(left) and is_negated(right) else minus(ZERO, product)
+    for factor, other in ((left, right), (right, left)):
+        if isinstance(factor, Operation) and factor.sign == "/" and factor.right == other:
+            return factor.left
+    return square(left) if left == right else Operation("*", left, right)
+
+
+def over(left: Expression, right: Expression) -> Expression:
+    """left / right, without ones and zeros."""
+    if left == ZERO or right == ONE:
+        return left
+    return Operation("/", left, right)
+
+
+def square(base: Expression) -> Expression:
+    """The square of an expression, whose sign is dropped."""
+    if is_negated(base):
+        base = base.right
+    if isinstance(base, Number):
+        return Number(base.value * base.value)
+    return Operation("**", base, TWO)
+
+
+def length_of(vector: Expression, axes: Axes) -> Expression:
+    """The length of a vector as a formula: the distance of its ends where these are named."""
+    match vector:
+        case Call(function="turned", arguments=(inner,)):
+            return length_of(inner, axes)
+        case Operation(sign="-", left=Name(start), right=Name(end)):
+            return Call("distance", (Name(end), Name(start)))
+        case Operation(sign="-", right=inner) if is_negated(vector):
+            return length_of(inner, axes)
+    x, y = axes.pair(vector) or (ZERO, ZERO)
+    return root(plus(square(x), square(y)))
+
+
+def root(base: Expression) -> Expression:
+    """The positive square root; that of a square is a size."""
+    if isinstance(base, Operation) and base.sign == "**" and base.right == TWO:
+        return Call("abs", (base.left,))
+    return base if base in (ZERO, ONE) else Call("sqrt", (base,))
+
+
+def dot(first: Pair, second: Pair) -> Expression:
+    """The scalar product."""
+    return plus(times(first[0], second[0]), times(first[1], second[1]))
+
+
+def cross(first: Pair, second: Pair) -> Expression:
+    """The component of the vector product out of the plane."""
+    return minus(times(first[0], second[1]), times(first[1], second[0]))

@@ -1,0 +1,94 @@
+"""What a worked solution consists of, free of any typesetter: prose, equations, tables of terms, pictures, results.
+
+`kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is Markdown with
+`$...$` LaTeX math, math is LaTeX without dollar signs, plain is printed as it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.figure.scene import Scene
+
+
+@dataclass(frozen=True)
+class Heading:
+    """The title of a chapter ("Velocities") or of a step ("Step 2: the rod AB, base point A")."""
+
+    text: str  # prose, one line
+    level: Literal[1, 2]
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A paragraph."""
+
+    text: str  # prose
+
+
+@dataclass(frozen=True)
+class Display:
+    """Equations, one below the other, aligned at the `&` that each line may hold before its first relation sign."""
+
+    lines: tuple[str, ...]  # math
+
+
+@dataclass(frozen=True)
+class Term:
+    """One column of the table under a vector equation; the sign stands before the term's symbol."""
+
+    sign: Literal["", "+", "-", "="]
+    symbol: str  # math: \\boldsymbol{v}_{BA}
+    magnitude: str  # prose, short: "?", "$\\omega_{OA}\\cdot OA$"
+    direction: str  # prose, short: "?", "$\\perp AB$"
+
+
+@dataclass(frozen=True)
+class TermTable:
+    """A vector equation written term by term, the magnitude and the direction of every term below it."""
+
+    terms: tuple[Term, ...]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A drawing with what it shows in a few words."""
+
+    scene: Scene
+    caption: str  # prose, one line
+
+
+@dataclass(frozen=True)
+class Pictures:
+    """Drawings side by side, one below the other where the page is too narrow."""
+
+    pictures: tuple[Picture, ...]
+
+
+@dataclass(frozen=True)
+class Result:
+    """An answer: the exact value where a line holds it, the decimal, and its sense or direction in words."""
+
+    symbol: str  # math
+    exact: str | None  # math, without unit
+    decimal: str  # plain
+    unit: str  # plain, "m/s^2"
+    sense: str  # prose: "clockwise", "to the left"; "" where there is none
+
+
+@dataclass(frozen=True)
+class Results:
+    """The answers, at the end."""
+
+    results: tuple[Result, ...]
+
+
+Block = Heading | Prose | Display | TermTable | Pictures | Results
+
+
+@dataclass(frozen=True)
+class WorkedSolution:
+    """The solution of one question, from what moves how to the results."""
+
+    blocks: tuple[Block, ...]

@@ -1,0 +1,213 @@
+"""A solved instance as formulas are written for it: symbols on one side, this paper's numbers on the other.
+
+    x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\mathrm{m}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.exact.balls import PRECISIONS, Balls
+from kinegrade.exact.text import LATEX, decimal_text, exact_text
+from kinegrade.expression import Call, Expression, Name, Number, elementary, evaluate
+from kinegrade.mechanics.geometry import constructions
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.quantity import Quantity, in_unit
+from kinegrade.problem.solving import Solution
+from kinegrade.units import Unit, read_unit
+from kinegrade.worked.coordinates import Axes, Step, axes_of, steps
+from kinegrade.worked.formula_text import INVERSE, TRIGONOMETRY, Piece, Writer, numeral, symbol_writer, symbols_of
+from kinegrade.worked.formula_width import chained
+
+DIGITS = 4  # significant, of every decimal that is rounded
+LONGEST_SUBSTITUTED = 12  # characters of plain text: longer exact numbers, and parts of roots, go in as decimals
+LONGEST_EXACT = 30  # characters of plain text: a longer exact number is left out on the way to an answer
+STRUCTURAL = frozenset({*TRIGONOMETRY, *INVERSE, "sqrt", "abs"})
+Part = tuple[str, str]  # a relation sign and what stands behind it
+
+METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
+AREA = read_unit("m^2")
+
+
+@dataclass(frozen=True)
+class Instance:
+    """What formulas of a solved instance need: its steps and axes, symbols of names, and values in SI."""
+
+    solution: Solution
+    steps: tuple[Step, ...]
+    axes: Axes
+    symbols: Mapping[str, str]
+    values: Mapping[str, Any]
+    arithmetic: Any
+
+    def named(self, name: str, symbol: str, value: Any) -> Instance:
+        """The instance with one thing more that formulas may name."""
+        return replace(self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value})
+
+    def free(self, letter: str) -> str:
+        """A name for an auxiliary quantity that nothing of the template has."""
+        return next(name for name in (letter, *(f"{letter}{count}" for count in range(1, 1000)))
+                    if name not in self.values)
+
+    def value(self, tree: Expression) -> Any:
+        """The value of an expression in SI: exact where a small field holds it, else enclosed."""
+        try:
+            with self.arithmetic.context():
+                return evaluated(tree, self.values, self.arithmetic)
+        except Inexact:
+            balls = Balls(PRECISIONS[0])
+            with balls.context():
+                return evaluated(tree, {name: enclosed(value, balls) for name, value in self.values.items()}, balls)
+
+    def sign(self, tree: Expression) -> int:
+        """Whether the value of an expression is negative, zero or positive: -1, 0, 1."""
+        value = self.value(tree)
+        text = decimal_text(value, 1)
+        return 0 if text == "0" else -1 if text.startswith("-") else 1
+
+    def symbolic(self, tree: Expression, degrees: bool = False) -> str:
+        """The formula in symbols."""
+        return symbol_writer(self.symbols, self.axes.points).write(tree, degrees).signed
+
+    def numeric(self, tree: Expression, degrees: bool = False) -> str:
+        """The formula with numbers in place of symbols; angles are worked out."""
+        return Writer(self.number).write(tree, degrees).signed
+
+    def number(self, tree: Expression, angular: bool) -> Piece | None:
+        """The number that takes the place of a name, a coordinate or an angle."""
+        if angular:
+            return numeral(self.degrees(self.value(tree)) + r"^\circ")
+        if isinstance(tree, Name) and tree.name != "pi":
+            return numeral(substituted(self.value(tree)))
+        if isinstance(tree, Call) and tree.function not in STRUCTURAL:
+            return numeral(substituted(self.value(tree)))
+        return None
+
+    def degrees(self, angle: Any) -> str:
+        """The decimal of an angle in degrees, to two decimals or so."""
+        quantity = self.quantity(angle, DEGREE)
+        if quantity.is_plain:
+            return quantity.decimal(12)
+        return quantity.decimal(DIGITS + 1 if abs(quantity.value) >= 100 else DIGITS)
+
+    def quantity(self, value: Any, unit: Unit) -> Quantity:
+        """A value in SI as a quantity; angles in degrees are multiples of this arithmetic's pi."""
+        if isinstance(value, int):
+            return in_unit("", self.arithmetic.number(value), unit)
+        with Balls(PRECISIONS[0]).context():
+            return in_unit("", value, unit)
+
+    def proportion(self, left: str, tree: Expression, unit: Unit) -> tuple[str, ...]:
+        """left, up to a factor, as the formula = the same with numbers = the value; a zero is one without a factor."""
+        results = result(self.quantity(self.value(tree), unit))
+        worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
+        (_, first), *others = told_once(() if isinstance(tree, Number) else worked, results)
+        return chained(left, (("=" if first == "0" else r"\propto", first), *others))
+
+    def equation(self, left: str, tree: Expression, unit: Unit = METRE) -> tuple[str, ...]:
+        """left = the formula = the same with numbers = the value."""
+        results = result(self.quantity(self.value(tree), unit))
+        return chained(left, told_once(self.worked_out(left, tree, unit.degrees), results))
+
+    def worked_out(self, left: str, tree: Expression, degrees: bool = False) -> tuple[Part, ...]:
+        """The formula and the same with numbers, each where it says something new."""
+        symbols, numbers = self.symbolic(tree, degrees), self.numeric(tree, degrees)
+        plain = isinstance(tree, (Name, Number)) or (isinstance(tree, Call) and tree.function not in STRUCTURAL)
+        given = () if symbols == left or isinstance(tree, Number) else (("=", symbols),)
+        return given if plain or numbers == symbols else (*given, ("=", numbers))
+
+
+def instance_of(solution: Solution) -> Instance:
+    """The instance of a solution, its auxiliary points worked out."""
+    template = solution.template
+    bare = Instance(solution, (), Axes(frozenset(), frozenset()), symbols_of(template),
+                    dict(solution.assembly.values), solution.arithmetic.fork())
+    return with_steps(bare, steps(template))
+
+
+def with_steps(instance: Instance, more: Iterable[Step]) -> Instance:
+    """The instance with further points; those that the template does not name are worked out."""
+    all_steps = (*instance.steps, *more)
+    instance = replace(instance, steps=all_steps, axes=axes_of(all_steps))
+    for step in all_steps:
+        if step.point not in instance.values:
+            place = instance.value(step.tree)
+            instance = instance.named(step.point, f"{step.point[0]}_{{{step.point[1:]}}}", Vector(place.x, place.y))
+    return instance
+
+
+def evaluated(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
+    """The value of an expression in one arithmetic."""
+    points = {name: value for name, value in values.items() if isinstance(value, Vector)}
+    functions: dict[str, Callable[..., Any]] = {**elementary(arithmetic), **constructions(arithmetic, points)}
+    return evaluate(tree, values, functions, arithmetic)
+
+
+def enclosed(value: Any, balls: Balls) -> Any:
+    """An exact value as an enclosure."""
+    if isinstance(value, Vector):
+        return Vector(balls.number(value.x), balls.number(value.y))
+    if isinstance(value, Angle):
+        return value.ball()
+    return value if isinstance(value, str) else balls.number(value)
+
+
+def substituted(value: Any) -> str:
+    """A number as it is put into a formula: exact where that is short, else rounded."""
+    quantity = in_unit("", value, PURE)
+    if isinstance(value, Angle):
+        return quantity.decimal(DIGITS)
+    if quantity.is_plain:
+        return quantity.decimal(12)
+    text = str(quantity.exact)
+    if quantity.is_exact and len(text) <= LONGEST_SUBSTITUTED and not ("sqrt" in text and "/" in text):
+        return exact_text(value, LATEX)
+    return settled(quantity) or quantity.decimal(DIGITS)
+
+
+def settled(quantity: Quantity) -> str | None:
+    """The decimal of an enclosure that is a number of few digits as far as can be told; None for any other."""
+    text = quantity.decimal(20)
+    return text if len(text.strip("-").lstrip("0.")) <= 6 else None
+
+
+def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part, ...]:
+    """All parts of an equation; the last of the working is dropped where it is the result but for its unit."""
+    if worked and results and results[0][1].split(r"\,\mathrm")[0] == worked[-1][1]:
+        worked = worked[:-1]
+    return worked + results
+
+
+def result(quantity: Quantity, longest: int = LONGEST_EXACT) -> tuple[Part, ...]:
+    """The value at the end of an equation: exact where it is short enough, then rounded where that says less."""
+    if quantity.is_zero:
+        return (("=", "0"),)
+    if quantity.is_plain:
+        return (("=", with_unit(quantity.decimal(12), quantity.measure)),)
+    if not quantity.is_exact and (short := settled(quantity)):
+        return (("=", with_unit(short, quantity.measure)),)
+    digits = DIGITS + 1 if quantity.measure.degrees and abs(quantity.value) >= 100 else DIGITS
+    decimal = ("\\approx", with_unit(quantity.decimal(digits), quantity.measure))
+    arctangent = isinstance(quantity.number, Angle) and quantity.measure.degrees
+    long = quantity.closed_form is None or len(str(quantity.exact)) > longest
+    return (decimal,) if arctangent or long else (("=", exact_with_unit(quantity)), decimal)
+
+
+def exact_with_unit(quantity: Quantity) -> str:
+    """A closed form with its unit: a sum in brackets, an angle of radians without one."""
+    text = str(quantity.closed_form)
+    if isinstance(quantity.number, Angle) and not quantity.measure.degrees:
+        return text
+    piece = numeral(text)
+    bracketed = piece.kind == "sum" and quantity.measure.latex
+    return with_unit(rf"\left({text}\right)" if bracketed else text, quantity.measure)
+
+
+def with_unit(text: str, unit: Unit) -> str:
+    """A printed number with its unit."""
+    if not unit.latex:
+        return text
+    return text + unit.latex if unit.degrees else rf"{text}\,{unit.latex}"

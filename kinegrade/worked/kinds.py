@@ -1,0 +1,56 @@
+"""The first chapter of a solution: what moves how."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinegrade.mechanics.joints import GROUND, Line, Parallel, Pin, Roll, Sleeve
+from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.relations import omega_of
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Prose
+from kinegrade.worked.phrases import phrase
+
+
+def kinds(case: Case) -> Iterator[Block]:
+    """A sentence that says how every body moves."""
+    mechanism = case.motion.frames.mechanism
+    sentences = [kind(body, mechanism, case) for body in mechanism.bodies]
+    end = "." if case.language == "en" else "。"
+    text = ("; " if case.language == "en" else "；").join(sentences)
+    yield Prose(text[0].upper() + text[1:] + end)
+
+
+def kind(body: Body, mechanism: Mechanism, case: Case) -> str:
+    """How one body moves."""
+    name = case.naming.body(body.name)
+    if body.particle:
+        return phrase("particle", case.language, body=case.naming.point(body.name))
+    pivot = next((joint.point for joint in mechanism.joints
+                  if isinstance(joint, Pin) and GROUND in joint.bodies and body.name in joint.bodies), None)
+    if pivot is not None:
+        return phrase("rotates", case.language, body=name, point=case.naming.point(pivot))
+    if body.name in translating(mechanism):
+        return phrase("translates", case.language, body=name)
+    roll = next((joint for joint in mechanism.joints if isinstance(joint, Roll) and joint.body == body.name), None)
+    if roll is not None:
+        return phrase("rolls", case.language, body=name, other=track_of(roll, case))
+    still = omega_of(body.name) in case.motion.rates and case.arithmetic.is_zero(case.motion.omega(body.name))
+    return phrase("plane_instant" if still else "plane", case.language, body=name)
+
+
+def track_of(roll: Roll, case: Case) -> str:
+    """On what a body rolls, in prose."""
+    if roll.of != GROUND:
+        return case.naming.body(roll.of)
+    return phrase("ground" if isinstance(roll.on, Line) else "fixed_circle", case.language)
+
+
+def translating(mechanism: Mechanism) -> set[str]:
+    """The bodies that cannot turn: held parallel to the ground, or to a body that is."""
+    held = {GROUND}
+    for _ in mechanism.bodies:
+        for joint in mechanism.joints:
+            if isinstance(joint, (Parallel, Sleeve)) and held & {joint.body, joint.of}:
+                held |= {joint.body, joint.of}
+    return held - {GROUND}

@@ -1,0 +1,182 @@
+"""Velocities of two points of a body by the projection theorem, or by the instantaneous centre.
+
+Where neither serves (a body that turns about nothing known, a composition of motions), nothing is given, and the step
+is told by the base point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kinegrade.expression import Name
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
+from kinegrade.problem.template import Method
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import Stage, deduced, rotation_result, solved_lines
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.needs import calls
+from kinegrade.worked.numbers import absolute_value, double, length, short, size, stated
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.points import Findings, point_symbol, way
+from kinegrade.worked.poles import pole_name
+from kinegrade.worked.projection import PARALLEL, deductions
+from kinegrade.worked.steps import remarks, table
+from kinegrade.worked.told import is_told_negative
+from kinegrade.worked.vectors import arm, letters_of, magnitude_formula, symbol, vanishes
+from kinegrade.worked.wording import introduction
+
+
+@dataclass(frozen=True)
+class Coupler:
+    """Two points of one body: the velocity of `base` is known, the direction of that of `point`."""
+
+    equation: VectorEquation
+    base: Part
+    point: Part
+    rotation: Part
+
+    @property
+    def body(self) -> str:
+        """The body that carries both points."""
+        return (self.rotation.unknown or "").removeprefix("omega ")
+
+
+def method_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
+    """The step by the method chosen, or nothing where it is to be told by the base point."""
+    coupler = coupler_of(stage)
+    if coupler is None:
+        return
+    method = method_for(coupler, stage.case)
+    if method == "projection":
+        yield from by_projection(coupler, step, stage)
+    elif method == "pole":
+        yield from by_pole(coupler, stage, findings)
+
+
+def method_title(stage: Stage) -> str | None:
+    """The title of a step that is told by another method than the base point's, else None."""
+    coupler = coupler_of(stage)
+    method = method_for(coupler, stage.case) if coupler else "base-point"
+    if coupler is None or method == "base-point":
+        return None
+    return phrase(f"title_{method}", stage.case.language, body=stage.case.naming.body(coupler.body))
+
+
+def method_for(coupler: Coupler, case: Case) -> Method:
+    """The method asked for; else the pole where an answer is about it, or where the body does not turn."""
+    if case.method is not None:
+        return case.method
+    asked = {call.arguments[0].name for name in case.solution.answers
+             for call in calls(case.template.asks[name].quantity)
+             if call.function == "pole" and isinstance(call.arguments[0], Name)}
+    still = case.arithmetic.is_zero(case.motion.omega(coupler.body))
+    return "pole" if coupler.body in asked or still else "base-point"
+
+
+def coupler_of(stage: Stage) -> Coupler | None:
+    """The two points of a step of one velocity equation v_B = v_A + v_BA, None for any other step."""
+    if stage.level != "velocity" or len(stage.equations) != 1:
+        return None
+    equation = stage.equations[0]
+    whole, other = equation.left, equation.right
+    if not (is_whole(whole) and len(whole) == 1 and len(other) == 2 and other[1].role == "rotation"):
+        return None
+    if whole[0].unknown is None:  # v_B known, v_A sought: A and B change places
+        known, sought = whole[0], other[0]
+    else:
+        known, sought = other[0], whole[0]
+    if known.unknown or not sought.unknown or not other[1].unknown or vanishes(known) or sought.role != "absolute":
+        return None
+    return Coupler(equation, known, sought, other[1])
+
+
+def by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]:
+    """The projection theorem for the point's speed, then the base point for the rotation."""
+    case = stage.case
+    first, second = deductions(stage.equations, (), step.unknowns)
+    if first.projections[0].dropped != coupler.rotation:
+        first, second = second, first
+    if first.projections[0].dropped != coupler.rotation or not first.projections[0].left:
+        return
+    projection = first.projections[0]
+    base, point = case.naming.point(coupler.base.point), case.naming.point(coupler.point.point)
+    yield from base_speed(coupler, case)
+    yield Prose(phrase("method_projection", case.language, body=case.naming.body(coupler.body), first=base,
+                       second=point))
+    yield Display(tuple(solved_lines(stage, projection, (), first.unknowns[0])))
+    yield Prose(introduction(coupler.equation, case))
+    yield table(coupler.equation, case)
+    yield from remarks(coupler.equation, case)
+    yield from deduced(stage, second, set(first.unknowns))
+
+
+def by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Block]:
+    """The pole by its construction, the rotation about it, and the speed of the second point."""
+    case, body = stage.case, coupler.body
+    name = pole_name(body, case)
+    letter = case.naming.point(name)
+    yield Prose(phrase(construction(coupler, case), case.language, body=case.naming.body(body), pole=letter,
+                       first=case.naming.point(coupler.base.point), second=case.naming.point(coupler.point.point)))
+    if case.arithmetic.is_zero(case.motion.omega(body)):
+        yield from base_speed(coupler, case)
+        known = symbol(coupler.equation, coupler.base, case)
+        yield Display((f"{case.naming.omega(body)} &= 0", *found_speed(coupler, known, case)))
+        return
+    pole = case.motion.pole(body, case.arithmetic)
+    findings.poles[body] = name
+    yield from base_speed(coupler, case)
+    yield Display(tuple(pole_lines(coupler, pole, letter, stage, findings)))
+
+
+def base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
+    """The speed of the point whose velocity is known, where it follows from a rotation about a fixed axis."""
+    formula = magnitude_formula(coupler.equation, coupler.base, case)
+    if formula and coupler.base.term and not is_told_negative(coupler.base.term, case, "velocity"):
+        value = coupler.base.value
+        yield Display((f"{letters_of(coupler.equation, coupler.base, case)} &= {formula} = "
+                       f"{stated(length(value, case.arithmetic), 'm/s')}{way(value, case)}",))
+
+
+def construction(coupler: Coupler, case: Case) -> str:
+    """Which of the constructions of a pole applies."""
+    if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
+        return "method_pole_infinity"
+    first, second = coupler.base.value, coupler.point.coefficient or Vector(0, 0)
+    parallel = abs(double(first.cross(second))) < PARALLEL * size(first) * size(second)
+    return "method_pole_parallel" if parallel else "method_pole"
+
+
+def pole_lines(coupler: Coupler, pole: Vector, letter: str, stage: Stage, findings: Findings) -> Iterator[str]:
+    """The pole, its distances, and the velocities that follow from them."""
+    case, points = stage.case, stage.case.motion.points
+    base, point = coupler.base.point, coupler.point.point
+    yield rf"{letter} &: ({stated(pole.x, 'm')},\quad {stated(pole.y, 'm')})"
+    arms = {name: length(points[name] - pole, case.arithmetic) for name in (base, point)}
+    yield from (f"{letter}{case.naming.point(name)} &= {stated(size_, 'm')}" for name, size_ in arms.items())
+    speed = symbol(coupler.equation, coupler.base, case)
+    omega = absolute_value(case.naming.omega(coupler.body))
+    value = length(coupler.base.value, case.arithmetic)
+    yield (rf"{omega} &= \frac{{{speed}}}{{{letter}{case.naming.point(base)}}} = "
+           rf"\frac{{{short(value)}}}{{{short(arms[base])}}}")
+    yield rotation_result(f"omega {coupler.body}", case, "velocity", "")
+    findings.sized.add(point_symbol(point, "velocity", case))
+    how = (rf"{letter}{case.naming.point(point)}\cdot {omega} = "
+           rf"{short(arms[point])}\cdot {short(abs(case.motion.omega(coupler.body)))}")
+    yield from found_speed(coupler, how, case)
+
+
+def found_speed(coupler: Coupler, how: str, case: Case) -> Iterator[str]:
+    """The size and direction of the second point's velocity, and the rotation of the body that it turns with."""
+    sought, term = coupler.point, coupler.point.term
+    if term is None or sought.coefficient is None:
+        return
+    negative = double(sought.value.dot(sought.coefficient)) < 0
+    letters = letters_of(coupler.equation, sought, case)
+    speed = absolute_value(letters) if negative else letters
+    yield f"{speed} &= {how} = {stated(length(sought.value, case.arithmetic), 'm/s')}{way(sought.value, case)}"
+    if term.kind == "rotation":
+        fraction = rf"\frac{{{speed}}}{{{arm(sought, case)}}} = "
+        yield rotation_result(term.rate, case, "velocity", f"-{fraction}" if negative else fraction)

@@ -1,0 +1,120 @@
+"""Which rates the answers of a question need, and so which steps of the plan its solution takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from kinegrade.errors import MechanismError
+from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import Chain, omega_of
+from kinegrade.problem.quantities import Quantities
+
+RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
+ACCELERATIONS = frozenset({"acceleration", "relative_acceleration", "alpha", "tangential_acceleration"})
+
+
+@dataclass(frozen=True)
+class Needs:
+    """The rates whose values, and whose changes, are needed."""
+
+    rates: frozenset[str]
+    changes: frozenset[str]
+
+    def __or__(self, other: Needs) -> Needs:
+        return Needs(self.rates | other.rates, self.changes | other.changes)
+
+
+NOTHING = Needs(frozenset(), frozenset())
+
+
+def calls(tree: Expression) -> Iterator[Call]:
+    """All calls within an expression, outer ones first."""
+    if isinstance(tree, Call):
+        yield tree
+        for argument in tree.arguments:
+            yield from calls(argument)
+    elif isinstance(tree, Operation):
+        yield from calls(tree.left)
+        yield from calls(tree.right)
+
+
+def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
+    """The (body, point) pairs whose motion a call speaks of."""
+    names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
+    match call.function:
+        case "velocity" | "acceleration":
+            return [(body_of(names, quantities, motion), names[0])]
+        case "relative_velocity" | "relative_acceleration" | "coriolis":
+            return [(names[1], names[0]), (names[2], names[0])]
+        case "pole" | "circle_of_poles":
+            return [(names[0], motion.frames.bases[names[0]].point)]
+    return []
+
+
+def body_of(names: list[str], quantities: Quantities, motion: Motion) -> str:
+    """The body whose point is meant."""
+    return names[1] if len(names) > 1 else quantities.owner(names[0], None)
+
+
+def turning_bodies(call: Call) -> list[str]:
+    """The bodies whose rotation a call speaks of."""
+    names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
+    match call.function:
+        case "omega" | "alpha":
+            return names
+        case "normal_acceleration" | "tangential_acceleration" | "coriolis" | "relative_acceleration":
+            return names[2:3]
+        case "pole" | "circle_of_poles":
+            return names[:1]
+    return []
+
+
+def needs_of(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
+    """What the quantity of an ask needs."""
+    needs = NOTHING
+    for call in calls(tree):
+        rates = {term.rate for body, point in chains_of(call, motion, quantities)
+                 for term in motion.frames.chain(body, point)}
+        rates |= {omega_of(body) for body in turning_bodies(call) if body != GROUND}
+        rates &= set(motion.rates)
+        changes = rates if call.function in ACCELERATIONS else set()
+        needs |= Needs(frozenset(rates), frozenset(changes))
+    return needs
+
+
+def steps_needed(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
+    """The steps of the plan for velocities and for accelerations that the needs ask for, in the plan's order."""
+    changes = followed(motion, set(needs.changes))
+    rates = set(needs.rates)
+    for step in changes:
+        rates |= set(step.unknowns) | {rate for index in step.relations for rate in speaking_of(motion, index)}
+    return followed(motion, rates), changes
+
+
+def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
+    """The steps that lead to the wanted rates, from the last to the first and put in order.
+
+    Raises MechanismError for a rate that no step of the plan gives.
+    """
+    chosen = []
+    for step in reversed(motion.plan.steps):
+        if wanted & set(step.unknowns):
+            chosen.append(step)
+            wanted |= {rate for index in step.relations for rate in motion.frames.relations[index].unknowns()}
+    missing = wanted - {rate for step in chosen for rate in step.unknowns}
+    if missing:
+        raise MechanismError(f"the plan does not give {', '.join(sorted(missing))}, which the answers need: "
+                             "solve the template anew")
+    return tuple(reversed(chosen))
+
+
+def speaking_of(motion: Motion, index: int) -> Iterable[str]:
+    """The rates on which a relation's accelerations depend: its own, and those of the frames it is told in."""
+    relation = motion.frames.relations[index]
+    chains: list[Chain] = [relation.left, relation.right]
+    frames = {term.frame for chain in chains for term in chain} | {relation.frame}
+    return {*relation.unknowns(), *(omega_of(frame) for frame in frames - {GROUND})}

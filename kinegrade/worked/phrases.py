@@ -1,0 +1,30 @@
+"""The sentences of worked solutions in both languages, from `phrases.toml`."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from kinegrade.problem.template import Language
+
+_PLACE = re.compile(r"<(\w+)>")
+
+
+@cache
+def phrases() -> dict[str, dict[Language, str]]:
+    """All sentences by name and language."""
+    text = files("kinegrade.worked").joinpath("phrases.toml").read_text(encoding="utf-8")
+    table: dict[str, Any] = tomllib.loads(text)
+    return table
+
+
+def phrase(key: str, language: Language, **parts: object) -> str:
+    """A sentence in one language, its places filled in; a first word that is filled in keeps its case.
+
+    >>> phrase("ccw", "zh")
+    '逆时针'
+    """
+    return _PLACE.sub(lambda place: str(parts[place[1]]), phrases()[key][language])

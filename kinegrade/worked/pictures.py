@@ -1,0 +1,183 @@
+"""The pictures of a step: the mechanism with its vectors, the polygon of the equation, the construction of a pole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from kinegrade.figure.pole_construction import Pole, pole_picture
+from kinegrade.figure.polygon import Arrow, polygon
+from kinegrade.figure.vectors import PointArrow, with_vectors
+from kinegrade.mechanics.joints import GROUND, Roll
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
+from kinegrade.problem.hints import Turning
+from kinegrade.problem.quantities import Quantities
+from kinegrade.problem.template import Ask
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import Stage
+from kinegrade.worked.document import Picture, Pictures
+from kinegrade.worked.methods import coupler_of, method_for
+from kinegrade.worked.needs import calls, chains_of
+from kinegrade.worked.numbers import NEGLIGIBLE
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.poles import pole_name
+from kinegrade.worked.scalars import speed, term_of
+from kinegrade.worked.vectors import letters_of
+
+
+def mechanism_picture(case: Case) -> Picture:
+    """The mechanism with the letters of its points."""
+    mechanism = drawable_mechanism(case.motion.frames.mechanism)
+    scene = with_vectors(mechanism, case.template.figure, ())
+    return Picture(scene, phrase("picture_mechanism", case.language))
+
+
+def stage_pictures(step: Step, stage: Stage) -> Iterator[Pictures]:
+    """The pictures of a step; none where nothing moves in it."""
+    moving = [equation for equation in stage.equations if any(is_seen(part.value) for part in equation.parts)]
+    if not moving:
+        yield from picture_of_rotation(step, stage)
+        return
+    coupler = coupler_of(stage)
+    if coupler is not None and method_for(coupler, stage.case) == "pole":
+        rays = tuple(point_arrows((coupler.base, coupler.point), coupler.equation, stage.case))
+        yield Pictures((picture_of_pole(coupler.body, rays, stage.case),))
+        return
+    polygons = [polygon_picture(equation, stage) for equation in moving if spans(equation)]
+    yield Pictures((vectors_picture(moving, stage), *polygons))
+
+
+def spans(equation: VectorEquation) -> bool:
+    """Whether the vectors of an equation make a polygon, and not one vector twice."""
+    return sum(is_seen(part.value) for part in equation.parts) > 2
+
+
+def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
+    """The mechanism with the rotations and the motions of points that are given; none where all of them are zero."""
+    rates = [rate for step in steps for rate in step.unknowns]
+    found = turnings(rates, case, level)
+    values = case.motion.rates if level == "velocity" else case.motion.changes
+    arrows = []
+    for rate in rates:
+        if not rate.startswith("omega "):
+            term = term_of(rate, case)
+            value = floats(term.coefficient() * values[rate])
+            if is_seen(value):
+                arrows.append(PointArrow(speed(term, case, level), floats(case.motion.points[term.point]), value))
+    if found or arrows:
+        mechanism = drawable_mechanism(case.motion.frames.mechanism)
+        scene = with_vectors(mechanism, case.template.figure, arrows, found)
+        yield Pictures((Picture(scene, phrase(f"picture_{level}", case.language)),))
+
+
+def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
+    """The picture of a step without vectors: the rotation that it gives, about its pole where a body rolls."""
+    case, roll = stage.case, rolling(step, stage.case)
+    if roll is not None and roll.of == GROUND and stage.level == "velocity":
+        centre = roll.circle.centre
+        velocity = floats(case.motion.velocity(centre, roll.body))
+        if is_seen(velocity):
+            ray = PointArrow(f"v_{{{case.naming.point(centre)}}}", floats(case.motion.points[centre]), velocity)
+            yield Pictures((picture_of_pole(roll.body, (ray,), case),))
+        return
+    found = turnings(step.unknowns, case, stage.level)
+    if found:
+        mechanism = drawable_mechanism(case.motion.frames.mechanism)
+        scene = with_vectors(mechanism, case.template.figure, (), found)
+        yield Pictures((Picture(scene, phrase(f"picture_{stage.level}", case.language)),))
+
+
+def rolling(step: Step, case: Case) -> Roll | None:
+    """The rolling without slipping that a step speaks of."""
+    sources = (case.motion.frames.relations[index].source for index in step.relations)
+    return next((source for source in sources if isinstance(source, Roll)), None)
+
+
+def answer_pictures(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
+    """The mechanism with the velocities, and with the accelerations, of the points that the asks name."""
+    pictures = []
+    for function, key in (("velocity", "picture_points"), ("acceleration", "picture_points_acceleration")):
+        arrows = {arrow.at: arrow for ask in asked for arrow in asked_arrows(ask, function, case)}
+        if arrows:
+            mechanism = drawable_mechanism(case.motion.frames.mechanism)
+            scene = with_vectors(mechanism, case.template.figure, tuple(arrows.values()))
+            pictures.append(Picture(scene, phrase(key, case.language)))
+    if pictures:
+        yield Pictures(tuple(pictures))
+
+
+def asked_arrows(ask: Ask, function: str, case: Case) -> Iterator[PointArrow]:
+    """The vectors of points that an ask names."""
+    quantities = Quantities(case.motion, case.arithmetic)
+    for call in calls(ask.quantity):
+        if call.function != function:
+            continue
+        for body, point in chains_of(call, case.motion, quantities):
+            motion = case.motion.velocity if function == "velocity" else case.motion.acceleration
+            value = floats(motion(point, body))
+            if is_seen(value):
+                letters = f"{function[0]}_{{{case.naming.point(point)}}}"
+                yield PointArrow(letters, floats(case.motion.points[point]), value, known=False)
+
+
+def vectors_picture(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
+    """The mechanism with all vectors of the step at their points, and the rotations that the step gives."""
+    case = stage.case
+    mechanism = drawable_mechanism(case.motion.frames.mechanism)
+    arrows = {(arrow.symbol, arrow.at): arrow for equation in equations
+              for arrow in point_arrows(equation.parts, equation, case)}
+    rates = dict.fromkeys(rate for equation in equations for rate in equation.unknowns)
+    scene = with_vectors(mechanism, case.template.figure, tuple(arrows.values()), turnings(rates, case, stage.level))
+    return Picture(scene, phrase(f"picture_{stage.level}", case.language))
+
+
+def point_arrows(parts: Iterable[Part], equation: VectorEquation, case: Case) -> Iterator[PointArrow]:
+    """The parts that do not vanish, each at its point."""
+    for part in parts:
+        if is_seen(part.value):
+            at = floats(case.motion.points[part.point])
+            yield PointArrow(letters_of(equation, part, case), at, floats(part.value), part.unknown is None)
+
+
+def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
+    """The rotations that a step gives, in their sense."""
+    values = case.motion.rates if level == "velocity" else case.motion.changes
+    found = []
+    for rate in rates:
+        body = rate.removeprefix("omega ")
+        if body != rate and float(values[rate]):
+            letters = case.naming.omega(body) if level == "velocity" else case.naming.alpha(body)
+            found.append(Turning(letters, body, "ccw" if float(values[rate]) > 0 else "cw"))
+    return tuple(turning for turning in found if r"\text" not in turning.symbol)
+
+
+def polygon_picture(equation: VectorEquation, stage: Stage) -> Picture:
+    """The polygon of a vector equation, to a scale that its caption tells."""
+    case = stage.case
+    left, right = ([Arrow(letters_of(equation, part, case), floats(part.value), part.unknown is None)
+                    for part in side if is_seen(part.value)] for side in (equation.left, equation.right))
+    scene = polygon(left, right)
+    return Picture(scene, phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}"))
+
+
+def picture_of_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
+    """The construction of a pole from the velocities of points of the body."""
+    mechanism = drawable_mechanism(case.motion.frames.mechanism)
+    still = case.arithmetic.is_zero(case.motion.omega(body))
+    at = None if still else floats(case.motion.pole(body, case.arithmetic))
+    rotation = next(iter(turnings([f"omega {body}"], case, "velocity")), None)
+    pole = Pole(case.naming.point(pole_name(body, case)), at)
+    scene = pole_picture(mechanism, case.template.figure, pole, rays, rotation)
+    return Picture(scene, phrase("picture_pole", case.language, body=case.naming.body(body)))
+
+
+def floats(vector: Vector) -> Vector:
+    """A vector in doubles."""
+    return Vector(float(vector.x), float(vector.y))
+
+
+def is_seen(vector: Vector) -> bool:
+    """Whether a vector is more than rounding leaves of zero."""
+    return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE

@@ -1,0 +1,301 @@
+"""The velocity or acceleration of a point of a body whose motion is known: by its arm, or by its base point."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Generator, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from kinegrade.expression import Expression
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.relations import Chain, Term, total
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_whole, term_parts
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import UNITS
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.numbers import absolute_value, angle_text, bearing, bracketed, double, length, short, stated
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.scalars import turning_value
+from kinegrade.worked.senses import direction_words
+from kinegrade.worked.told import positive_sense, ways
+from kinegrade.worked.vectors import letter, letters_of, number_of, subscript
+
+NUMBER = re.compile(r"-?[0-9.]+")
+Key = tuple[Level, tuple[tuple[str, str, str], ...]]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A vector that is told by one number: its symbol, the direction in which that counts positive, its value."""
+
+    symbol: str
+    positive: Vector
+    value: Vector
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A vector that the solution has found: its symbol, and whether by components or by sizes and directions.
+
+    `pieces` are the vectors whose sum it is where it is told by sizes: itself, or a normal and a tangential part.
+    """
+
+    symbol: str
+    value: Vector
+    by_components: bool
+    pieces: tuple[Piece, ...] = ()
+
+    @property
+    def told(self) -> tuple[Piece, ...]:
+        """The pieces; of a vector told by size and direction itself alone."""
+        return self.pieces or (Piece(self.symbol, self.value, self.value),)
+
+
+@dataclass
+class Findings:
+    """What a solution has found so far, filled in as it is written.
+
+    `numbers` are those of the relative motions where a step has several, by the rate of each; `sized` the symbols of
+    vectors known by components whose size has been told as well.
+    """
+
+    facts: dict[Key, Fact] = field(default_factory=dict)
+    told: dict[Expression, Fact] = field(default_factory=dict)
+    poles: dict[str, str] = field(default_factory=dict)
+    numbers: dict[str, str] = field(default_factory=dict)
+    sized: set[str] = field(default_factory=set)
+
+    def note(self, equation: VectorEquation, case: Case) -> None:
+        """Keep what a solved equation gives: the vector that stands alone on one side, which is that of both chains,
+        the vectors of points fixed to nothing but the ground, and the numbers of its relative motions."""
+        for part in equation.compositions:
+            if part.term is not None:
+                self.numbers[part.term.rate] = number_of(equation, part)
+        relation = equation.relation
+        whole = next((side for side in (equation.left, equation.right) if is_whole(side)), None)
+        if whole is not None:
+            for chain in (relation.left, relation.right):
+                self.facts.setdefault(key_of(chain, equation.level), fact_of(whole, equation, case))
+        for chain in (relation.left, relation.right):
+            first = [part for part in equation.parts if chain and part.term is chain[0]
+                     and part.role in ("absolute", "transport")]
+            if first:
+                self.facts.setdefault(key_of(chain[:1], equation.level), fact_of(first, equation, case))
+
+
+def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact:
+    """The vector of one point whose parts stand in an equation."""
+    pieces = tuple(Piece(letters_of(equation, part, case), sense_of(part, case), part.value) for part in parts)
+    transport = f"{letter(equation)}_{{{subscript(equation, parts[0], case)}}}"
+    symbol = transport if parts[0].role == "transport" else point_symbol(parts[0].point, equation.level, case)
+    return Fact(symbol, total(part.value for part in parts), False, pieces)
+
+
+def sense_of(part: Part, case: Case) -> Vector:
+    """The direction in which a part's number counts positive: its own where only its size is told."""
+    if part.coefficient is not None:
+        return part.coefficient
+    if part.term is None or part.part == "n" or part.term.kind == "rotation":
+        return part.value
+    return positive_sense(part.term, case)
+
+
+def key_of(chain: Chain, level: Level) -> Key:
+    """By what a chain's vector is remembered."""
+    return level, ways(chain)
+
+
+def point_symbol(point: str, level: Level, case: Case) -> str:
+    """The symbol of a point's velocity or acceleration."""
+    return f"{'v' if level == 'velocity' else 'a'}_{{{case.naming.point(point)}}}"
+
+
+def vector_of(chain: Chain, motion: Motion, level: Level) -> Vector:
+    """The vector of a chain."""
+    if level == "velocity":
+        return total(term.velocity(motion.rates) for term in chain)
+    return total(term.acceleration(motion.rates, motion.changes) for term in chain)
+
+
+def find_point(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+    """How the vector of a chain is found, if that has not been told; `name` is its symbol."""
+    if key_of(chain, level) in findings.facts or not chain:
+        return
+    last, value = chain[-1], vector_of(chain, case.motion, level)
+    if all(term.kind == "sliding" and term.frame == GROUND for term in chain):
+        pieces = (Piece(name, positive_sense(last, case), value),) if len(chain) == 1 else ()
+        fact = Fact(name, value, len(chain) > 1, pieces)
+    elif len(chain) == 1 and level == "velocity":
+        yield from single(last, name, case)
+        fact = Fact(name, value, False, (Piece(name, value if last.kind == "rotation" else last.coefficient(), value),))
+    elif len(chain) == 1 and last.kind == "arc":
+        fact = yield from circling(last, name, case)
+    elif last.kind == "rotation":
+        yield from carried(chain, name, case, level, findings)
+        fact = Fact(name, value, True)
+    else:
+        yield from composed(chain, name, case, level, findings)
+        fact = Fact(name, value, True)
+    findings.facts[key_of(chain, level)] = fact
+
+
+def single(term: Term, name: str, case: Case) -> Iterator[Block]:
+    """The velocity of a point that turns about a fixed axis; of a guided point, whose speed has been told, nothing."""
+    if term.kind != "rotation":
+        return
+    body = term.rate.removeprefix("omega ")
+    point, base = case.naming.point(term.point), case.naming.point(term.base)
+    value = term.velocity(case.motion.rates)
+    size = length(value, case.arithmetic)
+    omega = case.naming.omega(body)
+    bars = omega if double(case.motion.rates[term.rate]) >= 0 else absolute_value(omega)
+    yield Prose(phrase(f"known_point{place_of(term, case)}", case.language, point=point, base=base,
+                       body=case.naming.body(body)))
+    yield Display((rf"{name} &= {base}{point}\cdot {bars} = {stated(size, 'm/s')}{way(value, case)}",))
+
+
+def place_of(term: Term, case: Case) -> str:
+    """What distinguishes the sentence on a point that only coincides with one of the body that turns."""
+    name = term.rate.removeprefix("omega ")
+    own = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
+    return "" if term.point in own else "_at"
+
+
+def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
+    """The acceleration of a point on a fixed circle: the normal part by its speed, the tangential one as told."""
+    point, centre = case.naming.point(term.point), case.naming.point(term.base)
+    yield Prose(phrase("known_circle", case.language, point=point, centre=centre))
+    normal, tangential = term.normal(case.motion.rates), term.coefficient() * case.motion.changes[term.rate]
+    speed = short(length(term.velocity(case.motion.rates), case.arithmetic))
+    radius = length(term.vector, case.arithmetic)
+    symbols = tuple(rf"{name}^{{\mathrm{{{part}}}}}" for part in "nt")
+    yield Display((rf"{symbols[0]} &= \frac{{v_{{{point}}}^{{2}}}}{{{centre}{point}}} = "
+                   rf"\frac{{{speed}^{{2}}}}{{{short(radius)}}} = "
+                   f"{stated(length(normal, case.arithmetic), 'm/s^2')}",))
+    pieces = Piece(symbols[0], normal, normal), Piece(symbols[1], term.coefficient(), tangential)
+    return Fact(name, normal + tangential, False, pieces)
+
+
+def way(vector: Vector, case: Case) -> str:
+    """The direction of a vector behind its size in an equation, "" for a zero vector."""
+    words = direction_words(vector, case)
+    if "$" in words or not words:
+        return rf",\quad {angle_text(bearing(vector))}" if words else ""
+    return rf"\quad\text{{({words})}}"
+
+
+def carried(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+    """The components of a point's vector by its base point: rotation about it added to the base point's own."""
+    last, before = chain[-1], chain[:-1]
+    base_name = point_symbol(last.base, level, case)
+    yield from find_point(before, base_name, case, level, findings)
+    point, base = case.naming.point(last.point), case.naming.point(last.base)
+    key = f"{'known_base' if before else 'known_point'}{place_of(last, case)}"
+    yield Prose(phrase(key, case.language, point=point, base=base,
+                       body=case.naming.body(last.rate.removeprefix("omega "))))
+    start = (base_name if before else "", vector_of(before, case.motion, level))
+    yield Display(tuple(f"{component(name, axis)} &= {carried_component(axis, start, last, case, level)}"
+                        for axis in "xy"))
+
+
+def carried_component(axis: str, start: tuple[str, Vector], term: Term, case: Case, level: Level) -> str:
+    """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and value.
+
+    `start` is the vector of the base point with its symbol, "" where it is fixed. What does not turn adds nothing.
+    """
+    base_name, base = start
+    along = 0 if axis == "x" else 1
+    summands = [Summand("+", component(base_name, axis), short(base[along]))] if base_name else []
+    summands += turning_summands(axis, term, case, level)
+    added = term.velocity(case.motion.rates) if level == "velocity" else term.acceleration(case.motion.rates,
+                                                                                           case.motion.changes)
+    result = stated(base[along] + added[along], UNITS[level, False])
+    texts = (sum_of(summands, "symbol"), sum_of([one for one in summands if one.counts], "number"))
+    return " = ".join([*(text for text in dict.fromkeys(texts) if not NUMBER.fullmatch(text)), result])
+
+
+@dataclass(frozen=True)
+class Summand:
+    """A summand with its sign, in symbols and in numbers."""
+
+    sign: str
+    symbol: str
+    number: str
+
+    @property
+    def counts(self) -> bool:
+        """Whether none of its factors is zero."""
+        return not any(factor.strip("(){}") == "0" for factor in self.number.split(r"\cdot "))
+
+
+def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
+    """What the rotation about a base point adds to a component; nothing where the rotation is zero."""
+    along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
+    point, base = case.naming.point(term.point), case.naming.point(term.base)
+    body = term.rate.removeprefix("omega ")
+    rate, change = case.motion.rates[term.rate], case.motion.changes[term.rate]
+    letters, value = (case.naming.omega(body), rate) if level == "velocity" else (case.naming.alpha(body), change)
+    if double(value):
+        yield Summand(sign, f"{letters}({other}_{{{point}}}-{other}_{{{base}}})",
+                      rf"{bracketed(short(value))}\cdot {bracketed(short(term.vector[across]))}")
+    if level == "acceleration" and double(rate):
+        yield Summand("-", f"{case.naming.omega(body)}^{{2}}({axis}_{{{point}}}-{axis}_{{{base}}})",
+                      rf"{bracketed(short(rate))}^{{2}}\cdot {bracketed(short(term.vector[along]))}")
+
+
+def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
+    """Summands written one after the other, the first without a plus sign; 0 where there are none."""
+    text = " ".join(f"{one.sign} {getattr(one, what)}" for one in summands)
+    return text[2:] if text.startswith("+") else "-" + text[2:] if text else "0"
+
+
+def component(name: str, axis: str) -> str:
+    """The symbol of a component: v_{B} becomes v_{B,x}; a superscript stays."""
+    head, _, rest = name.partition("_{")
+    depth, end = 1, 0
+    while depth:
+        depth += {"{": 1, "}": -1}.get(rest[end], 0)
+        end += 1
+    return f"{head}_{{{rest[:end - 1]},{axis}}}{rest[end:]}"
+
+
+def composed(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+    """The components of a point that moves within a moving body: transport, relative and Coriolis parts added."""
+    last, before = chain[-1], chain[:-1]
+    head = "v" if level == "velocity" else "a"
+    number = findings.numbers.get(last.rate, "")
+    transport = rf"{head}_{{\mathrm{{e}}{number}}}"
+    yield from find_point(before, transport, case, level, findings)
+    yield Prose(phrase("known_relative", case.language, point=case.naming.point(last.point),
+                       frame=case.naming.body(last.frame)))
+    parts = [(transport, vector_of(before, case.motion, level)),
+             *((part_symbol(part, head, number), part.value)
+               for part in term_parts(last, case.motion, tuple(case.motion.rates), level))]
+    yield Display(tuple(sum_line(axis, name, parts, level) for axis in "xy"))
+
+
+def part_symbol(part: Part, head: str, number: str = "") -> str:
+    """The symbol of a relative or Coriolis part."""
+    upper = rf"^{{\mathrm{{{part.part}}}}}" if part.part else ""
+    return rf"{head}_{{\mathrm{{{'C' if part.role == 'coriolis' else 'r'}}}{number}}}{upper}"
+
+
+def sum_line(axis: str, name: str, parts: list[tuple[str, Vector]], level: Level, sign: str = "+") -> str:
+    """One component of a sum of vectors, or of what remains of the first without the others."""
+    along = 0 if axis == "x" else 1
+    summands = [Summand(sign if place else "+", component(symbol, axis), short(value[along]))
+                for place, (symbol, value) in enumerate(parts)]
+    summands[1:] = [replace(one, number=bracketed(one.number)) for one in summands[1:]]
+    rest = total(value for _, value in parts[1:])[along]
+    result = stated(parts[0][1][along] + (rest if sign == "+" else -rest), UNITS[level, False])
+    numbers = sum_of([one for one in summands if one.counts], "number")
+    written = [] if NUMBER.fullmatch(numbers) else [numbers]
+    return f"{component(name, axis)} &= " + " = ".join([sum_of(summands, "symbol"), *written, result])
+
+
+def relative_rotation(body: str, of: str, case: Case, level: Level) -> Any:
+    """The rotation of one body relative to another."""
+    return turning_value(body, case, level) - turning_value(of, case, level)

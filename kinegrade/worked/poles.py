@@ -1,0 +1,58 @@
+"""The velocity pole of a body: where it lies, from the velocity of one point and the rotation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from kinegrade.expression import Call, Name
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.needs import calls
+from kinegrade.worked.numbers import double, short, stated
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.points import Findings, component, find_point, point_symbol, vector_of
+
+
+def pole_name(body: str, case: Case) -> str:
+    """The letter of a body's pole: the one by which an ask calls it, else P, or a letter that no point has."""
+    for ask in case.template.asks.values():
+        named = re.match(r"[xy]_\{?([A-Z])\}?$", ask.symbol)
+        if named and Call("pole", (Name(body),)) in calls(ask.quantity):
+            return named[1]
+    letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
+    bodies = sorted({call.arguments[0].name for ask in case.template.asks.values() for call in calls(ask.quantity)
+                     if call.function == "pole" and isinstance(call.arguments[0], Name)})
+    return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
+
+
+def pole_blocks(body: str, case: Case, findings: Findings) -> Iterator[Block]:
+    """Where the pole of a body lies; told once."""
+    if body in findings.poles:
+        return
+    name = findings.poles[body] = pole_name(body, case)
+    if case.arithmetic.is_zero(case.motion.omega(body)):
+        yield Prose(phrase("pole_far", case.language, body=case.naming.body(body)))
+        return
+    base = case.motion.frames.bases[body]
+    symbol = point_symbol(base.point, "velocity", case)
+    yield from find_point(base.chain, symbol, case, "velocity", findings)
+    letter = case.naming.point(name)
+    yield Prose(phrase("pole_of", case.language, body=case.naming.body(body), pole=letter))
+    velocity = vector_of(base.chain, case.motion, "velocity")
+    yield Display(tuple(pole_line(axis, letter, body, velocity, case) for axis in "xy"))
+
+
+def pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -> str:
+    """x_P = x_A - v_Ay / omega, y_P = y_A + v_Ax / omega, with the body's base point A and its velocity."""
+    along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
+    base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
+    point, at = case.naming.point(base), case.motion.points[base]
+    pole = case.motion.pole(body, case.arithmetic)
+    moved = rf"{short(at[along])} {sign} \frac{{{short(velocity[across])}}}{{{short(rate)}}} = "
+    numbers = moved if double(velocity[across]) else ""
+    speed = component(point_symbol(base, "velocity", case), other)
+    return (rf"{axis}_{{{letter}}} &= {axis}_{{{point}}} {sign} \frac{{{speed}}}"
+            rf"{{{case.naming.omega(body)}}} = {numbers}{stated(pole[along], 'm')}")
+

@@ -1,0 +1,292 @@
+"""How an answer that is asked of a pose follows from coordinates: coordinates, distances, components and angles.
+
+The last line ends with the key's own answer: its value is not worked out a second time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from kinegrade.expression import ANGLES, Call, Expression, Name, Operation
+from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Ask, Language
+from kinegrade.units import Unit
+from kinegrade.worked.constructions import chapter, length_lines
+from kinegrade.worked.coordinates import (
+    ONE,
+    PLACED,
+    ZERO,
+    Pair,
+    Step,
+    cross,
+    dot,
+    length_of,
+    line_of,
+    minus,
+    over,
+    times,
+    unnested,
+)
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.formula_text import operated
+from kinegrade.worked.formula_width import chained
+from kinegrade.worked.instance import (
+    AREA,
+    DEGREE,
+    METRE,
+    PURE,
+    STRUCTURAL,
+    Instance,
+    Part,
+    instance_of,
+    result,
+    told_once,
+    with_steps,
+)
+from kinegrade.worked.pose_words import PoseWords, pose_words
+
+MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
+POSITIONAL = MEASURES | PLACED | STRUCTURAL | ANGLES | {"", "x", "y", "turned", "line", "circle"}
+AXIS_X, AXIS_Y = (ONE, ZERO), (ZERO, ONE)
+
+
+def is_positional(ask: Ask) -> bool:
+    """Whether an answer follows from positions alone."""
+    return functions(ask.quantity) <= POSITIONAL
+
+
+def functions(tree: Expression) -> frozenset[str]:
+    """The functions that an expression calls."""
+    if isinstance(tree, Operation):
+        return functions(tree.left) | functions(tree.right)
+    if isinstance(tree, Call):
+        return frozenset({tree.function}).union(*(functions(part) for part in tree.arguments))
+    return frozenset()
+
+
+def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[Block, ...]:
+    """The working of an answer for which `is_positional` holds, from coordinates to the answer as it stands in the key.
+
+    In the ask's own unit; angles counter-clockwise. Raises KeyError for an ask that was not solved.
+    """
+    return pose_answers(solution, (ask_name,), language)
+
+
+def pose_answers(solution: Solution, ask_names: Iterable[str], language: Language) -> tuple[Block, ...]:
+    """The workings of several such answers, one after the other; a length that two of them need is found once."""
+    blocks: tuple[Block, ...] = ()
+    found: frozenset[Expression] = frozenset()
+    plain = False
+    for name in ask_names:
+        more, found = one_answer(solution, name, language, found)
+        bare = len(more) == 1
+        blocks = joined(blocks, more) if plain and bare else blocks + more
+        plain = bare
+    return blocks
+
+
+def one_answer(solution: Solution, name: str, language: Language,
+               found: frozenset[Expression]) -> tuple[tuple[Block, ...], frozenset[Expression]]:
+    """The working of one answer where the lengths `found` are known, and the lengths known after it."""
+    ask, answer, instance = solution.template.asks[name], solution.answers[name], instance_of(solution)
+    inner: list[Step] = []
+    tree = unnested(ask.quantity, inner, len(instance.steps) - len(solution.template.points), set(instance.values))
+    symbol = ask.symbol if isinstance(tree, Call) else ""
+    start = Working(with_steps(instance, inner), pose_words(language), symbol, found)
+    final, working = start.reduced(tree)
+    last = (Display(last_line(ask.symbol, final, answer, working.instance)),)
+    return chapter(inner, start.instance, language) + joined(working.blocks, last), working.found
+
+
+def joined(blocks: tuple[Block, ...], more: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Blocks one after the other, two displays that meet as one."""
+    if blocks and isinstance(blocks[-1], Display) and isinstance(more[0], Display):
+        return (*blocks[:-1], Display(blocks[-1].lines + more[0].lines), *more[1:])
+    return blocks + more
+
+
+def last_line(symbol: str, tree: Expression, answer: Quantity, instance: Instance) -> tuple[str, ...]:
+    """symbol = formula = numbers = the answer."""
+    worked = instance.worked_out(symbol, tree, answer.measure.degrees)
+    if answer.at_infinity:
+        return chained(symbol, (*worked, ("=", r"\infty")))
+    return chained(symbol, told_once(worked, in_both_units(tree, answer, instance)))
+
+
+def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tuple[Part, ...]:
+    """The answer, a length in centimetres or millimetres also in metres, and an angle in radians also in degrees."""
+    told, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
+    if answer.is_zero or not (unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)):
+        return told
+    other = result(instance.quantity(answer.number * unit.factor, DEGREE if unit.text == "rad" else METRE))[0]
+    return (other, *told) if other[0] == "=" else (*told[:-1], other, (r"\approx", told[-1][1]))
+
+
+@dataclass(frozen=True)
+class Working:
+    """The blocks written so far, and the lengths found.
+
+    `symbol` is that of the answer where the answer is itself the measure worked out, else "".
+    """
+
+    instance: Instance
+    words: PoseWords
+    symbol: str
+    found: frozenset[Expression] = frozenset()
+    blocks: tuple[Block, ...] = ()
+
+    def told(self, sentence: str, lines: tuple[str, ...]) -> Working:
+        """With a sentence and equations more."""
+        blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + ((Display(lines),) if lines else ())
+        return replace(self, blocks=self.blocks + blocks)
+
+    def pair(self, vector: Expression) -> Pair:
+        """The coordinates of a vector as formulas."""
+        return self.instance.axes.pair(vector) or (ZERO, ZERO)
+
+    def reduced(self, tree: Expression) -> tuple[Expression, Working]:
+        """The expression in coordinates, lengths and angles, and what had to be worked out for it."""
+        match tree:
+            case Operation():
+                left, working = self.reduced(tree.left)
+                right, working = working.reduced(tree.right)
+                return Operation(tree.sign, left, right), working
+            case Call(function="x" | "y", arguments=(vector,)):
+                return self.pair(vector)[0 if tree.function == "x" else 1], self
+            case Call(function="distance", arguments=(point, other)):
+                return self.distance(point, other)
+            case Call(function="magnitude", arguments=(vector,)):
+                return self.length(vector)
+            case Call(function="along", arguments=(vector, direction)):
+                return self.component(vector, direction)
+            case Call(function="angle", arguments=(first, second)):
+                return self.angle(first, second)
+            case Call(function="direction", arguments=(start, end)):
+                return self.angle(Call("", AXIS_X), Operation("-", end, start))
+            case Call(function="between", arguments=(first, second)):
+                return self.between(first, second)
+            case Call():
+                return self.function(tree)
+        return tree, self
+
+    def function(self, tree: Call) -> tuple[Expression, Working]:
+        """An elementary function of what its arguments come to."""
+        parts: list[Expression] = []
+        working = replace(self, symbol="")
+        for argument in tree.arguments:
+            part, working = working.reduced(argument)
+            parts.append(part)
+        return Call(tree.function, tuple(parts)), working
+
+    def distance(self, point: Expression, other: Expression) -> tuple[Expression, Working]:
+        """The distance of two points, or of a point from a line."""
+        if not (isinstance(other, Call) and other.function == "line"):
+            return self.length(Operation("-", other, point))
+        (base, along), place = line_of(other, self.instance.axes), self.pair(point)
+        apart = minus(place[0], base[0]), minus(place[1], base[1])
+        given_by_angle = not self.instance.axes.is_vector(other.arguments[1])
+        size = ONE if given_by_angle else length_of(Call("", along), self.instance.axes)
+        return over(Call("abs", (cross(along, apart),)), size), self
+
+    def length(self, vector: Expression) -> tuple[Expression, Working]:
+        """The length of a vector: as a formula where it is the answer, else worked out before."""
+        size = length_of(vector, self.instance.axes)
+        if self.symbol:
+            return length_of(Call("", self.pair(vector)), self.instance.axes), self
+        lines, working = self.sized(size)
+        return size, working.told("", lines)
+
+    def component(self, vector: Expression, direction: Expression) -> tuple[Expression, Working]:
+        """The scalar product over the length of the second vector."""
+        size = length_of(direction, self.instance.axes)
+        axis = {AXIS_X: "x", AXIS_Y: "y"}.get(self.pair(vector))
+        words = self.words.component if axis is None else self.words.axis_component
+        sentence = words.format(vector=self.phrase(vector), direction=self.phrase(direction), axis=axis)
+        product = dot(self.pair(vector), self.pair(direction))
+        lines, working = self.sized(size) if product != ZERO else ((), self)
+        return over(product, size), working.told(sentence, lines)
+
+    def sized(self, *sizes: Expression) -> tuple[tuple[str, ...], Working]:
+        """The equations of lengths that are not known yet."""
+        fresh = [size for size in dict.fromkeys(sizes) if size not in self.found]
+        lines = tuple(line for size in fresh for line in length_lines(size, self.instance))
+        return lines, replace(self, found=self.found | set(fresh))
+
+    def phrase(self, vector: Expression, letter: str = "") -> str:
+        """A vector in a sentence, with the letter by which it goes."""
+        axis = {AXIS_X: self.words.x_axis, AXIS_Y: self.words.y_axis}.get(self.pair(vector))
+        if axis is not None and isinstance(vector, Call) and not vector.function:
+            return axis
+        if isinstance(vector, Call) and vector.function == "turned":
+            told = self.words.turned.format(vector=self.phrase(vector.arguments[0]))
+        else:
+            told = self.words.vector.format(vector=self.instance.symbolic(vector))
+        return self.words.called.format(vector=told, letter=letter) if letter else told
+
+    def lettered(self, letter: str, vector: Expression) -> tuple[Pair, tuple[str, ...], Instance]:
+        """The components of a vector by a letter of its own, and their equations."""
+        instance, names, lines = self.instance, list[Expression](), list[str]()
+        for axis, part in zip("xy", self.pair(vector), strict=True):
+            name = instance.free(f"{letter}_{axis}")
+            instance = instance.named(name, f"{letter}_{{{axis}}}", instance.value(part))
+            lines += instance.equation(f"{letter}_{{{axis}}}", part)
+            names.append(Name(name))
+        return (names[0], names[1]), tuple(lines), instance
+
+    def angle(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+        """The angle from one vector to another: its cosine and sine up to a factor, its tangent, its quadrant."""
+        if self.pair(first) in (AXIS_X, AXIS_Y):
+            return self.angle_from_axis(first, second)
+        start, lines, instance = self.lettered("u", first)
+        end, more, instance = replace(self, instance=instance).lettered("v", second)
+        sentence = self.words.angle.format(first=self.phrase(first, "u"), second=self.phrase(second, "v"))
+        label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
+        return replace(self, instance=instance).settled(label, sentence, lines + more, (start, end), AREA)
+
+    def angle_from_axis(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+        """The angle from an axis: cosine and sine are coordinates of the other vector."""
+        start, end = self.pair(first), self.pair(second)
+        axis = "x" if start == AXIS_X else "y"
+        simple = isinstance(second, Operation) and isinstance(second.left, Name) and isinstance(second.right, Name)
+        other = self.instance.symbolic(second) if simple else r"\boldsymbol{v}"
+        told = self.phrase(second, "" if simple or self.symbol else "v")
+        sentence = self.words.angle_from_axis.format(first=self.phrase(first), second=told)
+        return self.settled(self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE)
+
+    def settled(self, label: str, sentence: str, lines: tuple[str, ...], vectors: tuple[Pair, Pair],
+                unit: Unit) -> tuple[Expression, Working]:
+        """The angle from a vector to another, of which the products have the given unit."""
+        cosine, sine = dot(*vectors), cross(*vectors)
+        lines += self.instance.proportion(operated(r"\cos", label), cosine, unit)
+        lines += self.instance.proportion(operated(r"\sin", label), sine, unit)
+        signs = self.instance.sign(cosine), self.instance.sign(sine)
+        if signs[0] and signs[1]:
+            lines += self.tangent(label, cosine, sine)
+        name = self.instance.free("angle")
+        instance = self.instance.named(name, label, self.instance.value(Call("atan2", (sine, cosine))))
+        working = replace(self, instance=instance).told(sentence, lines)
+        return Name(name), working.told(self.words.quadrants[signs], ())
+
+    def tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
+        """The tangent of an angle, from its sine and cosine up to their common factor."""
+        names = self.instance.free("sine"), self.instance.free("cosine")
+        instance = self.instance.named(names[0], operated(r"\sin", label), self.instance.value(sine))
+        instance = instance.named(names[1], operated(r"\cos", label), self.instance.value(cosine))
+        return instance.equation(operated(r"\tan", label), over(Name(names[0]), Name(names[1])), PURE)
+
+    def between(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
+        """The angle between two vectors, by its cosine."""
+        pairs = self.pair(first), self.pair(second)
+        sizes = [length_of(vector, self.instance.axes) for vector in (first, second)]
+        product, area = dot(*pairs), Call("abs", (cross(*pairs),))
+        label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
+        letters = ("", "") if self.symbol else ("u", "v")
+        lines, working = self.sized(*sizes)
+        lines += self.instance.equation(operated(r"\cos", label), over(product, times(*sizes)), PURE)
+        sentence = self.words.between.format(first=self.phrase(first, letters[0]),
+                                             second=self.phrase(second, letters[1]))
+        name = self.instance.free("angle")
+        instance = self.instance.named(name, label, self.instance.value(Call("atan2", (area, product))))
+        return Name(name), replace(working, instance=instance).told(sentence, lines)

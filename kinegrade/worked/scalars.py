@@ -1,0 +1,252 @@
+"""Steps that need no vectors: what is given, bodies that turn alike, rolling without slipping, meshing gears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.expression import Expression, Number
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.joints import GROUND, Mesh, Parallel, Roll, Sleeve
+from kinegrade.mechanics.relations import Relation, Term, omega_of
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import UNITS, along_direction, rotation_result
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.formula_text import latex_of, symbols_of
+from kinegrade.worked.kinds import track_of
+from kinegrade.worked.numbers import bracketed, double, short, stated
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.senses import direction_words, sense_along, sense_of_rotation
+from kinegrade.worked.told import positive_sense, sense_told
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A relation between rates: its title, why it holds, and the relation in symbols as a line of a display."""
+
+    title: str
+    reason: str
+    line: str
+
+
+def stated_relation(relation: Relation, case: Case, level: Level) -> Statement:
+    """What a scalar relation says of velocities or of accelerations."""
+    source = relation.source
+    if isinstance(source, Roll):
+        return rolling(source, relation, case, level)
+    if isinstance(source, Mesh):
+        return meshing(source, case, level)
+    if isinstance(source, (Parallel, Sleeve)):
+        body, other = case.naming.body(source.body), body_or_ground(source.of, case)
+        reason = phrase(f"parallel_{level}", case.language, body=body, other=other)
+        title = phrase("title_parallel", case.language, body=body, other=other)
+        return Statement(title, reason, f"{turning(source.body, case, level)} &= {turning(source.of, case, level)}")
+    return imposed(relation, case, level)
+
+
+def scalar_step(relation: Relation, unknown: str, case: Case, level: Level) -> Iterator[Block]:
+    """A step of one scalar relation: the relation and the rate that it gives."""
+    statement = stated_relation(relation, case, level)
+    yield Prose(statement.reason)
+    result = rate_result(unknown, case, level)
+    if isinstance(relation.source, (Rotation, Component, Circulation)) and single_rate(relation):
+        yield Display((statement.line,))
+    elif isinstance(relation.source, (Parallel, Sleeve)):
+        value = (case.motion.rates if level == "velocity" else case.motion.changes)[unknown]
+        yield Display((f"{statement.line} = {stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}",))
+    else:
+        yield Display((statement.line, *solved_for(relation, unknown, case, level), result))
+
+
+def single_rate(relation: Relation) -> bool:
+    """Whether a driver imposes one rate and nothing else."""
+    return len(relation.turning) + len(relation.left) + len(relation.right) == 1
+
+
+def rate_result(rate: str, case: Case, level: Level) -> str:
+    """The value of a rate: an angular velocity, or the speed that belongs to a guided point."""
+    if rate.startswith("omega "):
+        return rotation_result(rate, case, level, "")
+    term = term_of(rate, case)
+    value = along_direction(term, case, level) * sense_told(term, case)
+    sense = (sense_of_rotation(value, case) if term.kind == "arc"
+             else sense_along(double(value), positive_sense(term, case), None, case))
+    return f"{speed(term, case, level)} &= {stated(value, UNITS[level, False])}{sense}"
+
+
+def term_of(rate: str, case: Case) -> Term:
+    """The term of a guided point's rate."""
+    frames = case.motion.frames
+    chains = [chain for relation in frames.relations for chain in (relation.left, relation.right)]
+    chains += [base.chain for base in frames.bases.values()]
+    return next(term for chain in chains for term in chain if term.rate == rate)
+
+
+def speed(term: Term, case: Case, level: Level) -> str:
+    """The symbol of a guided point's algebraic speed, or of its change."""
+    head = "v" if level == "velocity" else "a"
+    lower = r"\mathrm{r}" if term.frame != GROUND else case.naming.point(term.point)
+    return f"{head}_{{{lower}}}" + (r"^{\mathrm{t}}" if head == "a" and term.kind == "arc" else "")
+
+
+def turning(body: str, case: Case, level: Level) -> str:
+    """The symbol of a body's rotation; 0 for the ground."""
+    if body == GROUND:
+        return "0"
+    return case.naming.omega(body) if level == "velocity" else case.naming.alpha(body)
+
+
+def turning_value(body: str, case: Case, level: Level) -> Any:
+    """The value of a body's rotation; 0 for the ground."""
+    rates = case.motion.rates if level == "velocity" else case.motion.changes
+    return 0 if body == GROUND else rates[omega_of(body)]
+
+
+def relative_turning(body: str, of: str, case: Case, level: Level) -> str:
+    """The symbol of one body's rotation relative to another."""
+    own = turning(body, case, level)
+    return own if of == GROUND else f"({own} - {turning(of, case, level)})"
+
+
+def body_or_ground(body: str, case: Case) -> str:
+    """A body in prose."""
+    return phrase("ground", case.language) if body == GROUND else case.naming.body(body)
+
+
+def formula(tree: Expression, case: Case) -> str:
+    """An expression of the template in symbols."""
+    return latex_of(tree, symbols_of(case.template))
+
+
+def rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> Statement:
+    """No slip: the centre's speed along the track is the radius times the relative rotation."""
+    term = term_of(relation.turning[0][0], case)
+    body, other = case.naming.body(roll.body), track_of(roll, case)
+    kind = "rotation_absolute" if roll.of == GROUND else "rotation_relative"
+    relative = phrase(kind, case.language, body=body, other=other)
+    reason = phrase("no_slip", case.language, centre=case.naming.point(roll.circle.centre), relative=relative,
+                    positive=positive_words(term, case, level)).replace("  ", " ")
+    if roll.of == GROUND and level == "velocity":
+        reason = f"{phrase('pole_contact', case.language, body=body)} {reason}"
+    sign = "-" if slip_sign(roll, relation, case) > 0 else ""
+    line = (rf"{speed(term, case, level)} &= {sign}{radius(roll, case)}\,"
+            f"{relative_turning(roll.body, roll.of, case, level)}")
+    return Statement(phrase("title_roll", case.language, body=body, other=other), reason, line)
+
+
+def positive_words(term: Term, case: Case, level: Level) -> str:
+    """In which sense a guided point's speed counts positive, in brackets; "" where its direction has no short name."""
+    if term.frame != GROUND:
+        return ""
+    centre = case.naming.point(term.base)
+    words = phrase("around", case.language, centre=centre) if term.kind == "arc" else \
+        direction_words(positive_sense(term, case), case)
+    return phrase("positive_way", case.language, symbol=f"${speed(term, case, level)}$", way=words)
+
+
+def slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
+    """The sign of the rotation's factor where the centre's speed as told has the factor one."""
+    factor = double(next(factor for rate, factor in relation.turning if rate == omega_of(roll.body)))
+    return factor * sense_told(term_of(relation.turning[0][0], case), case)
+
+
+def radius(roll: Roll, case: Case) -> str:
+    """The radius of the rolling circle in symbols."""
+    sentence = case.template.joints[case.motion.frames.mechanism.joints.index(roll)]
+    text = formula(sentence.circle.arguments[1], case) if sentence.circle else short(roll.circle.radius)
+    return f"({text})" if " + " in text or " - " in text else text
+
+
+def solved_for(relation: Relation, unknown: str, case: Case, level: Level) -> Iterator[str]:
+    """The relation solved for a rate, with numbers, where they are not zero."""
+    roll = relation.source
+    if not isinstance(roll, Roll):
+        return
+    term = term_of(relation.turning[0][0], case)
+    sign = -1 if slip_sign(roll, relation, case) > 0 else 1
+    size = short(roll.circle.radius)
+    other = turning_value(roll.of, case, level)
+    if unknown == term.rate:
+        own = short(turning_value(roll.body, case, level))
+        if own == "0" and not double(other):
+            return
+        rotation = bracketed(own) if not double(other) else f"({own} - {bracketed(short(other))})"
+        yield rf"{speed(term, case, level)} &= {'-' if sign < 0 else ''}{size}\cdot {rotation}"
+    elif unknown == omega_of(roll.body):
+        known = short(along_direction(term, case, level) * (sense_told(term, case) * sign))
+        fraction = rf"\frac{{{known.removeprefix('-')}}}{{{size}}}"
+        parts = [short(other)] if double(other) else []
+        parts += [("-" if known.startswith("-") else "+") + fraction] if known != "0" else []
+        if parts and parts != [short(other)]:
+            yield f"{turning(roll.body, case, level)} &= {''.join(parts).removeprefix('+')}"
+
+
+def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
+    """Equal pitch speeds seen from the carrier, of opposite senses for external gears."""
+    body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
+    sentence = case.template.joints[case.motion.frames.mechanism.joints.index(mesh)]
+    own = formula(sentence.circle.arguments[1], case) if sentence.circle else short(mesh.circle.radius)
+    others = formula(sentence.on.arguments[1], case) if sentence.on else short(mesh.on.radius)
+    sign = "" if mesh.inside else "-"
+    line = (rf"{own}\,{relative_turning(mesh.body, mesh.carrier, case, level)} &= "
+            rf"{sign}{others}\,{relative_turning(mesh.of, mesh.carrier, case, level)}")
+    return Statement(phrase("title_mesh", case.language, body=body, other=other),
+                     phrase("mesh", case.language, carrier=body_or_ground(mesh.carrier, case)), line)
+
+
+def imposed(relation: Relation, case: Case, level: Level) -> Statement:
+    """What a driver imposes."""
+    driver = relation.source
+    title = phrase("title_given", case.language)
+    if isinstance(driver, Rotation):
+        value = driver.velocity if level == "velocity" else driver.acceleration
+        left = turning(driver.body, case, level)
+        left += f" - {turning(driver.of, case, level)}" if driver.of != GROUND else ""
+        line = f"{left} &= {expressed(driver, left, case, level)}{stated(value, UNITS[level, True])}"
+        return Statement(title, given(driver, case, level), line + sense_of_rotation(value, case))
+    if isinstance(driver, (Component, Circulation)):
+        value = driver.velocity if level == "velocity" else driver.acceleration
+        speed_symbol = driven_speed(driver, case, level)
+        line = f"{speed_symbol} &= {expressed(driver, speed_symbol, case, level)}"
+        way = (sense_of_rotation(value, case) if isinstance(driver, Circulation)
+               else sense_along(double(value), driver.direction, None, case))
+        return Statement(title, given(driver, case, level), f"{line}{stated(value, UNITS[level, False])}{way}")
+    raise TypeError("a relation of rates comes from a joint or a driver")
+
+
+def driven_speed(driver: Component | Circulation, case: Case, level: Level) -> str:
+    """The symbol of what a driver imposes on a point."""
+    head = "v" if level == "velocity" else "a"
+    relative = isinstance(driver, Component) and driver.of != GROUND
+    lower = r"\mathrm{r}" if relative else case.naming.point(driver.point)
+    return f"{head}_{{{lower}}}" + (r"^{\mathrm{t}}" if head == "a" and isinstance(driver, Circulation) else "")
+
+
+def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
+    """The template's expression for a driver's value, with a sign of equality; "" for a number.
+
+    Nothing either where the paper's parameter has the very letters of the algebraic value, `name`.
+    """
+    sentence = case.template.drivers[case.motion.frames.mechanism.drivers.index(driver)]
+    tree = sentence.velocity if level == "velocity" else sentence.acceleration
+    text = formula(tree, case)
+    same = name.partition("^")[0] in text
+    return "" if isinstance(tree, Number) or same else f"{text} = "
+
+
+def given(driver: Driver, case: Case, level: Level) -> str:
+    """What is given, in a sentence."""
+    body, other = case.naming.body(driver.body), body_or_ground(getattr(driver, "of", GROUND), case)
+    parts = {"body": body, "other": other}
+    relative = "" if getattr(driver, "of", GROUND) == GROUND else "_of"
+    if isinstance(driver, Rotation):
+        key = f"given_rotation{relative}"
+    elif isinstance(driver, Component):
+        key = f"given_point{relative}"
+        parts |= {"point": case.naming.point(driver.point), "way": direction_words(driver.direction, case)}
+    else:
+        key = "given_circle"
+        parts |= {"point": case.naming.point(driver.point), "centre": case.naming.point(driver.centre)}
+    return phrase(f"{key}_{level}", case.language, **parts)

@@ -1,0 +1,63 @@
+"""How a solution has told a vector that is known by now: by an algebraic value, and along which sense."""
+
+from __future__ import annotations
+
+from kinegrade.mechanics.drivers import Component
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.numbers import double
+
+
+def sense_told(term: Term, case: Case) -> int:
+    """1 where a term's value has been told along the vector that its rate multiplies, -1 where against it.
+
+    A driver may impose a point's motion in the direction opposite to the joint's.
+    """
+    for relation in case.motion.frames.relations:
+        if isinstance(relation.source, Component) and relation.along is not None and imposes(relation, term):
+            return 1 if double(relation.along.dot(term.coefficient())) > 0 else -1
+    return 1
+
+
+def imposes(relation: Relation, term: Term) -> bool:
+    """Whether a driver's relation gives the rate of a term and nothing else."""
+    chain = (*relation.left, *relation.right)
+    return len(chain) == 1 and not relation.turning and chain[0].rate == term.rate
+
+
+def positive_sense(term: Term, case: Case) -> Vector:
+    """The direction along which a term's told value counts positive."""
+    coefficient = term.coefficient()
+    return coefficient if sense_told(term, case) > 0 else -coefficient
+
+
+def is_told_negative(term: Term, case: Case, level: Level) -> bool:
+    """Whether an algebraic value below zero has been told for a term fixed to the ground: given, or solved for."""
+    rate = (case.motion.rates if level == "velocity" else case.motion.changes)[term.rate]
+    if term.frame != GROUND or double(rate) * sense_told(term, case) >= 0:
+        return False
+    return term.kind != "rotation" or is_vector_result(term.rate, case)
+
+
+def path_of(chain: Chain, case: Case) -> Term | None:
+    """The one term that by another way gives the motion which a chain gives, None where there is none."""
+    for relation in case.motion.frames.relations:
+        for same, other in ((relation.left, relation.right), (relation.right, relation.left)):
+            if chain and ways(same) == ways(chain) and len(other) == 1:
+                return other[0]
+    return None
+
+
+def ways(chain: Chain) -> tuple[tuple[str, str, str], ...]:
+    """What tells chains from one another: the rate, the point and the base of every term."""
+    return tuple((term.rate, term.point, term.base) for term in chain)
+
+
+def is_vector_result(rate: str, case: Case) -> bool:
+    """Whether a rate comes out of a vector equation, so that the vector's value has been written beside it."""
+    step = next((step for step in case.motion.plan.steps if rate in step.unknowns), None)
+    relations = [case.motion.frames.relations[index] for index in step.relations] if step else []
+    return any(relation.is_vector for relation in relations)

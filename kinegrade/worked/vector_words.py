@@ -1,0 +1,45 @@
+"""Vectors in the sentences of a worked solution: an arrow, a multiple of one, a pair, or one that is turned."""
+
+from __future__ import annotations
+
+from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.worked.coordinates import ZERO, is_negated, minus
+from kinegrade.worked.instance import Instance
+from kinegrade.worked.position_words import PositionWords
+
+
+def negated(vector: Expression, instance: Instance) -> Expression:
+    """The opposite of a vector; that of a pair and of a difference of points is worked out."""
+    pair = instance.axes.pair(vector) if isinstance(vector, Call) and not vector.function else None
+    if pair is not None:
+        return Call("", (minus(ZERO, pair[0]), minus(ZERO, pair[1])))
+    return minus(ZERO, vector)
+
+
+def vector_words(vector: Expression, instance: Instance, words: PositionWords) -> str:
+    """A vector in a sentence."""
+    if isinstance(vector, Call) and vector.function == "turned":
+        return words.turned.format(vector=vector_words(vector.arguments[0], instance, words))
+    if isinstance(vector, Operation) and vector.sign == "*" and instance.axes.is_vector(vector.left):
+        factor = instance.symbolic(vector.right)
+        if factor.startswith(r"\frac"):
+            return rf"${factor}\,{instance.symbolic(vector.left)}$"
+        vector = Operation("*", vector.right, vector.left)
+    pair = instance.axes.pair(vector)
+    if pair is not None and not is_plain(vector, instance):
+        vector = Call("", pair)
+    return f"${instance.symbolic(vector)}$"
+
+
+def is_plain(vector: Expression, instance: Instance) -> bool:
+    """Whether a vector is printed well as it is: a pair, the way from point to point, or a multiple of one."""
+    match vector:
+        case Call(function=""):
+            return True
+        case Operation(sign="-", left=Name(), right=Name()):
+            return True
+        case Operation(sign="*" | "/" | "-", left=left, right=right):
+            scalar, other = (left, right) if instance.axes.is_vector(right) else (right, left)
+            return not instance.axes.is_vector(scalar) and (vector.sign != "-" or is_negated(vector)) \
+                and is_plain(other, instance)
+    return False

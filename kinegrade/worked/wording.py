@@ -1,0 +1,114 @@
+"""Titles and introductions of the steps: by which theorem their equations hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import Relation, Term
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import Stage
+from kinegrade.worked.phrases import phrase
+from kinegrade.worked.scalars import body_or_ground, stated_relation
+from kinegrade.worked.vectors import is_composed, letter, letters_of, number_of, primed, vanishes
+
+
+def scalars_of(step: Step, case: Case) -> tuple[Relation, ...]:
+    """The relations of a step that are no vector equations."""
+    relations = (case.motion.frames.relations[index] for index in step.relations)
+    return tuple(relation for relation in relations if not relation.is_vector)
+
+
+def title(step: Step, stage: Stage) -> str:
+    """The title of a step."""
+    case, scalars = stage.case, scalars_of(step, stage.case)
+    if len(stage.equations) == 1:
+        return equation_title(stage.equations[0], case)
+    if stage.equations:
+        count = phrase(f"count_{len(stage.equations)}", case.language)
+        return phrase("title_together", case.language, count=count)
+    return stated_relation(scalars[0], case, stage.level).title
+
+
+def equation_title(equation: VectorEquation, case: Case) -> str:
+    """The title of a step of one vector equation: by its method."""
+    compositions = equation.compositions
+    if len(compositions) > 1:
+        return phrase("title_composed_twice", case.language, point=case.naming.point(compositions[0].point))
+    if compositions:
+        return phrase("title_composed", case.language, point=case.naming.point(compositions[0].point),
+                      frame=case.naming.body(compositions[0].frame))
+    rotation = next((part for part in equation.parts if part.role == "rotation"), None)
+    if rotation is None:
+        return phrase("title_fixed", case.language, point=case.naming.point(equation.parts[0].point))
+    bases = phrase("and", case.language).join(f"${case.naming.point(term.base)}$" for term in rotations(equation))
+    key = "title_base" if len(rotations(equation)) == 1 else "title_bases"
+    return phrase(key, case.language, body=bodies_turning(equation, case), base=bases)
+
+
+def rotations(equation: VectorEquation) -> tuple[Term, ...]:
+    """The rotations about base points in an equation, in order."""
+    found = {part.term.rate: part.term for part in equation.parts if part.role == "rotation" and part.term}
+    return tuple(found.values())
+
+
+def bodies_turning(equation: VectorEquation, case: Case) -> str:
+    """The bodies that turn about base points in an equation, in prose."""
+    names = dict.fromkeys(part.term.rate.removeprefix("omega ") for part in equation.parts
+                          if part.role == "rotation" and part.term)
+    return phrase("and", case.language).join(case.naming.body(name) for name in names)
+
+
+def introduction(equation: VectorEquation, case: Case) -> str:
+    """By which theorem the equation holds."""
+    compositions = equation.compositions
+    if len(compositions) == 1:
+        relative = compositions[0]
+        return phrase(f"composed_{equation.level}", case.language, point=case.naming.point(relative.point),
+                      frame=case.naming.body(relative.frame), of=owner(equation, case))
+    if compositions:
+        return twice_composed(equation, compositions, case)
+    turning = rotations(equation)
+    if not turning:
+        return phrase("equal_motion", case.language, point=case.naming.point(equation.parts[0].point))
+    if len(turning) > 1:
+        legs = (phrase("leg", case.language, point=case.naming.point(term.point), base=case.naming.point(term.base),
+                       body=case.naming.body(term.rate.removeprefix("omega "))) for term in turning)
+        return phrase(f"base_chain_{equation.level}", case.language, legs=phrase("legs", case.language).join(legs))
+    return phrase(f"base_equation_{equation.level}", case.language, body=bodies_turning(equation, case),
+                  point=case.naming.point(turning[0].point), base=case.naming.point(turning[0].base))
+
+
+def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case: Case) -> str:
+    """The sentence for a point seen from two moving frames, or for a point of one that slides in another."""
+    names = [case.naming.body(part.frame) for part in compositions]
+    points = [case.naming.point(part.point) for part in compositions]
+    if any(part in equation.left for part in compositions) and any(part in equation.right for part in compositions):
+        return phrase(f"composed_twice_{equation.level}", case.language, point=points[0],
+                      frames=phrase("and", case.language).join(names))
+    return phrase(f"composed_on_{equation.level}", case.language, first=points[0], frame=names[0], second=points[1],
+                  primed=primed(points[1]), other=names[1])
+
+
+def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
+    """Of what the absolute and the transport vector of a composition consist, where they are not single parts."""
+    if len(equation.compositions) != 1:
+        return
+    relative = equation.compositions[0]
+    own, other = (equation.left, equation.right) if relative in equation.left else (equation.right, equation.left)
+    transport = [part for part in own if part.role not in ("relative", "coriolis")]
+    number = number_of(equation, relative)
+    for role, parts in (("a", other), ("e", transport)):
+        seen = [letters_of(equation, part, case, bold=True) for part in parts if not vanishes(part)]
+        if not parts or not all(part.role == "transport" or is_composed(equation, part) for part in parts):
+            yield rf"$\boldsymbol{{{letter(equation)}}}_{{\mathrm{{{role}}}{number}}}={'+'.join(seen) or '0'}$"
+
+
+def owner(equation: VectorEquation, case: Case) -> str:
+    """Whose point moves in the moving frame."""
+    body = getattr(equation.relation.source, "body", GROUND)
+    if body == GROUND:
+        return phrase("of_ground", case.language)
+    return phrase("of_body", case.language, body=body_or_ground(body, case))

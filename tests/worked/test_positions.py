@@ -1,0 +1,268 @@
+"""Positions are told from the constructions, with numbers that agree, and the answers of poses end as in the key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+import pytest
+
+from kinegrade.exam.formula import formula
+from kinegrade.exam.markup import prose
+from kinegrade.problem.drawing import Deck
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.reading import read_template
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template import LANGUAGES, Language
+from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.formula_width import WIDEST, width
+from kinegrade.worked.pose_answers import is_positional, pose_answer, pose_answers
+from kinegrade.worked.positions import lengths_and_directions, positions
+from tests.worked.chains import chains, disagreements, part_value
+
+TEXTS = '{ en = "a length", zh = "长度" }'
+HEAD = f"""
+family = "test"
+source = "by hand"
+title = {TEXTS}
+joints = ["pin A: ground AB"]
+inputs = []
+[statement]
+en = "{{{{ r }}}} {{{{ phi }}}}"
+zh = "{{{{ r }}}} {{{{ phi }}}}"
+[parameters]
+r = {{ unit = "m", draw = [2], means = {TEXTS} }}
+phi = {{ unit = "deg", draw = [30], means = {TEXTS} }}
+[bodies]
+AB = "A B"
+[points]
+A = "(0, 0)"
+B = "polar(A, r, phi)"
+"""
+POSES = ("pose-cam-tappet", "pose-four-bar-coupler", "pose-sleeve-slider-rod", "triangle-pose-three-frames")
+
+
+def lines(blocks: Iterable[Block]) -> list[str]:
+    return [line for block in blocks if isinstance(block, Display) for line in block.lines]
+
+
+def sentences(blocks: Iterable[Block]) -> list[str]:
+    return [block.text for block in blocks if isinstance(block, Prose)]
+
+
+def require_printable(blocks: Iterable[Block], where: str) -> None:
+    for text in sentences(blocks):
+        assert prose(text, where)
+    for line in lines(blocks):
+        assert line.count("&") == 1
+        assert "--" not in line
+        assert formula(line.replace("&", " "), where)
+
+
+@cache
+def drawn(name: str) -> tuple[Solution, ...]:
+    """A template at its published values and at two draws."""
+    template = load_template(name)
+    deck = Deck(template, template.asked(), "seed", "q1")
+    draws = [deck.draw(student).values for student in ("one", "two")]
+    return tuple(solve_template(template, values) for values in ({}, *draws))
+
+
+def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
+    """Positions of all points, lengths along all bodies, and the answers that are positions."""
+    template = solution.template
+    pairs = [(body.points[0], body.points[-1]) for body in template.bodies if len(body.points) > 1]
+    asks = [name for name, ask in template.asks.items() if is_positional(ask)]
+    return (*positions(solution, template.points, language), *lengths_and_directions(solution, pairs, language),
+            *pose_answers(solution, asks, language))
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_template_is_told_in_both_languages_and_its_numbers_agree(name: str) -> None:
+    for solution in drawn(name):
+        for language in LANGUAGES:
+            blocks = whole_chapter(solution, language)
+            require_printable(blocks, name)
+            count, wrong = disagreements(blocks)
+            assert wrong == []
+        told = dict(chains(blocks))
+        for point in solution.template.points:
+            require_coordinates(solution, point, told)
+        assert count > 0 or all(len(parts) < 2 for parts in told.values())
+
+
+def require_coordinates(solution: Solution, point: str, told: dict[str, list[str]]) -> None:
+    """What is told of a point ends with the coordinates that the mechanism has."""
+    place = solution.assembly.values[point]
+    symbol = point if len(point) == 1 else point[0] + ("'" if point[1:] == "p" else f"_{{{point[1:]}}}")
+    for axis, value in (("x", place.x), ("y", place.y)):
+        parts = told.get(f"{axis}_{{{symbol}}}")
+        if parts is None:
+            assert place == (0, 0)
+            continue
+        end = part_value(parts[-1])
+        assert end is not None
+        assert end == pytest.approx(float(value), rel=1e-3, abs=1e-9)
+
+
+ANSWERS = [(name, ask) for name in template_names() for ask, asked in load_template(name).asks.items()
+           if is_positional(asked)]
+
+
+@pytest.mark.parametrize(("name", "ask"), ANSWERS)
+def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
+    for solution in drawn(name):
+        answer = solution[ask]
+        symbol, parts = list(chains(pose_answer(solution, ask, "en")))[-1]
+        assert symbol == solution.template.asks[ask].symbol
+        assert parts[-1].split(r"\,\mathrm")[0] in (answer.decimal(4), answer.decimal(12))
+        if answer.closed_form is not None:
+            assert any(str(answer.closed_form) in part for part in parts)
+
+
+@pytest.mark.parametrize("name", POSES)
+def test_a_pose_asks_for_nothing_but_positions(name: str) -> None:
+    assert all(is_positional(ask) for ask in load_template(name).asks.values())
+
+
+def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
+    solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
+    blocks = positions(solution, ["B"], "en")
+    assert sentences(blocks) == [
+        "$O$ is the origin of the coordinates.",
+        r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted counter-clockwise from the "
+        "$x$ axis:",
+        r"$B$ is the right one of the points in which the $x$ axis meets the circle about $A$ of radius $k\,r$:",
+    ]
+    assert lines(blocks) == [
+        r"x_{A} &= r \cos\varphi = 0.2 \cos 30^\circ = \frac{\sqrt{3}}{10}\,\mathrm{m} \approx 0.1732\,\mathrm{m}",
+        r"y_{A} &= r \sin\varphi = 0.2 \sin 30^\circ = 0.1\,\mathrm{m}",
+        r"(x_{B} - x_{A})^{2} + y_{A}^{2} &= (k\,r)^{2}",
+        "y_{B} &= 0",
+        r"x_{B} &= x_{A} + \sqrt{(k\,r)^{2} - y_{A}^{2}} = 0.1732 + \sqrt{(2 \cdot 0.2)^{2} - 0.1^{2}}"
+        r" = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
+    ]
+    assert sentences(positions(solution, ["A"], "zh"))[-1] == (
+        r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$：")
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_a_line_is_broken_at_a_relation_sign_where_it_grows_too_wide(name: str) -> None:
+    for line in lines(whole_chapter(drawn(name)[1], "en")):
+        relations = line.count("=") + line.count(r"\approx") + line.count(r"\propto")
+        assert relations == 1 or width(line) <= WIDEST + 4
+
+
+def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
+    solution = solve_template(load_template("slider-crank"), {})
+    assert {left for left, _ in chains(positions(solution, ["A"], "en"))} == {"x_{A}", "y_{A}"}
+
+
+def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
+    solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
+    assert lines(positions(solution, ["A"], "en"))[0] == (
+        r"x_{A} &= r \cos\varphi = 0.2 \cos 37^\circ \approx 0.1597\,\mathrm{m}")
+
+
+def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_the_first_point() -> None:
+    solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
+    pairs = [("A", "O"), ("O", "A"), ("A", "B"), ("O", "B"), ("A", "A")]
+    assert lines(lengths_and_directions(solution, pairs, "en")) == [
+        r"AO &= r = 0.2\,\mathrm{m}",
+        r"\angle(x, \overrightarrow{AO}) &= -150^\circ",
+        r"OA &= r = 0.2\,\mathrm{m}",
+        r"\angle(x, \overrightarrow{OA}) &= \varphi = 30^\circ",
+        r"AB &= k\,r = 2 \cdot 0.2 = 0.4\,\mathrm{m}",
+        r"\angle(x, \overrightarrow{AB}) &\approx -14.48^\circ",
+        r"OB &= \left|x_{B}\right| = \left|0.5605\right| = "
+        r"\left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
+        r"\angle(x, \overrightarrow{OB}) &= 0",
+        "AA &= 0",
+    ]
+
+
+@pytest.mark.parametrize(("construction", "told"), [
+    ("meet(line(A, phi), line((r, 0), 2*pi/3))", "the line through $A$ in the direction"),
+    ("meet(line(A, B), line((r, 0), pi/2))", r"the line $AB$ and the line through $(r,\ 0)$ parallel to the $y$ axis"),
+    ("meet(line((0, r), 0), line((r, 0), pi/2))", r"the line through $(0,\ r)$ parallel to the $x$ axis"),
+    ("meet(line(A, B), line((r, 0), (0, r)))", r"the line $(r,\ 0)(0,\ r)$"),
+    ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left one of the points"),
+    ("meet(circle(B, r), line((0, r/4), 0), left)", "the left one of the points"),
+    ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
+    ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
+    ("meet(circle((r, 0), 2*r), line((0, r/2), B), right)", "the circle about $H_{1}$ of radius $2 r$"),
+    ("meet(circle(A, r), circle(B, r/2), clockwise)", "on the right of the line from $A$ to $B$"),
+    ("meet(circle(A, r), circle(B, r/2), upper)", "the law of cosines gives its angle at $A$"),
+    ("foot((r, r), line(A, B))", r"the perpendicular from $(r,\ r)$ to the line $AB$"),
+    ("foot(B, line((0, r), 0))", "the foot of the perpendicular from $B$"),
+    ("toward(A, B, 3*r)", "on the ray from $A$ through $B$, at the distance $3 r$ from $A$"),
+    ("toward(B, B - (r, r), r/2)", r"in the direction of the vector $(-r,\ -r)$"),
+    ("midpoint(B, polar(B, r, pi/2))", "$H_{1}$ lies at the distance $r$ from $B$ in the direction of $y$"),
+    ("polar(midpoint(A, B), -r, phi)", "opposite to the direction"),
+    ("B - turned(B)/2", "From $B$ to $C$ leads the vector"),
+    ("B", "$C$ coincides with $B$"),
+    ("(A + B)/2 + (r, x(B))", "Coordinates of $C$"),
+    ("polar(A, distance(A, B), direction(A, B) + pi/6)", r"the direction $\angle(x, \overrightarrow{AB}) + 30^\circ$"),
+])
+def test_every_construction_is_told_with_numbers_that_agree(construction: str, told: str) -> None:
+    text = HEAD + f'C = "{construction}"\n[asks]\nx_C = {{ quantity = "x(C)", unit = "m", sign = "+x", points = 1, ' \
+                  f"means = {TEXTS} }}"
+    for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
+        solution = solve_template(read_template("test", text), values)
+        blocks = positions(solution, ["C"], "en")
+        assert told in " ".join(sentences(blocks))
+        require_printable(blocks, construction)
+        require_printable(positions(solution, ["C"], "zh"), construction)
+        assert disagreements(blocks)[1] == []
+        require_coordinates(solution, "C", dict(chains(blocks)))
+
+
+@pytest.mark.parametrize(("quantity", "unit", "end"), [
+    ("distance(B, line((0, r), 0))", "m", r"\left|y_{B} - r\right|"),
+    ("distance(B, line((0, r), (r, 0)))", "m", "frac"),
+    ("magnitude(B - A)", "m", r"\sqrt{x_{B}^{2} + y_{B}^{2}}"),
+    ("2*distance(A, B) + x(B)", "m", r"2 AB + x_{B}"),
+    ("between(B - A, turned(A - B))", "deg", ""),
+    ("between(B, (1, 0))/2", "deg", r"\frac{\angle(\boldsymbol{u}, \boldsymbol{v})}{2}"),
+    ("direction(B, A)", "deg", ""),
+    ("angle(turned(B), A - B)", "deg", ""),
+    ("along(B, (1, 1))", "m", "frac"),
+    ("sin(direction(A, B))", "1", r"\sin\angle(x, \overrightarrow{AB})"),
+    ("angle((0, 1), (r, -r))", "rad", ""),
+    ("distance(A, midpoint(A, B))", "mm", ""),
+    ("x(polar(B, r, phi)) - x(B)", "m", "x_{H_{1}} - x_{B}"),
+])
+def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, end: str) -> None:
+    text = HEAD + f'[asks]\nq = {{ quantity = "{quantity}", unit = "{unit}", sign = "signed", points = 1, ' \
+                  f"vanishes = true, means = {TEXTS} }}"
+    for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
+        solution = solve_template(read_template("test", text), values)
+        blocks = pose_answer(solution, "q", "en")
+        require_printable(blocks, quantity)
+        require_printable(pose_answer(solution, "q", "zh"), quantity)
+        assert disagreements(blocks)[1] == []
+        symbol, parts = list(chains(blocks))[-1]
+        assert symbol == "q"
+        assert end in parts[0]
+        value = part_value(parts[-1])
+        answer = float(solution["q"].value) * {"deg": 3.14159265358979 / 180, "mm": 0.001}.get(unit, 1)
+        assert value == pytest.approx(answer, rel=1e-3)
+
+
+def test_a_length_that_several_answers_need_is_found_once() -> None:
+    solution = solve_template(load_template("pose-four-bar-coupler"), {})
+    told = [left for left, _ in chains(pose_answers(solution, ["A11", "A12", "A21"], "en"))]
+    assert told == ["BC", "A_{11}", "A_{12}", "A_{21}"]
+
+
+@pytest.mark.parametrize(("phi", "told"), [
+    ("30", "between $0^\\circ$ and $90^\\circ$"), ("150", "between $90^\\circ$ and $180^\\circ$"),
+    ("210", "between $-180^\\circ$ and $-90^\\circ$"), ("-30", "between $-90^\\circ$ and $0^\\circ$"),
+    ("0", "the angle is zero"), ("90", "the angle is $90^\\circ$"), ("180", "the angle is $180^\\circ$"),
+    ("270", "the angle is $-90^\\circ$"),
+])
+def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(phi: str, told: str) -> None:
+    text = HEAD + '[asks]\nq = { quantity = "angle((1, 0), B - A)", unit = "deg", sign = "ccw", points = 1, ' \
+                  f"vanishes = true, means = {TEXTS} }}"
+    solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
+    assert told in sentences(pose_answer(solution, "q", "en"))[-1]

@@ -1,0 +1,300 @@
+"""Worked solutions: their equations hold, their projections determine what they say, their last lines are the key."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from math import cos, hypot, radians
+
+import numpy as np
+import pytest
+
+from kinegrade.errors import MechanismError, TemplateError
+from kinegrade.exam.formula import formula
+from kinegrade.exam.markup import prose
+from kinegrade.mechanics.plan import Plan
+from kinegrade.mechanics.relations import Relation, total
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.drawing import Deck
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.reading import read_template
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template import METHODS, Language, Method
+from kinegrade.worked.case import Case
+from kinegrade.worked.deduced import Stage, along_direction
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
+from kinegrade.worked.methods import coupler_of
+from kinegrade.worked.needs import steps_needed
+from kinegrade.worked.projection import Projection, Share, deductions
+from kinegrade.worked.solution import all_needs, worked_solution
+from kinegrade.worked.steps import stage_of
+from kinegrade.worked.wording import scalars_of
+from tests.laws.cases import moving_templates
+from tests.worked.chains import chains, disagreements, part_value
+from tests.worked.telling import mathematics, proses
+
+DRAWS = 1
+CLOSE = 1e-9
+TIDY = 1e-7  # angles are whole where they are so to within 1e-7 degrees
+Told = tuple[Stage, tuple[Relation, ...], tuple[str, ...]]
+
+
+@cache
+def drawn(name: str) -> tuple[Solution, ...]:
+    """The published instance and a drawn one, solved for all asks that an exam may put."""
+    template = load_template(name)
+    deck = Deck(template, template.asked(), "worked", "q1", {})
+    values = [deck.draw(f"S{number}").values for number in range(DRAWS)]
+    return tuple(solve_template(template, given) for given in ({}, *values))
+
+
+@cache
+def stages(name: str, place: int) -> tuple[Told, ...]:
+    """Every step that the answers of one drawn instance need, with its scalar relations and what it gives."""
+    return tuple(stages_of(drawn(name)[place]))
+
+
+def stages_of(solution: Solution) -> Iterator[Told]:
+    case = Case(solution, "en")
+    chosen = steps_needed(solution.motion, all_needs(case, solution.template.asks.values()))
+    levels: tuple[Level, Level] = ("velocity", "acceleration")
+    for level, steps in zip(levels, chosen, strict=True):
+        known: set[str] = set()
+        for step in steps:
+            yield stage_of(step, case, level, known), scalars_of(step, case), step.unknowns
+            known |= set(step.unknowns)
+
+
+def all_stages(name: str) -> Iterator[Told]:
+    return (told for place in range(len(drawn(name))) for told in stages(name, place))
+
+
+def told(solution: Solution, method: Method | None = None, language: Language = "en") -> tuple[Block, ...]:
+    return worked_solution(solution, solution.template.asks, language, method).blocks
+
+
+@cache
+def kept(name: str, place: int = 0, method: Method | None = None, language: Language = "en") -> tuple[Block, ...]:
+    """The solution of one drawn instance, worked out once for all tests."""
+    return told(drawn(name)[place], method, language)
+
+
+def every_telling(name: str) -> Iterator[tuple[Block, ...]]:
+    """The solutions of a template: two instances, both languages, and each method where it makes a difference."""
+    yield from (kept(name, place) for place in range(len(drawn(name))))
+    yield kept(name, language="zh")
+    if any(coupler_of(stage) for stage, _, _ in stages(name, 0)):
+        yield from (kept(name, 0, method) for method in METHODS if method != "base-point")
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_the_last_lines_are_the_key(name: str) -> None:
+    for place, solution in enumerate(drawn(name)):
+        *_, last = kept(name, place)
+        if not isinstance(last, Results):
+            pytest.fail("a solution ends with its results")
+        answers = solution.answers.values()
+        assert [result.decimal for result in last.results] == [answer.decimal(6) for answer in answers]
+        assert [(result.exact, result.unit) for result in last.results] == [
+            (answer.closed_form, answer.unit) for answer in answers]
+
+
+@cache
+def typeset(latex: str) -> None:
+    formula(latex, "worked")
+
+
+@cache
+def set_in_prose(text: str) -> None:
+    assert not re.search(r"<\w+>", text)
+    prose(text, "worked")
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_formula_and_sentence_can_be_typeset(name: str) -> None:
+    for blocks in every_telling(name):
+        for latex in mathematics(blocks):
+            typeset(latex)
+        for text in proses(blocks):
+            set_in_prose(text)
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> None:
+    for blocks in every_telling(name):
+        _, wrong = disagreements(blocks)
+        assert not wrong
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_nothing_superfluous_is_printed(name: str) -> None:
+    """No product with zero, no sign before a bracketed negative number alone, no number said to be itself."""
+    for blocks in every_telling(name):
+        for line in (line for block in blocks if isinstance(block, Display) for line in block.lines):
+            assert not re.search(r"(?<![\d.])0(?:\\cdot|\\cos|\\,\\(?!unit|mathrm))", line)
+            assert not re.search(r"[-+]\(-[\d.]+\)(?:\\cos|$)", line)
+            assert not re.search(r"(?:^|= )([-\d.]+) = \1(?:$|\\,)", line)
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_no_symbol_is_its_own_opposite(name: str) -> None:
+    for blocks in every_telling(name):
+        for left, parts in chains(blocks):
+            assert f"-{left}" not in parts
+            assert rf"-\left|{left}\right|" not in parts or part_value(parts[-1].partition(r"\,\unit")[0]) < 0
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_nothing_is_told_twice(name: str) -> None:
+    lines = [line for block in kept(name) if isinstance(block, Display) for line in block.lines
+             if not line.startswith("&") and "unit" in line]
+    assert len(lines) == len(set(lines))
+
+
+@pytest.mark.parametrize("name", moving_templates())
+def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
+    for stage, _, _ in all_stages(name):
+        for equation in stage.equations:
+            rest = total(part.value for part in equation.left) - total(part.value for part in equation.right)
+            assert stage.case.arithmetic.is_zero(rest.x)
+            assert stage.case.arithmetic.is_zero(rest.y)
+
+
+@pytest.mark.parametrize("name", moving_templates())
+def test_every_projected_equation_holds_with_the_cosines_that_are_printed(name: str) -> None:
+    for stage, scalars, unknowns in all_stages(name):
+        for deduction in deductions(stage.equations, scalars, unknowns):
+            for projection in deduction.projections:
+                left, right = (sum(amount(share, stage) for share in side)
+                               for side in (projection.left, projection.right))
+                assert left == pytest.approx(right, abs=TIDY * scale_of(projection))
+
+
+def amount(share: Share, stage: Stage) -> float:
+    """A share with its sign: an unknown one by its algebraic value along its positive sense."""
+    part = share.part
+    if part.unknown and part.term:
+        size = float(along_direction(part.term, stage.case, stage.level))
+    else:
+        size = hypot(float(part.value.x), float(part.value.y))
+    return share.sign * size * cos(radians(share.angle))
+
+
+def scale_of(projection: Projection) -> float:
+    return 1 + max(hypot(float(part.value.x), float(part.value.y)) for part in projection.equation.parts)
+
+
+@pytest.mark.parametrize("name", moving_templates())
+def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str) -> None:
+    for stage, scalars, unknowns in all_stages(name):
+        if not stage.equations:
+            continue
+        given = list(deductions(stage.equations, scalars, unknowns))
+        assert sorted(rate for deduction in given for rate in deduction.unknowns) == sorted(unknowns)
+        solved: set[str] = set()
+        for deduction in given:
+            rows = [projection.row() for projection in deduction.projections]
+            rows += [{rate: float(factor) for rate, factor in scalar.turning} for scalar in deduction.scalars]
+            matrix = np.array([[row.get(rate, 0.0) for rate in deduction.unknowns] for row in rows])
+            assert np.linalg.matrix_rank(matrix, tol=CLOSE) == len(deduction.unknowns)
+            left_out = {rate for row in rows for rate, factor in row.items() if abs(factor) > TIDY}
+            assert left_out & set(unknowns) <= solved | set(deduction.unknowns)
+            solved |= set(deduction.unknowns)
+
+
+@pytest.mark.parametrize("name", moving_templates())
+def test_without_any_one_step_of_the_plan_there_is_no_solution(name: str) -> None:
+    solution = drawn(name)[0]
+    needs = all_needs(Case(solution, "en"), solution.template.asks.values())
+    for step in {step for steps in steps_needed(solution.motion, needs) for step in steps}:
+        steps = tuple(other for other in solution.motion.plan.steps if other != step)
+        with pytest.raises(MechanismError, match="the plan does not give .*, which the answers need: solve the "):
+            steps_needed(replace(solution.motion, plan=Plan(steps)), needs)
+
+
+def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
+    blocks = told(solve_template(load_template("slider-crank"), {}))
+    step = next(place for place, block in enumerate(blocks) if block == Heading("2. $AB$: base point $A$", 2))
+    pictures = next(block for block in blocks[step:] if isinstance(block, Pictures))
+    assert [picture.caption for picture in pictures.pictures] == ["velocities", "velocity polygon, 1 mm = 0.025 m/s"]
+
+
+@pytest.mark.parametrize(("method", "title"), [
+    ("base-point", "2. $AB$: base point $A$"),
+    ("projection", "2. $AB$: velocity projection theorem"),
+    ("pole", "2. $AB$: instantaneous centre of velocity"),
+])
+def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: str) -> None:
+    solution = solve_template(load_template("slider-crank"), {"phi": "30"})
+    blocks = told(solution, method)
+    assert Heading(title, 2) in blocks
+    equations = [line for block in blocks if isinstance(block, Display) for line in block.lines]
+    speeds = {line for line in equations if line.startswith("v_{B} &=") and "unit" in line}
+    assert len(speeds) == 1
+    assert any(line.startswith(r"\omega_{AB} &=") for line in equations)
+
+
+def test_the_author_of_a_template_chooses_the_method() -> None:
+    text = load_template("slider-crank").text
+    template = read_template("crank", f'method = "pole"\n{text}')
+    assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(solve_template(template, {}))
+    with pytest.raises(TemplateError, match="method: expected one of base-point, projection, pole"):
+        read_template("crank", f'method = "guess"\n{text}')
+
+
+def test_a_rod_in_instantaneous_translation_has_its_pole_at_infinity() -> None:
+    blocks = told(solve_template(load_template("slider-crank"), {"phi": "90"}))
+    assert any("at infinity" in text for text in proses(blocks))
+
+
+@pytest.mark.parametrize("name", moving_templates())
+def test_senses_in_words_agree_with_signs(name: str) -> None:
+    for place in range(len(drawn(name))):
+        *_, last = kept(name, place)
+        for result in last.results if isinstance(last, Results) else ():
+            if "clockwise" in result.sense:
+                assert (result.sense == "clockwise") == result.decimal.startswith("-")
+
+
+def test_certified_values_are_told_like_exact_ones() -> None:
+    """An angle of 37 degrees leaves every small field: what vanishes then vanishes to within rounding only."""
+    template = load_template("extended-rod-driving-rocker")
+    *_, last = told(solve_template(template, {"phi": "37", "delta": "53"}))
+    assert isinstance(last, Results)
+    assert all(result.exact is None for result in last.results)
+
+
+def lines_of(name: str, method: Method | None = None) -> list[str]:
+    blocks = worked_solution(solve_template(load_template(name), {}), load_template(name).asked(), "en", method).blocks
+    return [line for block in blocks if isinstance(block, Display) for line in block.lines]
+
+
+def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
+    lines = lines_of("rolling-wheel-pin-slotted-rocker")
+    sizes = [line for line in lines if line.startswith("v_{B} &=")]
+    assert sizes == [r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3)^{2}+0.1732^{2}} = "
+                     r"\frac{\sqrt{3}}{5} \approx 0.3464\,\unit{m/s},\quad 150^\circ"]
+
+
+def test_the_sense_in_which_a_driver_counts_is_kept() -> None:
+    lines = lines_of("rolling-wheel-pin-slotted-rocker")  # the wheel is driven to the left, which counts positive
+    assert r"v_{O} &= R\,\omega_{1}" in lines
+    assert r"\omega_{1} &= \frac{0.2}{0.5}" in lines
+
+
+def test_a_known_vector_told_negative_stands_between_bars() -> None:
+    lines = lines_of("stone-crusher", "base-point")
+    assert any(line.startswith("v_{G} &= -1.066") for line in lines)
+    assert any(r"\left|v_{G}\right|\cos" in line for line in lines)
+
+
+@pytest.mark.parametrize(("name", "sentence"), [
+    ("flat-faced-follower-eccentric-circle", "So $C$ serves as the moving point."),
+    ("five-bar-two-driven-cranks", "$C$ about the base point $A$ of $AC$ and $B$ about the base point $C$ of $BC$."),
+    ("guided-rack-and-gear", r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, $\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+"),
+    ("planetary-gear-external-rim-velocities", "rolling without slipping on a fixed circle"),
+])
+def test_what_a_teacher_would_say(name: str, sentence: str) -> None:
+    assert any(sentence in text for text in proses(kept(name)))
