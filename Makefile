@@ -1,6 +1,7 @@
 # make demo   the main job: an exam for the demonstration class, marked
 # make test   lint, types, tests
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
+# make tex    LaTeX, for those who typeset with it (Debian and Ubuntu; elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 
 PYTHON ?= python3
@@ -8,7 +9,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench golden check-templates clean
+.PHONY: demo demo-answers test lint types bench golden check-templates tex clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -18,7 +19,7 @@ $(READY): pyproject.toml
 
 demo: $(READY)
 	mkdir -p demo
-	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --seed demo --force
+	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --seed demo --solutions --force
 	$(BIN)/kinegrade grade demo/EXAM banks/demo-answers.csv -o demo/MARKS --force || test $$? -eq 1
 	@echo "papers: demo/EXAM/papers.pdf   key: demo/EXAM/key.pdf   marks: demo/MARKS/grades.csv   Moodle: demo/MARKS/moodle.csv"
 
@@ -44,6 +45,17 @@ bench: $(READY)
 
 golden: $(READY)
 	$(BIN)/python -m pytest -n 0 tests --regenerate-golden
+
+TEX_PACKAGES := lmodern texlive-lang-chinese texlive-latex-recommended texlive-pictures texlive-xetex
+
+tex:
+	@if command -v pdflatex >/dev/null && command -v xelatex >/dev/null && kpsewhich --progname=xelatex lmodern.sty xeCJK.sty ctexhook.sty tikz.sty >/dev/null; \
+	then echo "LaTeX is installed."; \
+	elif ! command -v apt-get >/dev/null; \
+	then echo "Install TeX Live (tug.org/texlive) or MacTeX with pdflatex, xelatex and the packages lm, pgf, geometry, amsmath, fontspec, xecjk, ctex."; \
+	else sudo=$$(test $$(id -u) = 0 || echo sudo); \
+	  $$sudo apt-get update -qq && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $(TEX_PACKAGES); \
+	fi
 
 clean:
 	rm -rf $(VENV) demo .pytest_cache .mypy_cache .ruff_cache

@@ -10,16 +10,20 @@ from time import perf_counter
 
 @dataclass(frozen=True)
 class Figure:
-    """Seconds per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if none is made."""
+    """Cost per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if none is made.
+
+    Costs are seconds, shown as milliseconds, or megabytes where `unit` is "MB".
+    """
 
     name: str
     ours: float
     peer: float
     promise: float | None
+    unit: str = "ms"
 
     @property
     def ratio(self) -> float:
-        """How many times faster ours is."""
+        """How many times cheaper ours is."""
         return self.peer / self.ours
 
     @property
@@ -30,8 +34,9 @@ class Figure:
     def line(self) -> str:
         """The figure as a line of the report."""
         promise = "" if self.promise is None else f"  promised: {self.promise:g}  {'kept' if self.kept else 'BROKEN'}"
-        return (f"{self.name:<58} ours {self.ours * 1e3:9.3f} ms  peer {self.peer * 1e3:9.3f} ms  "
-                f"ratio {self.ratio:7.2f}{promise}")
+        scale = 1e3 if self.unit == "ms" else 1.0
+        costs = f"ours {self.ours * scale:9.3f} {self.unit}  peer {self.peer * scale:9.3f} {self.unit}"
+        return f"{self.name:<58} {costs}  ratio {self.ratio:7.2f}{promise}"
 
 
 def seconds(work: Callable[[], object], repeats: int) -> float:

@@ -1,50 +1,69 @@
-"""Papers per second: drawing, solving and typesetting by the product, against one pdflatex run per student.
+"""An exam for 300 students, four questions with figures each, papers and key, as users make it on the command line.
 
-The peer typesets a page of the same size that is already solved and drawn, so it has the easier work. Where no
-pdflatex is on the machine the figure is left out, and the report says so.
+The peer is what is usual elsewhere: one LaTeX run for each student. It typesets the same papers by the same layout, on
+a sample, in files that are drawn, solved and written as LaTeX before the clock starts, so it has less to do. Memory is
+that of the command with all its processes. Where no LaTeX is on the machine its figures are left out, and the report
+says so.
 """
 
 from __future__ import annotations
 
 import subprocess
+import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
 
 from benchmarks.figure_of_merit import Figure, seconds
-from kinegrade.exam.bank import read_bank
-from kinegrade.exam.pages import paper_pages
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import set_exam
-from kinegrade.exam.typst import TypstPress
-from kinegrade.problem.library import shipped
+from benchmarks.memory import peak_of_tree
 
-QUESTION = r"""\section*{Question}The crank $OA$, of length $r = \SI{0.25}{m}$, turns about $O$ with angular velocity
-$\omega = \SI{7}{rad/s}$. Find $v_B = \frac{2\sqrt{3}}{3}\,\omega r$ at $\varphi = 60^\circ$, and $\omega_{AB}$.\par
-\begin{tikzpicture}[scale=2]\draw[thick] (0,0) -- (0.5,0.866) -- (2,0); \draw (0,0) circle (0.04);
-\draw (0.5,0.866) circle (0.04); \foreach \x in {-0.3,-0.2,...,0.3} \draw (\x,-0.1) -- (\x-0.1,-0.2);
-\draw (0.4,0) arc (0:60:0.4) node[midway,right] {$\varphi$};\end{tikzpicture}\par
-\begin{tabular}{lllr}$v_B$ & speed of $B$ & m/s & 3\\$\omega_{AB}$ & angular velocity & rad/s & 2\end{tabular}"""
-PAPER = (r"\documentclass{article}\usepackage{amsmath,siunitx,tikz}\begin{document}" + QUESTION * 4
-         + r"\end{document}")
+STUDENTS, HALF, SAMPLE = 300, 150, 10
+TYPST_PROMISE, LATEX_PROMISE = 25, 4
+MEMORY_PROMISE, GROWTH_PROMISE = 1024, 1.15  # megabytes at 300 students; at most so many times that of 150
 
 
 def figures() -> Iterator[Figure]:
-    """Seconds per paper of four questions with figures."""
-    students = tuple(Student(str(number), f"Student {number}", "", str(number)) for number in range(400))
-    setting = set_exam(read_bank(shipped("banks") / "demo.toml"), Roster(students, ()), "bench")
-    press, papers = TypstPress(), setting.papers()
-    ours = seconds(lambda: press.paper(paper_pages(setting.bank, next(papers), "en")), 40)
-    if which("pdflatex") is None:
-        print(f"papers: {1 / ours:.1f} per second; no pdflatex on this machine to compare with")
-        return
-    yield Figure("a paper of 4 questions against a pdflatex run", ours, seconds(run_pdflatex, 5), None)
+    """Seconds per paper of four questions with figures, and megabytes of the whole class."""
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        typst, memory = generate(folder, STUDENTS)
+        _, half = generate(folder, HALF)
+        yield Figure("generate, 300 students: memory against 1 GiB", memory, MEMORY_PROMISE, 1, "MB")
+        yield Figure("generate, 150 students: memory against that of 300", memory / GROWTH_PROMISE, half, 1, "MB")
+        if which("pdflatex") is None:
+            print(f"papers: {typst * 1e3:.1f} ms each; no LaTeX on this machine to compare with")
+            return
+        latex, _ = generate(folder, STUDENTS, "--engine", "latex")
+        peer = one_run_each(folder, SAMPLE)
+        yield Figure("a paper by Typst against a LaTeX run of its own", typst, peer, TYPST_PROMISE)
+        yield Figure("a paper by LaTeX, a run for many, against a run of its own", latex, peer, LATEX_PROMISE)
 
 
-def run_pdflatex() -> None:
-    """One pdflatex run, shell escape off, in a folder of its own."""
-    with TemporaryDirectory() as folder:
-        (Path(folder) / "paper.tex").write_text(PAPER, encoding="utf-8")
-        subprocess.run(["pdflatex", "-no-shell-escape", "-interaction=batchmode", "paper.tex"], cwd=folder, check=True,
-                       capture_output=True)
+def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
+    """Seconds per paper and peak memory in megabytes of the command, for a class of that size."""
+    roster = folder / f"{students}.csv"
+    roster.write_text("student,name\n" + "".join(f"{number:05},Student {number}\n" for number in range(students)),
+                      encoding="utf-8")
+    start = time.perf_counter()
+    process = subprocess.Popen([sys.executable, "-m", "kinegrade", "generate", "demo", str(roster), "-o",
+                                str(folder / "EXAM"), "--seed", "bench", "--force",
+                                "--no-solutions", *options], stderr=subprocess.PIPE)
+    memory = peak_of_tree(process)
+    if process.returncode:
+        raise RuntimeError(process.stderr.read().decode() if process.stderr else "")
+    return (time.perf_counter() - start) / students, memory
+
+
+def one_run_each(folder: Path, count: int) -> float:
+    """The median time of a LaTeX run of one paper, from the sources that `generate` has just kept."""
+    papers = folder / "EXAM" / "tex" / "papers"
+    sources = iter(sorted(papers.glob("*.tex"))[:count + 1])
+    return seconds(lambda: run_latex(papers, next(sources)), count)
+
+
+def run_latex(folder: Path, source: Path) -> None:
+    """One pdflatex run, shell escape off."""
+    subprocess.run(["pdflatex", "-no-shell-escape", "-interaction=batchmode", source.name], cwd=folder, check=True,
+                   capture_output=True)

@@ -19,13 +19,18 @@ from kinegrade.errors import KinegradeError, TemplateError
 
 if TYPE_CHECKING:
     from kinegrade.exam.document import PaperSize
+    from kinegrade.exam.press import Engine
+    from kinegrade.grading.decimal_style import Mark as DecimalMark
     from kinegrade.problem.solving import Solution
-    from kinegrade.problem.template import Language
+    from kinegrade.problem.template import Language, Method
 
 COMPLAINTS = 1
 FAILURE = 2
 LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"]), default="en", show_default=True,
                         help="Language of the output.")
+METHOD = click.option("--method", type=click.Choice(["base-point", "projection", "pole"]),
+                      help="How worked solutions find velocities where several methods serve.  "
+                           "[default: what the template says]")
 FORCE = click.option("--force", is_flag=True, help="Replace an output that kinegrade wrote before.")
 FILE = click.Path(path_type=Path)
 
@@ -107,18 +112,28 @@ def show(template_name: str, language: Language, output: Path | None, seed: str,
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
               help="A parameter's value in its unit: a number or an exact expression.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="Also typeset the worked solution as PDF.")
+@METHOD
+@LANGUAGE
+@FORCE
 @refusing
-def solve(template_name: str, settings: tuple[str, ...], as_json: bool) -> None:
+def solve(*, template_name: str, settings: tuple[str, ...], as_json: bool, output: Path | None, method: Method | None,
+          language: Language, force: bool) -> None:
     """Solve a template exactly at given values; the rest take their published value, or the first drawable one.
 
     \b
-    Example: kinegrade solve slider-crank --set r=1/5 --set phi=40 --json
+    Example: kinegrade solve slider-crank --set r=1/5 --set phi=40 -o solution.pdf --method pole
     """
     from kinegrade.problem.library import load_template
     from kinegrade.problem.solving import solve_template
 
     solution = solve_template(load_template(template_name), read_settings(settings))
     click.echo(solution_json(solution) if as_json else solution_text(solution))
+    if output is not None:
+        from kinegrade.exam.sample import worked_page
+        from kinegrade.files import write_file
+
+        write_file(output, worked_page(solution, language, method), force=force)
 
 
 def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
@@ -235,10 +250,16 @@ def gallery(*, template_names: tuple[str, ...], output: Path, language: Language
 @click.option("--seed", callback=writable, help="The exam's secret; drawn and printed if not given.")
 @LANGUAGE
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
+@click.option("--engine", type=click.Choice(["typst", "latex"]),
+              help="What typesets the exam.  [default: what the bank says, else typst]")
+@click.option("--solutions/--no-solutions", default=False, show_default=True,
+              help="Also write everybody's worked solutions.")
+@click.option("--jobs", type=click.IntRange(1), metavar="N",
+              help="How many processes print a large class.  [default: one for each core]")
 @FORCE
 @refusing
 def generate(*, bank: Path, roster: Path, output: Path, seed: str | None, language: Language, paper_size: PaperSize,
-             force: bool) -> None:
+             engine: Engine | None, solutions: bool, jobs: int | None, force: bool) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 
     BANK is the exam's blueprint: a TOML file, or the name of one that is shipped: acceleration-midterm, demo, final,
@@ -247,6 +268,7 @@ def generate(*, bank: Path, roster: Path, output: Path, seed: str | None, langua
     \b
     Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --seed spring --lang zh
     """
+    from os import cpu_count
     from secrets import token_hex
 
     from kinegrade.exam.bank import bank_path, read_blueprint
@@ -256,7 +278,8 @@ def generate(*, bank: Path, roster: Path, output: Path, seed: str | None, langua
     secret = seed if seed is not None else token_hex(8)
     click.echo(f"seed: {secret}", err=True)
     written = write_exam(read_blueprint(bank_path(bank)), read_roster(roster), output, secret, language, force=force,
-                         paper_size=paper_size, progress=progress)
+                         paper_size=paper_size, engine=engine, solutions=solutions, jobs=jobs or cpu_count() or 1,
+                         progress=progress)
     for question, template in written.drawn.items():
         click.echo(f"{question}: drawn from the bank: {template}", err=True)
     for question, combinations in written.combinations.items():
@@ -280,9 +303,11 @@ def progress(items: Iterator[Any], count: int) -> Iterator[Any]:
 @click.argument("exam", type=FILE)
 @click.argument("answers", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="MARKS", help="The folder of marks to write.")
+@click.option("--decimal", type=click.Choice(["point", "comma"]),
+              help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]")
 @FORCE
 @refusing
-def grade(exam: Path, answers: Path, output: Path, force: bool) -> None:
+def grade(*, exam: Path, answers: Path, output: Path, decimal: DecimalMark | None, force: bool) -> None:
     """Mark the class: ANSWERS is a CSV of the shape of EXAM/answers.csv.
 
     \b
@@ -291,7 +316,7 @@ def grade(exam: Path, answers: Path, output: Path, force: bool) -> None:
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
 
-    marks = mark_class(exam, answers, output, force=force, exports={"moodle.csv": moodle.export})
+    marks = mark_class(exam, answers, output, force=force, exports={"moodle.csv": moodle.export}, decimal=decimal)
     click.echo(f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints", err=True)
     finish(tuple(map(str, marks.complaints)))
 

@@ -8,7 +8,11 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.small_class import generate, write_class
+from kinegrade.exam.bank import Bank, read_bank
+from tests.golden_files import BANK, GOLDEN, Hold
+from tests.problem.crank import crank_text
+from tests.small_class import VANISHING, generate, write_class
+from tests.tex import TEX_MISSING, TEX_REASON
 
 COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much]}
 settings.register_profile("ci", max_examples=50, derandomize=True, **COMMON)
@@ -18,6 +22,31 @@ settings.load_profile("ci" if os.environ.get("CI") else "new")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--regenerate-golden", action="store_true", help="Write the files of tests/golden/ anew.")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    if TEX_MISSING:
+        terminalreporter.write_line(f"{TEX_REASON}: its tests were skipped.", yellow=True)
+
+
+@pytest.fixture
+def hold(request: pytest.FixtureRequest) -> Hold:
+    """Holds a text against the golden file of that name, or writes it."""
+
+    def compare(name: str, text: str) -> None:
+        if request.config.getoption("--regenerate-golden"):
+            (GOLDEN / name).write_text(text, encoding="utf-8", newline="\n")
+        assert text == (GOLDEN / name).read_text(encoding="utf-8")
+
+    return compare
+
+
+@pytest.fixture
+def golden_bank(tmp_path: Path) -> Bank:
+    """The bank of the exam whose files are goldens."""
+    (tmp_path / "crank.toml").write_text(crank_text(VANISHING), encoding="utf-8")
+    (tmp_path / "bank.toml").write_text(BANK, encoding="utf-8")
+    return read_bank(tmp_path / "bank.toml")
 
 
 @pytest.fixture(scope="session")

@@ -205,14 +205,14 @@ def test_export_writes_what_grade_wrote(small_class: Path, tmp_path: Path) -> No
 
 def test_complaints_end_with_status_1_and_are_told(small_class: Path, tmp_path: Path) -> None:
     answers = tmp_path / "answers.csv"
-    answers.write_text("student,q1.v_B\n007,about 3\nstranger,1\n", encoding="utf-8")
+    answers.write_text("student,q1.v_B\n007,three\nstranger,1\n", encoding="utf-8")
     result = kinegrade("grade", small_class / "EXAM", answers, "-o", tmp_path / "MARKS")
     assert result.exit_code == 1
     assert result.stdout == ""
     told = [line for line in result.stderr.splitlines() if line.startswith("complaint: ")]
     assert f"MARKS: 4 students marked, {len(told)} complaints" in result.stderr
     assert any('no student "stranger" in the exam' in line for line in told)
-    assert any('"about 3" is not a number' in line for line in told)
+    assert any('"three" is not a number' in line for line in told)
 
 
 @pytest.mark.parametrize("arguments", [

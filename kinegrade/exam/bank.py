@@ -5,6 +5,7 @@
     tolerance = { relative = "1 %" }
     shuffle = true                           # optional: every paper has its own order of the questions
     versions = 3                             # optional: versions A, B, C instead of a paper for each student
+    engine = "latex"                         # optional: what typesets the exam (typst)
 
     [[questions]]
     template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
@@ -26,17 +27,18 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from kinegrade.errors import BankError, did_you_mean
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
-from kinegrade.exam.bank_values import Values
+from kinegrade.exam.bank_values import Values, written
 from kinegrade.exam.blueprint import Bank, Blueprint, Slot, Tolerance, matched, wishes
+from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
 from kinegrade.problem.reading import TOO_LARGE, short_line, too_large
 
-KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "questions")
+KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "engine", "questions")
 MAX_BYTES = 200_000
 ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
@@ -89,10 +91,19 @@ def blueprint(values: Values, table: Mapping[str, Any], text: str, folder: Path)
         values.translated("title", table.get("title")), values.translated("course", table.get("course")),
         values.date("date", table.get("date", "")), tolerance, (), text,
         values.flag("shuffle", table.get("shuffle", False)),
-        values.whole("versions", table["versions"], 1, len(LETTERS)) if "versions" in table else 0)
+        values.whole("versions", table["versions"], 1, len(LETTERS)) if "versions" in table else 0,
+        read_engine(values, table.get("engine", "typst")))
     if values.faults:
         raise BankError(*values.faults)
     return Blueprint(frame, slots)
+
+
+def read_engine(values: Values, value: Any) -> Engine:
+    """What typesets the exam; after a fault Typst, with which reading goes on."""
+    if value in ENGINES:
+        return cast(Engine, value)
+    values.fault("engine", f"expected {' or '.join(ENGINES)}, not {written(value)!r}")
+    return "typst"
 
 
 def read_slots(values: Values, entries: Any, reader: Entries, tolerance: Tolerance) -> tuple[Slot, ...]:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from kinegrade.exam.press import Engine
 from kinegrade.problem.drawing import address
 from kinegrade.problem.template import Template, Translated
 
@@ -51,7 +52,7 @@ class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept with the exam.
 
     `shuffle` lets every paper have its own order of the questions; `versions` is how many different papers there are,
-    0 for one of each student's own.
+    0 for one of each student's own; `engine` is what typesets it unless an instructor asks for another.
     """
 
     title: Translated
@@ -62,6 +63,7 @@ class Bank:
     text: str
     shuffle: bool = False
     versions: int = 0
+    engine: Engine = "typst"
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Literal
 
 from kinegrade.figure.scene import Scene
+from kinegrade.worked.document import Block
 
 Language = Literal["en", "zh"]
 PaperSize = Literal["a4", "letter"]
@@ -44,6 +45,7 @@ class QuestionSheet:
     figure: Scene | None
     rows: tuple[AnswerRow, ...]
     source: str = ""  # plain, where the problem was published; "" prints nothing
+    template: str = ""  # plain, named where its texts cannot be typeset
 
 
 @dataclass(frozen=True)
@@ -124,6 +126,32 @@ class KeyBook:
         for start in range(0, max(len(self.papers), 1), size):
             part = self.papers[start : start + size]
             yield KeyBook(self.language, self.course, self.title, self.warning, part)
+
+
+@dataclass(frozen=True)
+class WorkedQuestion:
+    """A question of a student's paper with its worked solution."""
+
+    number: int  # where it stands on the student's paper
+    identifier: str  # "q1", as in the answer sheet's columns
+    title: str  # prose, one line
+    statement: str  # prose, with the student's numbers
+    blocks: tuple[Block, ...]
+    template: str = ""  # plain, named where its texts cannot be typeset
+
+
+@dataclass(frozen=True)
+class SolutionSheet:
+    """The worked solutions of one student's whole paper."""
+
+    language: Language
+    course: str  # plain, as are title, date, student, name and code
+    title: str
+    date: str
+    student: str
+    name: str
+    code: str
+    questions: tuple[WorkedQuestion, ...]
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 from difflib import get_close_matches
 from functools import lru_cache
-from unicodedata import category
 
 import tylax
 
@@ -37,14 +36,14 @@ ENVIRONMENTS = frozenset({"cases", "aligned"})
 _COMMAND = re.compile(r"\\([A-Za-z]+|.|$)", re.DOTALL)
 _SPACING = frozenset(",;:! ")
 _ESCAPED = frozenset("{}%|\\")
-_TEXT = re.compile(r"\\(?:text|unit)\s*\{([^{}]*)\}|\{(,)\}")  # {,} is LaTeX's decimal comma
+TEXT = re.compile(r"\\(?:text|unit)\s*\{([^{}]*)\}|\{(,)\}")  # {,} is LaTeX's decimal comma
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{([^{}]*)\}")
 _FORBIDDEN = re.compile(r'[#"$@`~]|//|/\*|[^\x00-\x7f]')  # beyond ASCII, tylax may lose its place
 _LEFTOVER = re.compile(r'[#"$]|/\*|//')  # code, or the comment in which tylax reports a fault
-_RAISED = re.compile(r"\^\{?([-\u2212]?\d+)\}?")
+RAISED = re.compile(r"\^\{?([-\u2212]?\d+)\}?")
 _SUPERSCRIPTS = str.maketrans("-\u22120123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _OPTIONS = tylax.L2TOptions(frac_to_slash=False)
-_CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
+_CONTROL = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff]")  # all of Unicode's Cc, Zl, Zp and Cs
 _PLACE = "@"  # stands for a text during the conversion
 _PLACED = re.compile(rf"\s*{_PLACE}\s*")  # a blank beside a string literal would be printed
 
@@ -55,8 +54,7 @@ def literal(text: str) -> str:
     >>> print(literal('a "b" #read(1)'))
     "a \\"b\\" #read(1)"
     """
-    clean = "".join(" " if category(character) in _CONTROLS else character for character in text)
-    return '"' + clean.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return '"' + _CONTROL.sub(" ", text).replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def unit_text(unit: str) -> str:
@@ -65,7 +63,7 @@ def unit_text(unit: str) -> str:
     >>> unit_text("rad/s^2"), unit_text("deg"), unit_text("1")
     ('rad/s²', '°', '–')
     """
-    raised = _RAISED.sub(lambda match: match[1].translate(_SUPERSCRIPTS), unit)
+    raised = RAISED.sub(lambda match: match[1].translate(_SUPERSCRIPTS), unit)
     return {"deg": "°", "1": "–"}.get(unit, raised.replace("*", "·"))
 
 
@@ -78,11 +76,8 @@ def formula(latex: str, where: str) -> str:
     >>> formula(r"v_B = \\frac{2\\sqrt{3}}{3}\\,\\mathrm{m/s}", "q1")
     'v_(B) = frac(2 sqrt(3), 3)thin upright(m slash s)'
     """
-    problems = _problems(latex, where)
-    if problems:
-        raise TypesetError(*problems)
-    texts = ["".join(groups) for groups in _TEXT.findall(latex)]
-    converted = tylax.latex_to_typst(_TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
+    texts = ["".join(groups) for groups in TEXT.findall(checked(latex, where))]
+    converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
         raise TypesetError(f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it")
     following = iter(texts)
@@ -90,9 +85,20 @@ def formula(latex: str, where: str) -> str:
     return placed.replace("^(circle.small)", "degree").strip()
 
 
+def checked(latex: str, where: str) -> str:
+    """`latex` itself, when it holds nothing but the math that every press prints.
+
+    Raises TypesetError naming `where` and every unknown command, environment and stray character.
+    """
+    problems = _problems(latex, where)
+    if problems:
+        raise TypesetError(*problems)
+    return latex
+
+
 def _problems(latex: str, where: str) -> list[str]:
     shown = f"{where}: formula ${latex}$"
-    outside = _TEXT.sub("", latex)
+    outside = TEXT.sub("", latex)
     found = [
         f"{shown}: unknown command \\{name}; expected plain LaTeX math; {_nearest(name)}"
         for name in _COMMAND.findall(outside)

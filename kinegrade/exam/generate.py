@@ -13,14 +13,17 @@ from typing import Any
 
 from kinegrade import __version__
 from kinegrade.errors import BankError
-from kinegrade.exam.blueprint import Blueprint, Tolerance
+from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import join
-from kinegrade.exam.pages import key_book, key_paper, paper_pages
+from kinegrade.exam.key_record import amount
+from kinegrade.exam.pages import key_book
+from kinegrade.exam.press import Engine, Press
+from kinegrade.exam.printing import PressOrder, Printed, PrintRun
 from kinegrade.exam.roster import Roster
-from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion, Setting, set_exam
-from kinegrade.exam.typst import TypstPress
+from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
+from kinegrade.exam.workshop import printed
 from kinegrade.files import output_folder
 from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Language
@@ -29,12 +32,14 @@ from kinegrade.tables import neutralised, write_csv
 FORMAT = 1
 MARKER = "exam.json"
 NOTICE = "INSTRUCTOR-ONLY.txt"
-CONTENTS = (MARKER, NOTICE, "key.jsonl", "key.pdf", "bank.toml", "templates", "papers", "papers.pdf", "answers.csv")
+CONTENTS = (MARKER, NOTICE, "key.jsonl", "key.pdf", "bank.toml", "templates", "papers", "papers.pdf", "answers.csv",
+            "solutions", "solutions.pdf", "tex")
 WARNING = (
-    "For the instructor only: this folder gives the key away. Students may see what is under papers/ and nothing else. "
-    "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容。"
+    "For the instructor only: this folder gives the key away. Students may see what is under papers/ and nothing else, "
+    "and after the exam, if you hand them out, their own worked solutions under solutions/. "
+    "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；考试结束后可由教师发放 solutions/ 中的题解。"
 )
-Progress = Callable[[Iterator[SetPaper], int], Iterator[SetPaper]]
+Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 
 @dataclass(frozen=True)
@@ -52,18 +57,22 @@ class Generated:
 
 
 def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, language: Language, *,
-             force: bool = False, paper_size: PaperSize = "a4",
-             progress: Progress = lambda papers, count: papers) -> Generated:
-    """Write the exam folder `output`.
+             force: bool = False, paper_size: PaperSize = "a4", engine: Engine | None = None, jobs: int = 1,
+             solutions: bool = False, progress: Progress = lambda papers, count: papers) -> Generated:
+    """Write the exam folder `output`, by up to `jobs` processes; the engine is the bank's unless one is given.
 
+    With `solutions` everybody's worked solutions are written too.
     Raises BankError, DrawError, TypesetError, OutputError; then nothing is written.
     """
-    setting = set_exam(blueprint.bank(secret), roster, secret)
-    sources, press = source_files(setting), TypstPress(paper_size)
+    bank = blueprint.bank(secret)
+    setting = set_exam(bank, roster, secret)
+    sources = source_files(setting)
     with output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
-        keys = write_papers(setting, press, folder, language, progress)
-        join((folder / "papers" / f"{student.file_name}.pdf" for student in roster.students), folder / "papers.pdf")
-        (folder / "key.pdf").write_bytes(press.key(key_book(setting.bank, keys, language)))
+        order = PressOrder(engine or bank.engine, paper_size, folder / "tex")
+        press = order.press()
+        run = PrintRun(bank, language, order, folder / "papers", folder / "solutions" if solutions else None)
+        keys = write_papers(setting, run, press, folder, jobs=jobs, progress=progress)
+        press.key(key_book(bank, keys, language), folder / "key.pdf")
         write_sources(sources, folder)
         write_blank_answers(setting, folder / "answers.csv")
         write_json(folder / MARKER, exam_record(setting, keys, language))
@@ -79,17 +88,23 @@ def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
             for slot, question in zip(blueprint.slots, setting.bank.questions, strict=True) if slot.drawn}
 
 
-def write_papers(setting: Setting, press: TypstPress, folder: Path, language: Language,
+def write_papers(setting: Setting, run: PrintRun, press: Press, folder: Path, *, jobs: int,
                  progress: Progress) -> list[KeyPaper]:
-    """The papers as PDF and the key line by line; gives what the instructor's book needs."""
-    (folder / "papers").mkdir()
-    keys = []
+    """The papers, and the solutions that are wanted, each alone and all in one file; and the key line by line.
+
+    Gives what the instructor's book of keys needs.
+    """
+    printouts = [place for place in (run.papers, run.solutions) if place is not None]
+    for place in printouts:
+        place.mkdir()
+    keys, count = [], len(setting.roster.students)
     with (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines:
-        for paper in progress(setting.papers(), len(setting.roster.students)):
-            lines.write(json.dumps(key_record(paper, shuffled=setting.bank.shuffle), ensure_ascii=False) + "\n")
-            pdf = press.paper(paper_pages(setting.bank, paper, language))
-            (folder / "papers" / f"{paper.student.file_name}.pdf").write_bytes(pdf)
-            keys.append(key_paper(paper, language))
+        for result in progress(printed(run, setting, press, jobs), count):
+            lines.write(result.record + "\n")
+            keys.append(result.key)
+    for place in printouts:
+        files = (place / f"{student.file_name}.pdf" for student in setting.roster.students)
+        join(files, place.with_suffix(".pdf"), duplex=True)
     return keys
 
 
@@ -142,7 +157,8 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
              "combinations": setting.decks[question.identifier].combinations(),
              "refused": setting.refusals()[question.identifier],
              "asks": [{"ask": ask.name, "unit": question.template.asks[ask.name].unit.text,
-                       "points": amount(ask.points)} for ask in question.asks]}
+                       "sign": question.template.asks[ask.name].sign.en, "points": amount(ask.points)}
+                      for ask in question.asks]}
             for question in bank.questions],
         "students": [{"student": student.student, "name": student.name, "email": student.email, "paper": key.code,
                       **({"version": key.version} if key.version else {}), "file": f"papers/{student.file_name}.pdf"}
@@ -150,42 +166,7 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
     }
 
 
-def key_record(paper: SetPaper, *, shuffled: bool = False) -> dict[str, Any]:
-    """One line of key.jsonl; the questions stand in the bank's order, `printed` tells the paper's."""
-    return {"student": paper.student.student, "paper": paper.code,
-            **({"version": paper.version} if paper.version else {}),
-            **({"printed": [question.question.identifier for question in paper.printed]} if shuffled else {}),
-            "questions": [question_record(question) for question in paper.questions]}
-
-
-def question_record(question: SetQuestion) -> dict[str, Any]:
-    """One question of a key line: what was drawn, and what is right within which tolerance."""
-    parameters = {name: quantity.record() for name, quantity in question.drawn.solution.parameters.items()}
-    for record in parameters.values():
-        del record["decimal"]
-    return {"question": question.question.identifier, "template": question.question.template.name,
-            "parameters": parameters,
-            "asks": {entry.ask.name: ask_record(entry) for entry in question.asks}}
-
-
-def ask_record(entry: SetAsk) -> dict[str, Any]:
-    """One ask of a key line; `decimal` has 40 correct digits, by which marks are decided."""
-    turn = {"period": entry.answer.full_turn} if entry.cyclic else {}
-    return {**entry.answer.record(), "tolerance": tolerance_record(entry.tolerance), **turn,
-            "points": amount(entry.ask.points)}
-
-
-def tolerance_record(tolerance: Tolerance) -> dict[str, Any]:
-    """Right within max(relative*|exact value|, absolute)."""
-    return {"relative": amount(tolerance.relative), "absolute": amount(tolerance.absolute)}
-
-
-def amount(number: Any) -> int | float:
-    """A decimal of few digits as JSON writes it; whole numbers without a point."""
-    return int(number) if number == int(number) else float(number)
-
-
-def complaints(roster: Roster, press: TypstPress) -> tuple[str, ...]:
+def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
     """What a person should look at: the roster's oddities, and characters of names that no font has."""
     missing = press.unprintable(student.name for student in roster.students)
     letters = [f"{student.student}: the name has characters that no font prints, they stand as code points"

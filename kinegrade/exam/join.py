@@ -9,11 +9,17 @@ from pathlib import Path
 import pikepdf
 
 
-def join(pdfs: Iterable[Path], target: Path) -> None:
-    """Write to `target` the pages of all `pdfs` in order; same input, same bytes."""
+def join(pdfs: Iterable[Path], target: Path, *, duplex: bool = False) -> None:
+    """Write to `target` the pages of all `pdfs` in order; same input, same bytes.
+
+    For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows an odd one.
+    """
     with pikepdf.new() as whole:
         for pdf in pdfs:
             _append(whole, pdf)
+            if duplex and len(whole.pages) % 2:
+                left, bottom, right, top = map(float, whole.pages[-1].mediabox)
+                whole.add_blank_page(page_size=(right - left, top - bottom))
         whole.save(target, deterministic_id=True)
 
 

@@ -48,6 +48,7 @@ REFUSED = {
 EXPECTED = "expected text, **bold**, *emphasis*, lists and $math$"
 
 
+@lru_cache(maxsize=1024)
 def prose(markdown: str, where: str) -> str:
     """Typst code (an expression yielding content) for several paragraphs of Markdown.
 
@@ -56,20 +57,31 @@ def prose(markdown: str, where: str) -> str:
     >>> print(prose("The crank $OA$ turns.", "q1"))
     {"The crank ";box($O A$);" turns.";}
     """
-    tokens = _reader().parse(markdown)
-    _refuse_faults(tokens, where)
-    return "{" + _join(tokens, where).removesuffix("parbreak();") + "}"
+    return "{" + _join(read_prose(markdown, where), where).removesuffix("parbreak();") + "}"
 
 
+@lru_cache(maxsize=4096)
 def line(markdown: str, where: str) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
     >>> print(line("speed of $B$", "q1"))
     {"speed of ";box($B$);}
     """
+    return "{" + _join(read_line(markdown, where), where) + "}"
+
+
+def read_prose(markdown: str, where: str) -> list[Token]:
+    """The tokens of several paragraphs, none of them in `REFUSED`. Raises TypesetError as `prose` does."""
+    tokens = _reader().parse(markdown)
+    _refuse_faults(tokens, where)
+    return tokens
+
+
+def read_line(markdown: str, where: str) -> list[Token]:
+    """The tokens of one line, none of them in `REFUSED`. Raises TypesetError as `line` does."""
     tokens = _reader().parseInline(markdown)
     _refuse_faults(tokens, where)
-    return "{" + _join(tokens, where) + "}"
+    return tokens
 
 
 @lru_cache(maxsize=1)
@@ -79,12 +91,12 @@ def _reader() -> MarkdownIt:
 
 
 def _refuse_faults(tokens: Sequence[Token], where: str) -> None:
-    problems = [problem for token in _leaves(tokens) for problem in _faults(token, where)]
+    problems = [problem for token in leaves_of(tokens) for problem in _faults(token, where)]
     if problems:
         raise TypesetError(*problems)
 
 
-def _leaves(tokens: Sequence[Token]) -> list[Token]:
+def leaves_of(tokens: Sequence[Token]) -> list[Token]:
     """The tokens in the order of the text, inline ones instead of their container."""
     groups = (token.children or [] if token.type == "inline" else [token] for token in tokens)
     return [leaf for group in groups for leaf in group]
@@ -104,7 +116,7 @@ def _faults(token: Token, where: str) -> tuple[str, ...]:
 
 def _join(tokens: Sequence[Token], where: str) -> str:
     """One Typst statement after another; semicolons keep them apart on one line."""
-    leaves = _leaves(tokens)
+    leaves = leaves_of(tokens)
     return "".join(_statement(leaves, index, where) for index in range(len(leaves)))
 
 
@@ -112,9 +124,9 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
     token = leaves[index]
     match token.type:
         case "text" | "text_special":
-            return f"{literal(token.content)};" if token.content else ""
+            return f"{literal(_glue(leaves, index) + token.content)};" if token.content else ""
         case "softbreak":
-            return "" if _between_wide(leaves, index) else '" ";'
+            return "" if between_wide(leaves, index) else '" ";'
         case "math_inline":
             return f"box(${formula(token.content.strip(), where)}$);"  # a value is not torn from its symbol
         case "math_inline_double" | "math_block":
@@ -127,7 +139,13 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
     return code if not code or code[-1] in "({," else f"{code};"
 
 
-def _between_wide(leaves: Sequence[Token], index: int) -> bool:
+def _glue(leaves: Sequence[Token], index: int) -> str:
+    """A word joiner between a formula and a Chinese colon or semicolon, else Unicode's rules let it begin a line."""
+    after_math = index > 0 and leaves[index - 1].type == "math_inline"
+    return "\u2060" if after_math and leaves[index].content[0] in "：；" else ""
+
+
+def between_wide(leaves: Sequence[Token], index: int) -> bool:
     """Whether a line end stands between two Chinese characters, where it must not print a blank."""
     before = leaves[index - 1].content[-1:] if index else ""
     after = leaves[index + 1].content[:1] if index + 1 < len(leaves) else ""

@@ -59,7 +59,8 @@ def question_sheet(number: int, question: SetQuestion, language: Language) -> Qu
     figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
     rows = tuple(answer_row(template.asks[entry.ask.name], entry.ask.points, language) for entry in question.asks)
     return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
-                         question.question.points, statement(template, solution.parameters, language), figure, rows)
+                         question.question.points, statement(template, solution.parameters, language), figure, rows,
+                         template=template.name)
 
 
 def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
@@ -111,4 +112,4 @@ def interval(entry: SetAsk) -> str:
 
 def decimal_fraction(quantity: Quantity) -> Fraction:
     """The value to 40 digits as a fraction."""
-    return Fraction(quantity.decimal(40))
+    return Fraction(quantity.certified)

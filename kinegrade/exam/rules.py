@@ -10,16 +10,15 @@ from kinegrade.exam.blueprint import Bank, BankQuestion, Tolerance
 from kinegrade.problem.template import Language
 
 WRITING = {
-    "en": "Write each answer as one number in the unit given in the table, with at least four significant digits. "
-          "0.5 and 0,5 are read alike; do not separate thousands.",
-    "zh": "每个答案写成一个数，采用表中给出的单位，至少保留四位有效数字。0.5 与 0,5 等同；不要使用千位分隔符。",
+    "en": "Write one number into each box, in the unit printed there, with at least four significant digits: "
+          "0.8660 or 0,8660. Do not separate thousands.",
+    "zh": "每个答案框内填写一个数，单位已印在框内，至少保留四位有效数字，写成 0.8660 或 0,8660 均可；"
+          "不要使用千位分隔符。",
 }
 AXES = {
-    "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive for angles, angular "
-          "velocities and angular accelerations unless the question or its table says otherwise. Figures are drawn to "
-          "scale.",
-    "zh": "$x$ 轴向右，$y$ 轴向上；角度、角速度与角加速度除题中或表中另有说明外均以逆时针为正。"
-          "附图按比例绘制。",
+    "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive unless stated "
+          "otherwise. Figures are drawn to scale.",
+    "zh": "$x$ 轴向右，$y$ 轴向上；除另有说明外，均以逆时针为正。附图按比例绘制。",
 }
 RELATIVE = {
     "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. Where "

@@ -1,15 +1,19 @@
-"""A sample page of a single template, for the author and for `kinegrade show -o`."""
+"""Pages of a single template: a sample for the author (`kinegrade show -o`), a worked solution (`solve -o`)."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_exam
 from kinegrade.exam.typst import TypstPress
-from kinegrade.problem.template import Language, Template, Translated
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.statement import statement
+from kinegrade.problem.template import Language, Method, Template, Translated
+from kinegrade.worked.solution import worked_solution
 
 
 def sample_bank(template: Template) -> Bank:
@@ -25,3 +29,13 @@ def sample_page(template: Template, seed: str, language: Language) -> bytes:
     student = Student("sample", "Sample", "", "sample")
     setting = set_exam(sample_bank(template), Roster((student,), ()), seed)
     return TypstPress().paper(paper_pages(setting.bank, next(setting.papers()), language))
+
+
+def worked_page(solution: Solution, language: Language, method: Method | None = None) -> bytes:
+    """The worked solution of an instance for what the template asks, as PDF; the method as in `worked_solution`."""
+    template = solution.template
+    worked = worked_solution(solution, template.asked(), language, method)
+    question = WorkedQuestion(1, "q1", template.title.in_language(language),
+                              statement(template, solution.parameters, language), worked.blocks, template.name)
+    sheet = SolutionSheet(language, "kinegrade", template.title.in_language(language), "", "", "", "", (question,))
+    return TypstPress().solution(sheet)

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import floor, log10
@@ -69,11 +69,15 @@ class Setting:
     secret: str
     decks: Mapping[str, Deck]
 
-    def papers(self) -> Iterator[SetPaper]:
-        """The papers in roster order. Raises DrawError when a template has too few instances for the class."""
+    def papers(self, places: Sequence[int] | None = None) -> Iterator[SetPaper]:
+        """The papers in roster order, or of the students at these places of the roster.
+
+        Raises DrawError when a template has too few instances for the class.
+        """
         letters = version_letters(self.bank.versions)
         versions = {letter: self.draw(f"version {letter}") for letter in letters}
-        for place, student in enumerate(self.roster.students):
+        for place in range(len(self.roster.students)) if places is None else places:
+            student = self.roster.students[place]
             code = paper_code(self.secret, student.student)
             if versions:
                 letter = version_of(self.secret, place, letters)

@@ -1,35 +1,42 @@
-"""The press: papers, keys and galleries as PDF, by the embedded Typst.
+"""The press that needs no installation: papers, solutions, keys and galleries as PDF, by the embedded Typst.
 
 A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep one press
 per thread or process. Same input, same bytes: the fonts come with the installation and the date is fixed.
-PDF/A-2b is asked for because it refuses a character that no font can print; plain PDF prints a box silently.
+Plain PDF prints a box, silently, for a character that no font has; PDF/A-2b refuses it, but takes longer. Therefore
+each character is looked at once, and only a source that holds a bad one is asked for as PDF/A-2b, to be refused.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import files
+from pathlib import Path
+from typing import Literal, TypeVar
 
 import typst
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import Gallery, KeyBook, Paper, PaperSize
+from kinegrade.exam.document import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
+from kinegrade.exam.layout_call import each
+from kinegrade.exam.solution_source import solution_source
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
-KEY_CHUNK = 25  # papers in one compilation: 234 MB at 25, 326 MB at 50, the time a paper is the same
+KEY_CHUNK = 10  # papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 FIXED_TIME = 946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
+
+Sheet = TypeVar("Sheet", Paper, SolutionSheet)
 
 _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
 _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 class TypstPress:
-    """Prints papers, keys and galleries; `paper_size` is "a4" or "letter".
+    """Prints as `kinegrade.exam.press` says, and galleries; `paper_size` is "a4" or "letter".
 
     >>> TypstPress().unprintable(["Zoë", "张喆", "😀"])
     frozenset({'😀'})
@@ -39,6 +46,15 @@ class TypstPress:
         self._size: PaperSize = paper_size
         layouts = str(files("kinegrade.exam") / "layouts")  # as root: Typst reads no other folder
         self._compiler = typst.Compiler(root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True)
+        self._looked_at: dict[str, bool] = {}  # whether a font prints a character
+
+    def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
+        """Write `folder/NAME.pdf` for every paper. Raises TypesetError with all faults of all of them."""
+        _write(papers, self.paper, folder)
+
+    def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
+        """Write `folder/NAME.pdf` for every student's worked solutions. Raises TypesetError as `papers` does."""
+        _write(sheets, self.solution, folder)
 
     def paper(self, paper: Paper) -> bytes:
         """One student's paper as PDF.
@@ -65,11 +81,16 @@ class TypstPress:
         pages = images if isinstance(images, list) else [images]
         return [page for page in pages if page is not None]
 
-    def key(self, book: KeyBook) -> bytes:
-        """The instructor's key as PDF; names are printed and errors raised as by `paper`."""
+    def solution(self, sheet: SolutionSheet) -> bytes:
+        """One student's worked solutions as PDF; names are printed and errors raised as by `paper`."""
+        named = replace(sheet, name=legible(sheet.name, self.unprintable([sheet.name])))
+        return self._explaining(solution_source(named, self._size), f"solutions {sheet.code}")
+
+    def key(self, book: KeyBook, target: Path) -> None:
+        """Write the instructor's key; names are printed and errors raised as by `paper`."""
         missing = self.unprintable(paper.name for paper in book.papers)
         papers = tuple(replace(paper, name=legible(paper.name, missing)) for paper in book.papers)
-        return joined(self._key_parts(replace(book, papers=papers)))
+        target.write_bytes(joined(self._key_parts(replace(book, papers=papers))))
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is told of `where`."""
@@ -77,11 +98,13 @@ class TypstPress:
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one look for a whole roster."""
-        characters = {character for text in texts for character in text if ord(character) > 126}
+        characters = {character for text in texts for character in set(text) if ord(character) > 126}
+        unknown = characters - self._looked_at.keys()
         missing: set[str] = set()
-        while found := self._boxes(sorted(characters - missing)):
+        while found := self._boxes(sorted(unknown - missing)):
             missing |= found
-        return frozenset(missing)
+        self._looked_at |= {character: character not in missing for character in unknown}
+        return frozenset(character for character in characters if not self._looked_at[character])
 
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
         first_page = 1
@@ -90,11 +113,13 @@ class TypstPress:
             first_page += page_count(pdf)
             yield pdf
 
-    def _boxes(self, characters: Iterable[str]) -> set[str]:
+    def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains of; it may need several looks to find all."""
+        if not characters:
+            return set()
         date = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
         try:
-            self._compile(date + "".join(f"#box({literal(character)})\n" for character in characters))
+            self._pdf(date + "".join(f"#box({literal(character)})\n" for character in characters), "a-2b")
         except typst.TypstError as error:
             return set("".join(_boxed(error)))
         return set()
@@ -126,10 +151,20 @@ class TypstPress:
             raise TypesetError(*_explained(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
-        pdf = self._compiler.compile(
-            source.encode(), format="pdf", pdf_standards=["a-2b"], timestamp=FIXED_TIME
-        )
+        """The PDF of a source. Raises TypstError, also for a character that no font prints."""
+        return self._pdf(source, "a-2b" if self.unprintable([source]) else None)
+
+    def _pdf(self, source: str, standard: Literal["a-2b"] | None) -> bytes:
+        pdf = self._compiler.compile(source.encode(), format="pdf", pdf_standards=standard, timestamp=FIXED_TIME)
         return pdf if isinstance(pdf, bytes) else b"".join(pdf or ())
+
+
+def _write(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes], folder: Path) -> None:
+    """The PDF of every sheet by its name, one at a time; one error with the faults of all, each told once."""
+    try:
+        each(lambda name: (folder / f"{name}.pdf").write_bytes(pdf(sheets[name])), sheets)
+    except TypesetError as error:
+        raise TypesetError(*dict.fromkeys(error.problems)) from error
 
 
 def legible(name: str, missing: frozenset[str]) -> str:

@@ -7,15 +7,14 @@ is one string, what two papers share is the same to Typst, which then need not l
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Iterable
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from fractions import Fraction
 from itertools import groupby
-from typing import Any, TypeVar
 from unicodedata import east_asian_width
 
-from kinegrade.errors import TypesetError
+from kinegrade.exam.code_mark import code_mark
 from kinegrade.exam.document import (
     AnswerRow,
     Gallery,
@@ -31,52 +30,55 @@ from kinegrade.exam.document import (
     QuestionSheet,
 )
 from kinegrade.exam.formula import formula, literal, unit_text
+from kinegrade.exam.layout_call import Sheet, each, gathered, layout_call
 from kinegrade.exam.markup import line, prose
 from kinegrade.exam.words import GalleryWords, Words, gallery_words_of, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst
 
-Item = TypeVar("Item")
-Value = TypeVar("Value")
-Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
-
 BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
 PAGE = 225.0  # millimetres: what any page holds between its margins, with something to spare
+MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it
+COLUMNS_OF_MARKS = 13  # the total among them: as many as stand side by side in the marker's table
+LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
+PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+[.)])\s)")  # or item of a list
+PLAIN_SYMBOL = 7  # letters of a symbol that surely fits its column
+PLAIN_EXACT = 24  # letters of an exact value: a longer one may be wider than its column in the key
 
 
 def paper_source(paper: Paper, size: PaperSize = "a4") -> str:
     """Typst source of one student's paper; raises TypesetError with all faults of its texts."""
     words = words_of(paper.language)
-    sheet = _gathered(
-        rules=lambda: _each(lambda rule: prose(rule, "rules"), paper.rules),
-        questions=lambda: _each(lambda question: _question(question, words), paper.questions),
+    sheet = gathered(
+        rules=lambda: _halves(each(lambda rule: prose(rule, "rules"), paper.rules), paper.rules),
+        questions=lambda: each(lambda question: _question(question, words), paper.questions),
     )
     sheet |= {name: getattr(paper, name) for name in ("course", "title", "date", "student", "name", "code")}
-    sheet |= {
+    return layout_call("paper", sheet | {
         "language": paper.language,
         "size": size,
-        "total": points_text(paper.points),
+        "mark": _code_image(paper.code),
+        "marks": _marks(paper, words),
         "words": _words(words),
-    }
-    return _call("paper", sheet)
+    })
 
 
 def key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> str:
     """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all faults."""
-    sheet: Sheet = {"papers": _each(_key_paper, book.papers), "words": _words(words_of(book.language))}
+    sheet: Sheet = {"papers": each(_key_paper, book.papers), "words": _words(words_of(book.language))}
     sheet |= {name: getattr(book, name) for name in ("language", "course", "title", "warning")}
-    return _call("key", sheet | {"size": size, "first-page": first_page})
+    return layout_call("key", sheet | {"size": size, "first-page": first_page})
 
 
 def gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
     """Typst source of a contact sheet of templates; raises TypesetError with all faults of their texts."""
     words = gallery_words_of(gallery.language)
-    entries = _each(lambda entry: _gallery_entry(entry, words), gallery.entries)
+    entries = each(lambda entry: _gallery_entry(entry, words), gallery.entries)
     families = [{"name": family or words.unreadable, "entries": list(members)}
                 for family, members in groupby(entries, lambda entry: entry["family"])]
     sheet = {"families": families, "words": asdict(words) | {"page": words.page.split("{}")}}
     sheet |= {"language": gallery.language, "size": size, "title": words.title.format(len(gallery.entries))}
-    return _call("gallery", sheet)
+    return layout_call("gallery", sheet)
 
 
 def points_text(points: Fraction) -> str:
@@ -89,28 +91,47 @@ def points_text(points: Fraction) -> str:
     return decimal if Fraction(decimal) == points else str(points)
 
 
+def _code_image(code: str) -> str:
+    """The QR code as an SVG image of one path, its sides without the white around."""
+    mark = code_mark(code)
+    path = "".join(f"M{run.x} {run.y}h{run.length}v1h-{run.length}z" for run in mark.runs)
+    box = f'viewBox="0 0 {mark.size} {mark.size}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {box}><path d="{path}"/></svg>'
+
+
+def _marks(paper: Paper, words: Words) -> list[list[tuple[str, str]]]:
+    """The columns of the marker's table, number and points of each question and the total, in rows of columns."""
+    columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
+    columns.append((words.total, points_text(paper.points)))
+    return [columns[start : start + COLUMNS_OF_MARKS] for start in range(0, len(columns), COLUMNS_OF_MARKS)]
+
+
+def _halves(pieces: Sequence[str], texts: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
+    """The pieces in two columns, of nearly equal length where each is as long as its text."""
+    lengths = [len(text) for text in texts]
+    middle = min(range(len(texts) + 1), key=lambda index: abs(sum(lengths[:index]) - sum(lengths[index:])))
+    return pieces[:middle], pieces[middle:]
+
+
 def _question(question: QuestionSheet, words: Words) -> Sheet:
     where = question.identifier
     points = words.point if question.points == 1 else words.points
-    sheet = _gathered(
+    figure = question.figure
+    sheet = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
-        rows=lambda: _each(lambda row: _answer_row(row, where), question.rows),
+        rows=lambda: each(lambda row: _answer_row(row, where, words), question.rows),
     )
     return sheet | {
-        "heading": _heading(question, words),
+        "number": str(question.number),
+        "known": None if where == f"q{question.number}" else words.known.format(where),
         "points": points.format(points_text(question.points)),
         "source": words.source.format(question.source) if question.source else None,
         "short": _height_at_most(question) <= PAGE,
-        "figure": f"[{to_typst(question.figure)}]" if question.figure else None,
-        "beside": question.figure is not None and _beside(question.figure),
+        "figure": f"[{to_typst(figure)}]" if figure else None,
+        "figure_width": round(figure.width, 3) if figure else None,
+        "beside": figure is not None and _beside(figure),
     }
-
-
-def _heading(question: QuestionSheet, words: Words) -> str:
-    """The question's number on this paper, beside it the name of its columns where that has another number."""
-    known = words.question if question.identifier == f"q{question.number}" else words.question_known
-    return known.format(question.number, question.identifier)
 
 
 def _beside(figure: Scene) -> bool:
@@ -119,14 +140,24 @@ def _beside(figure: Scene) -> bool:
 
 
 def _height_at_most(question: QuestionSheet) -> float:
-    """Millimetres that a question's block does not exceed, with narrow columns and tall lines throughout.
+    """Millimetres that a question's block does not exceed, with wide characters and tall lines throughout.
 
-    Only for questions above a page's height need Typst measure, which doubles the time of typesetting.
+    Only for questions above a page's height need Typst measure, which makes typesetting several times as long.
     """
-    figure = question.figure.height if question.figure else 0.0
-    lines = _columns(question.statement) / 40 + question.statement.count("\n")
-    rows = sum(10 + 5 * max(_columns(row.meaning) / 16, _columns(row.sign) / 16) for row in question.rows)
-    return 40 + figure + 6.5 * lines + rows
+    figure = question.figure
+    beside = figure is not None and _beside(figure)
+    width = MEASURE - figure.width + 40 if figure and beside else MEASURE
+    paragraphs = PARAGRAPH.split(question.statement)
+    text = sum(6 + 6 * _columns(_seen(paragraph)) / (width / 2) for paragraph in paragraphs)
+    text += 8 * question.statement.count("frac") + 8 * question.statement.count("$$")
+    rows = sum(10 + 5 * _lines_at_most(row) for row in question.rows)
+    height = figure.height if figure else 0.0
+    return 30 + (max(text, height) if beside else text + height) + rows
+
+
+def _seen(math: str) -> str:
+    """The text with each LaTeX command as one letter and without braces and dollar signs: what takes up room."""
+    return re.sub(r"[{}$_^]", "", re.sub(r"\\[A-Za-z]+", "x", math))
 
 
 def _columns(text: str) -> int:
@@ -134,25 +165,34 @@ def _columns(text: str) -> int:
     return sum(2 if east_asian_width(character) in "WF" else 1 for character in text)
 
 
-def _answer_row(row: AnswerRow, where: str) -> Sheet:
-    sheet = _gathered(
+def _lines_at_most(row: AnswerRow) -> int:
+    """The lines that what is asked for, and its sign convention below it, surely fit."""
+    return sum(1 + (_columns(text) - 1) // LINE_OF_ROW for text in (row.meaning, row.sign) if text)
+
+
+def _answer_row(row: AnswerRow, where: str, words: Words) -> Sheet:
+    sheet = gathered(
         symbol=lambda: f"${formula(row.symbol, f'{where}, symbol')}$",
         meaning=lambda: line(row.meaning, f"{where}, meaning"),
-        sign=lambda: line(row.sign, f"{where}, sign"),
+        sign=lambda: line(row.sign, f"{where}, sign") if row.sign else None,
     )
-    return sheet | {"unit": unit_text(row.unit), "points": points_text(row.points)}
+    return sheet | {
+        "wide": len(_seen(row.symbol)) > PLAIN_SYMBOL,
+        "unit": words.unitless if row.unit == "1" else unit_text(row.unit),
+        "points": points_text(row.points),
+    }
 
 
 def _key_paper(paper: KeyPaper) -> Sheet:
-    entries = _each(lambda entry: _key_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries)
+    entries = each(lambda entry: _key_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries)
     return {"student": paper.student, "name": paper.name, "code": paper.code, "entries": entries}
 
 
 def _key_entry(entry: KeyEntry, where: str) -> Sheet:
-    sheet = _gathered(
+    sheet = gathered(
         title=lambda: line(entry.title, where),
-        parameters=lambda: _each(lambda parameter: _key_parameter(parameter, where), entry.parameters),
-        answers=lambda: _each(lambda answer: _key_answer(answer, where), entry.answers),
+        parameters=lambda: each(lambda parameter: _key_parameter(parameter, where), entry.parameters),
+        answers=lambda: each(lambda answer: _key_answer(answer, where), entry.answers),
     )
     return sheet | {"identifier": entry.identifier}
 
@@ -171,6 +211,7 @@ def _key_answer(answer: KeyAnswer, where: str) -> Sheet:
     return {
         "symbol": f"${formula(answer.symbol, where)}$",
         "exact": None if answer.exact is None else f"${formula(answer.exact, where)}$",
+        "wide": len(_seen(answer.symbol)) > PLAIN_SYMBOL or len(_seen(answer.exact or "")) > PLAIN_EXACT,
         "decimal": _signed(answer.decimal),
         "unit": unit_text(answer.unit),
         "interval": _signed(answer.interval),
@@ -179,11 +220,11 @@ def _key_answer(answer: KeyAnswer, where: str) -> Sheet:
 
 
 def _gallery_entry(entry: GalleryEntry, words: GalleryWords) -> Sheet:
-    sheet = _gathered(
+    sheet = gathered(
         title=lambda: line(entry.title, f"{entry.name}, title") if entry.title else None,
         asks=lambda: _symbols(entry.asks, entry.name),
         on_request=lambda: _symbols(entry.on_request, entry.name),
-        figures=lambda: _each(lambda draw: _gallery_figure(draw, entry.name), entry.figures),
+        figures=lambda: each(lambda draw: _gallery_figure(draw, entry.name), entry.figures),
     )
     combinations = words.combinations.format(f"{entry.combinations:,}")
     return sheet | {"family": entry.family, "name": entry.name, "combinations": combinations, "faults": entry.faults}
@@ -194,7 +235,7 @@ def _gallery_figure(draw: GalleryFigure, where: str) -> Sheet:
 
 
 def _symbols(symbols: Iterable[str], where: str) -> list[str]:
-    return _each(lambda symbol: f"${formula(symbol, f'{where}, symbol')}$", symbols)
+    return each(lambda symbol: f"${formula(symbol, f'{where}, symbol')}$", symbols)
 
 
 def _signed(number: str) -> str:
@@ -205,27 +246,3 @@ def _signed(number: str) -> str:
 def _words(words: Words) -> Sheet:
     """The fixed words; those around page numbers as the pieces between the numbers."""
     return asdict(words) | {"page": words.page.split("{}"), "key_page": words.key_page.split("{}")}
-
-
-def _call(layout: str, sheet: Sheet) -> str:
-    data = literal(json.dumps(sheet, ensure_ascii=False, sort_keys=True))
-    return f'#import "/{layout}.typ": {layout}\n#{layout}(json(bytes({data})))\n'
-
-
-def _gathered(**parts: Callable[[], Any]) -> Sheet:
-    """The value of every part, or one error with the faults of all of them."""
-    return dict(zip(parts, _each(lambda part: part(), parts.values()), strict=True))
-
-
-def _each(convert: Callable[[Item], Value], items: Iterable[Item]) -> list[Value]:
-    """Every item converted, or one error with the faults of all of them."""
-    values: list[Value] = []
-    problems: list[str] = []
-    for item in items:
-        try:
-            values.append(convert(item))
-        except TypesetError as error:
-            problems += error.problems
-    if problems:
-        raise TypesetError(*problems)
-    return values

@@ -13,20 +13,23 @@ class Words:
     student: str
     paper: str
     total: str
+    number_column: str  # heads of the rows of the marker's table: numbers of questions, what they are worth, marks
+    out_of: str
+    mark: str
     rules: str
     version: str
-    question: str
-    question_known: str  # takes the number on this paper, and the identifier in the answer sheet where it differs
+    known: str  # takes the question's identifier in the answer sheet where it differs from the number on the paper
     point: str  # takes the number one
     points: str  # takes any other number
-    symbol: str
-    meaning: str
+    asked: str
     answer: str
+    unitless: str  # in the place of a unit
+    symbol: str
     unit: str
-    sign: str
     point_column: str
     source: str
     page: str  # takes the page's number and the number of pages
+    turn: str
     key_page: str  # takes the page's number
     given: str
     exact: str
@@ -38,21 +41,24 @@ ENGLISH = Words(
     name="Name",
     student="Student",
     paper="Paper",
-    total="Points",
+    total="Total",
+    number_column="Question",
+    out_of="Out of",
+    mark="Mark",
     rules="How to answer, and how answers are marked",
     version="Version {}",
-    question="Question {}",
-    question_known="Question {} ({})",
+    known="({})",
     point="{} point",
     points="{} points",
-    symbol="Quantity",
-    meaning="Meaning",
+    asked="Find",
     answer="Your answer",
+    unitless="no unit",
+    symbol="Quantity",
     unit="Unit",
-    sign="Positive sense",
     point_column="Points",
     source="Source: {}",
     page="page {} of {}",
+    turn="please turn over",
     key_page="page {}",
     given="Given: ",
     exact="Exact",
@@ -64,21 +70,24 @@ CHINESE = Words(
     name="姓名",
     student="学号",
     paper="试卷编号",
-    total="得分",
+    total="总分",
+    number_column="题号",
+    out_of="满分",
+    mark="得分",
     rules="作答与评分说明",
     version="{} 卷",
-    question="第 {} 题",
-    question_known="第 {} 题（{}）",
+    known="（{}）",
     point="{} 分",
     points="{} 分",
-    symbol="物理量",
-    meaning="含义",
+    asked="求",
     answer="答案",
+    unitless="无单位",
+    symbol="物理量",
     unit="单位",
-    sign="正向规定",
     point_column="分值",
     source="来源：{}",
     page="第 {} 页，共 {} 页",
+    turn="转下页",
     key_page="第 {} 页",
     given="已知：",
     exact="精确值",

@@ -123,11 +123,17 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
         'questions[2].template: another template of this bank has the name "slider-crank": rename the file']
 
 
+def test_a_bank_may_say_what_typesets_it(tmp_path: Path) -> None:
+    assert bank(tmp_path, HEAD + QUESTION).engine == "typst"
+    assert bank(tmp_path, 'engine = "latex"\n' + HEAD + QUESTION).engine == "latex"
+
+
 def test_every_fault_is_told_at_once(tmp_path: Path) -> None:
     found = faults(tmp_path, """
 titel = "Midterm"
 shuffle = "yes"
 versions = 27
+engine = "word"
 course = { en = "Mechanics" }
 date = 3
 tolerance = { relative = "100 %", size = 1 }
@@ -142,8 +148,8 @@ points = 3
 number = 2
 """)
     assert found == [
-        'unknown key "titel": did you mean "title"? (known here: course, date, questions, shuffle, title, '
-        'tolerance, versions)',
+        'unknown key "titel": did you mean "title"? (known here: course, date, engine, questions, shuffle, '
+        'title, tolerance, versions)',
         'tolerance: unknown key "size": known here: absolute, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
         'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
@@ -166,6 +172,7 @@ number = 2
         'date: expected a text or a date, like "spring 2026" or 2026-05-01',
         "shuffle: expected true or false, not 'yes'",
         "versions: expected a whole number from 1 to 26, not '27'",
+        "engine: expected typst or latex, not 'word'",
     ]
 
 

@@ -110,7 +110,9 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
     assert record["students"][0]["paper"] == "WJPK-SNPQ"
     q1, q2, q3 = record["questions"]
     assert (q1["question"], q1["template"], q1["points"], q1["combinations"]) == ("q1", "slider-crank", 5.5, 21780)
-    assert q1["asks"] == [{"ask": "v_B", "unit": "m/s", "points": 3}, {"ask": "a_B", "unit": "m/s^2", "points": 2.5}]
+    assert q1["asks"] == [
+        {"ask": "v_B", "unit": "m/s", "sign": "magnitude, not negative", "points": 3},
+        {"ask": "a_B", "unit": "m/s^2", "sign": "positive in the direction of $+x$", "points": 2.5}]
     assert (q2["combinations"], q3["points"]) == (9, 7)
 
 
@@ -179,7 +181,7 @@ def test_papers_are_pdf_in_print_order_and_do_not_name_the_secret(exam: Path) ->
             assert not pdf.attachments
             assert "spring" not in str(dict(pdf.docinfo))
     with pikepdf.open(exam / "papers.pdf") as whole:
-        assert len(whole.pages) == sum(pages)
+        assert len(whole.pages) == sum(count + count % 2 for count in pages)  # each begins on a sheet of its own
 
 
 def test_the_text_of_a_paper_does_not_hold_its_answers(exam: Path) -> None:

@@ -75,3 +75,7 @@ def test_no_text_becomes_code(text: str) -> None:
     code = re.sub(r"\$[^$#]*\$", "", code)
     assert set(re.findall(r"[^\W\d]+", code)) <= WORDS
     assert not set(code) & set('#$@\\"`')
+
+
+def test_a_chinese_colon_after_a_formula_does_not_begin_a_line() -> None:
+    assert prose("长 $r$；角 $x$：甲；乙", "q1") == '{"长 ";box($r$);"\u2060；角 ";box($x$);"\u2060：甲；乙";}'

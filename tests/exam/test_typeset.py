@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import Paper
+from kinegrade.exam.document import AnswerRow, KeyBook, Paper, PaperSize
 from kinegrade.exam.join import join, page_count
 from kinegrade.exam.typst import KEY_CHUNK, TypstPress
 from kinegrade.figure.scene import Scene
@@ -43,6 +44,12 @@ def pages_of(pdf: bytes, folder: Path) -> list[str]:
     return ["".join(page.extract_text().split()) for page in PdfReader(file).pages]
 
 
+def key_pdf(press: TypstPress, book: KeyBook, folder: Path) -> bytes:
+    """The instructor's key."""
+    press.key(book, folder / "key.pdf")
+    return (folder / "key.pdf").read_bytes()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_a_name_is_printed_as_it_is(press: TypstPress, name: str, tmp_path: Path) -> None:
     pages = pages_of(press.paper(replace(ENGLISH, name=name)), tmp_path)
@@ -53,7 +60,7 @@ def test_plain_text_never_becomes_code(press: TypstPress, tmp_path: Path) -> Non
     code = '#read("x")$y$'
     hostile = replace(ENGLISH, course=code, title=code, date=code, student=code, code=code)
     (page,) = pages_of(press.paper(hostile), tmp_path)
-    assert page.count(code) == 7  # student and paper's code stand in the footer, too
+    assert page.count(code) == 6  # the student's number stands in the footer, too
 
 
 @pytest.mark.parametrize(
@@ -61,9 +68,11 @@ def test_plain_text_never_becomes_code(press: TypstPress, tmp_path: Path) -> Non
     [
         (
             ENGLISH,
-            ["MidtermexaminationName", "Question1", "7points", "Points/7", "PaperA-0001", "page1of1", "m/s"],
+            ["Midtermexamination", "NameĐặngThịHồng", "Question1TotalOutof77Mark", "1Slider-crank", "7points",
+             "counter-clockwisepositive", "PaperA-0001", "page1of1", "m/s"],
         ),
-        (CHINESE, ["理论力学", "第1题", "7分", "试卷编号A-0001", "第1页，共1页", "“图示瞬时”", "向右为正"]),
+        (CHINESE, ["理论力学", "题号1总分满分77得分", "1曲柄滑块机构", "7分", "试卷编号A-0001",
+             "第1页，共1页", "“图示瞬时”", "向右为正"]),
     ],
 )
 def test_the_page_says_everything(
@@ -73,9 +82,9 @@ def test_the_page_says_everything(
     assert [text for text in expected if text not in page] == []
 
 
-def test_same_input_same_bytes(press: TypstPress) -> None:
+def test_same_input_same_bytes(press: TypstPress, tmp_path: Path) -> None:
     assert press.paper(CHINESE) == press.paper(CHINESE) == TypstPress().paper(CHINESE)
-    assert press.key(key_book(1)) == press.key(key_book(1))
+    assert key_pdf(press, key_book(1), tmp_path) == key_pdf(press, key_book(1), tmp_path)
 
 
 def test_letter_paper_is_wider_than_a4(tmp_path: Path) -> None:
@@ -89,6 +98,54 @@ def test_a_question_stays_on_one_page(press: TypstPress, tmp_path: Path) -> None
     questions = tuple(replace(tall, number=number) for number in (1, 2, 3))
     pages = pages_of(press.paper(replace(ENGLISH, questions=questions)), tmp_path)
     assert [page.count("Youranswer") for page in pages] == [1, 1, 1]
+
+
+def test_a_question_with_another_number_in_the_answer_sheet_says_which(press: TypstPress, tmp_path: Path) -> None:
+    question = replace(ENGLISH_QUESTION, identifier="q3")
+    (page,) = pages_of(press.paper(replace(ENGLISH, questions=(question,))), tmp_path)
+    assert "(q3)7points" in page
+    (page,) = pages_of(press.paper(ENGLISH), tmp_path)
+    assert "(q1)" not in page
+
+
+def test_every_page_tells_whose_it_is_and_whether_it_is_the_last(press: TypstPress, tmp_path: Path) -> None:
+    tall = replace(ENGLISH_QUESTION, rows=ENGLISH_QUESTION.rows[:1] * 11)
+    pages = pages_of(press.paper(replace(ENGLISH, questions=(tall, replace(tall, number=2)))), tmp_path)
+    assert all("PaperA-0001" in page and "00123456" in page for page in pages)
+    assert ["pleaseturnover" in page for page in pages] == [True, False]
+
+
+def test_a_paper_of_many_questions_has_a_box_for_each_mark(press: TypstPress, tmp_path: Path) -> None:
+    questions = tuple(replace(ENGLISH_QUESTION, number=number, rows=()) for number in range(1, 21))
+    pages = pages_of(press.paper(replace(ENGLISH, questions=questions)), tmp_path)
+    numbers = "".join(map(str, range(1, 14)))
+    assert f"Question{numbers}Outof{'7' * 13}Mark" in pages[0]
+    assert "Question14151617181920TotalOutof7777777140Mark" in pages[0]
+
+
+def right_margins(pdf: bytes, folder: Path) -> list[float]:
+    """Millimetres between the start of the rightmost text of each page and the page's right edge."""
+    file = folder / "read.pdf"
+    file.write_bytes(pdf)
+    margins = []
+    for page in PdfReader(file).pages:
+        ends: list[float] = []
+        page.extract_text(visitor_text=lambda text, cm, tm, font, size, ends=ends: ends.append(cm[4] + tm[4]))
+        margins.append((float(page.mediabox.width) - max(ends)) / 72 * 25.4)
+    return margins
+
+
+@pytest.mark.parametrize("size", ["a4", "letter"])
+@pytest.mark.parametrize("paper", [ENGLISH, CHINESE])
+def test_the_longest_texts_stay_between_the_margins(paper: Paper, size: PaperSize, tmp_path: Path) -> None:
+    long = AnswerRow(r"\angle(v_{A'B'}, v_{B'C'}) + \omega_{BC}/\omega_{AB}", "projection of the velocity " * 6,
+                     "mm/s^2",
+                     r"positive in the direction of $OM$ turned through $90^\circ$ counter-clockwise " * 2,
+                     Fraction(25, 3))
+    question = replace(paper.questions[0], title="Slider-crank mechanism with two rods " * 4, rows=(long,) * 2,
+                       figure=Scene(width=75.0, height=50.0, scale=1.0, primitives=()))
+    crowded = replace(paper, name=NAMES[-1] * 2, title="Kinematics of mechanisms " * 4, questions=(question,) * 3)
+    assert min(right_margins(TypstPress(size).paper(crowded), tmp_path)) >= 19.9
 
 
 def test_a_question_longer_than_a_page_goes_on_overleaf(press: TypstPress, tmp_path: Path) -> None:
@@ -153,20 +210,20 @@ def test_page_images_are_png(press: TypstPress) -> None:
 def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(press: TypstPress, tmp_path: Path) -> None:
     book = key_book(KEY_CHUNK + 5)
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
-    pages = pages_of(press.key(named), tmp_path)
+    pages = pages_of(key_pdf(press, named, tmp_path), tmp_path)
     assert all("INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1))
     assert "[U+1F600]" in pages[0]
     for text in ("1.15470", "−0.957427", "[1.14315,1.16625]", "A-0000", "Given:", "0.25m"):
         assert text in pages[0]
 
 
-def test_an_empty_key_is_one_page(press: TypstPress) -> None:
-    assert page_count(press.key(key_book(0))) == 1
+def test_an_empty_key_is_one_page(press: TypstPress, tmp_path: Path) -> None:
+    assert page_count(key_pdf(press, key_book(0), tmp_path)) == 1
 
 
-def test_a_key_that_cannot_be_printed_says_why(press: TypstPress) -> None:
+def test_a_key_that_cannot_be_printed_says_why(press: TypstPress, tmp_path: Path) -> None:
     with pytest.raises(TypesetError, match=r"^key: no font prints 한"):
-        press.key(replace(key_book(1), course="한"))
+        key_pdf(press, replace(key_book(1), course="한"), tmp_path)
 
 
 def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:

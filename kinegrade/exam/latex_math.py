@@ -1,0 +1,48 @@
+r"""LaTeX math for LaTeX: what the closed list of `kinegrade.exam.formula` lets through, and nothing that TeX obeys.
+
+Beyond that list TeX has two doors of its own, a comment (`%`) and a character by its code (`^^5c` is a
+backslash), and `\begin` without braces; they are refused here. Texts inside a formula are escaped as plain text.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.formula import TEXT, checked
+from kinegrade.exam.latex_text import unit
+
+_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*%")
+_CODED = re.compile(r"\^\s*\^")
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)(?!\{(?:cases|aligned)\}|[A-Za-z])")
+_DOORS = (
+    (_COMMENT, "no % in math; write \\%"),
+    (_CODED, "one thing behind each ^; write ^{...}"),
+    (_ENVIRONMENT, "braces right behind \\begin and \\end; write \\begin{cases} or \\begin{aligned}"),
+)
+
+
+@lru_cache(maxsize=4096)
+def math(latex: str, where: str) -> str:
+    r"""LaTeX math without dollar signs, on one line.
+
+    Raises TypesetError naming `where` and every fault.
+
+    >>> print(math(r"v = 2\,\unit{m/s^2}", "q1"))
+    v = 2\,\text{m/s\textsuperscript{2}}
+    """
+    outside = TEXT.sub(" ", checked(latex, where))
+    problems = [
+        f"{where}: formula ${latex}$: expected {expected}"
+        for door, expected in _DOORS
+        if door.search(outside)
+    ]
+    if problems:
+        raise TypesetError(*problems)
+    return " ".join(TEXT.sub(_text, latex).split())
+
+
+def _text(found: re.Match[str]) -> str:
+    comma = found[2]
+    return "{,}" if comma else rf"\text{{{unit(found[1])}}}"

@@ -1,0 +1,118 @@
+r"""Plain text into LaTeX: whatever a name or a course's title holds, it is printed and never obeyed.
+
+What a control word, a ligature or an active character would make of a text is taken away here. The older
+engine, pdflatex, prints the Latin letters of T1; `is_latin` tells whether it suffices for a text.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from unicodedata import category, normalize
+
+from kinegrade.exam.formula import RAISED
+
+_WRITTEN = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "&": r"\&",
+    "#": r"\#",
+    "%": r"\%",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    '"': r"\textquotedbl{}",
+    "'": r"\textquotesingle{}",
+    "`": r"\textasciigrave{}",
+    "[": "{[}",  # not the beginning of an option
+    "]": "{]}",
+    "\u00a0": "~",
+    "\u2009": r"\,",
+    "\u202f": r"\,",
+    "\u2212": "$-$",
+}
+_LIGATURE = re.compile("([-,])(?=[-,])")  # two hyphens would print a dash, two commas a quotation mark
+_CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
+_INVISIBLE = "Cf"  # joiners, marks of direction: no font of these has them
+_LATIN = re.compile("[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*")
+
+_BEYOND_LATIN = re.compile("[ẠạẢảẤ-ỹƠơƯưΑ-ΡΣ-Ωα-ωА-яЁё\u3000-\u3002\u4e00-\u9fa5]")
+
+
+def plain(text: str) -> str:
+    r"""`text` as LaTeX that prints it; control characters become spaces, invisible ones vanish.
+
+    >>> print(plain(r"\input{x} & 100 %"))
+    \textbackslash{}input\{x\} \& 100 \%
+    """
+    composed = normalize("NFC", text)
+    return "".join(_written(character) for character in _LIGATURE.sub("\\1\u200b", composed))
+
+
+def unit(text: str) -> str:
+    r"""A unit as it is printed: exponents raised, a degree sign, a thin dash for a pure number.
+
+    >>> print(unit("rad/s^2"), unit("deg"), unit("1"))
+    rad/s\textsuperscript{2} ° –
+    """
+    raised = RAISED.sub(lambda power: f"\0{power[1]}\1", text)
+    shown = {"deg": "°", "1": "–"}.get(text, raised.replace("*", "·"))
+    parts = re.split("\0(.*?)\1", shown)
+    return "".join(
+        rf"\textsuperscript{{{_negative(part)}}}" if index % 2 else plain(part)
+        for index, part in enumerate(parts)
+    )
+
+
+def signed(number: str) -> str:
+    r"""A number as it is printed, with a minus sign instead of a hyphen.
+
+    >>> print(signed("[-0.9, 1]"))
+    {[}$-$0.9, 1{]}
+    """
+    return plain(number.replace("-", "\u2212"))
+
+
+def is_latin(text: str) -> bool:
+    """Whether pdflatex has every letter of a LaTeX source.
+
+    >>> is_latin("Zoë Şahin"), is_latin("Đặng"), is_latin("张喆")
+    (True, False, False)
+    """
+    return _LATIN.fullmatch(text) is not None
+
+
+def is_surely_printed(character: str) -> bool:
+    """Whether a font of either program is known to have it: most Latin, plain Greek and Cyrillic, common Chinese.
+
+    >>> is_surely_printed("é"), is_surely_printed("堃"), is_surely_printed("한")
+    (True, True, False)
+    """
+    unseen = category(character) in (*_CONTROLS, _INVISIBLE)
+    return unseen or is_latin(character) or _BEYOND_LATIN.fullmatch(character) is not None
+
+
+def comment(text: str) -> str:
+    """`text` as one comment line of LaTeX.
+
+    >>> comment("paper A-1, q1")
+    '%% paper A-1, q1'
+    """
+    return "%% " + "".join(letter if letter.isprintable() else "·" for letter in text)
+
+
+@lru_cache(maxsize=4096)
+def _written(character: str) -> str:
+    kind = category(character)
+    if kind == _INVISIBLE:
+        return "{}" if character == "\u200b" else ""
+    return _WRITTEN.get(character, " " if kind in _CONTROLS else character)
+
+
+def _negative(exponent: str) -> str:
+    return exponent.replace("-", "$-$").replace("\u2212", "$-$")

@@ -1,0 +1,102 @@
+"""The pieces of a pandoc document as values of its JSON form; nothing in them is ever read as Markdown, HTML or TeX.
+
+`Node` is one element. Attributes are a style for Word and a class for HTML.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any, Literal
+
+Node = dict[str, Any]
+Alignment = Literal["Default", "Right", "Center"]  # default: as the style of the cell has it
+VERSION = [1, 23, 1]  # of the form, as pandoc 3 has it
+
+
+def document(blocks: Iterable[Node]) -> bytes:
+    """A whole document, to be handed to pandoc as `json`."""
+    return json.dumps({"pandoc-api-version": VERSION, "meta": {}, "blocks": list(blocks)}).encode()
+
+
+def text(plain: str) -> Node:
+    """Characters, printed as they are; control characters become spaces.
+
+    >>> text("<b> $x$")
+    {'t': 'Str', 'c': '<b> $x$'}
+    """
+    return {"t": "Str", "c": "".join(letter if letter.isprintable() else " " for letter in plain)}
+
+
+def math(latex: str, display: bool = False) -> Node:
+    """A formula, LaTeX math without dollar signs."""
+    return {"t": "Math", "c": [{"t": "DisplayMath" if display else "InlineMath"}, latex]}
+
+
+def strong(inlines: Sequence[Node]) -> Node:
+    """Bold text."""
+    return {"t": "Strong", "c": list(inlines)}
+
+
+def emphasis(inlines: Sequence[Node]) -> Node:
+    """Italic text."""
+    return {"t": "Emph", "c": list(inlines)}
+
+
+def line_break() -> Node:
+    """The end of a line within a paragraph."""
+    return {"t": "LineBreak"}
+
+
+def image(data_uri: str, width: float, description: str) -> Node:
+    """A picture `width` millimetres wide, with its bytes in the address."""
+    return {"t": "Image", "c": [["", [], [["width", f"{width:.2f}mm"]]], [text(description)], [data_uri, ""]]}
+
+
+def paragraph(inlines: Sequence[Node]) -> Node:
+    """A paragraph."""
+    return {"t": "Para", "c": list(inlines)}
+
+
+def plain(inlines: Sequence[Node]) -> Node:
+    """Text without the space around a paragraph, as in a cell or in a short item."""
+    return {"t": "Plain", "c": list(inlines)}
+
+
+def heading(level: int, inlines: Sequence[Node]) -> Node:
+    """A heading; 1 is the highest."""
+    return {"t": "Header", "c": [level, ["", [], []], list(inlines)]}
+
+
+def bullets(items: Sequence[Sequence[Node]]) -> Node:
+    """A list with bullets, each item some blocks."""
+    return {"t": "BulletList", "c": [list(item) for item in items]}
+
+
+def numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
+    """A list numbered from `start`."""
+    return {"t": "OrderedList", "c": [[start, {"t": "Decimal"}, {"t": "Period"}], [list(item) for item in items]]}
+
+
+def styled(name: str, blocks: Sequence[Node]) -> Node:
+    """Blocks in a style: "Answer box" is Word's style of that name and the HTML class "answer-box"."""
+    return {"t": "Div", "c": [["", [name.lower().replace(" ", "-")], [["custom-style", name]]], list(blocks)]}
+
+
+def table(name: str, widths: Sequence[float], alignments: Sequence[Alignment], head: Sequence[Node],
+          rows: Sequence[Sequence[Node]]) -> Node:
+    """A table whose columns have these parts of the page's width; a cell is one block, `head` may be empty."""
+    columns = [[{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
+               for side, width in zip(alignments, widths, strict=True)]
+    body = [_blank(), 0, [], [_row(row) for row in rows]]
+    return {"t": "Table", "c": [["", [name], []], [None, []], columns, [_blank(), [_row(head)] if head else []], [body],
+                                [_blank(), []]]}
+
+
+def _row(cells: Iterable[Node]) -> list[Any]:
+    return [_blank(), [[_blank(), {"t": "AlignDefault"}, 1, 1, [cell]] for cell in cells]]
+
+
+def _blank() -> list[Any]:
+    """No identifier, no class, no further attribute."""
+    return ["", [], []]

@@ -1,0 +1,68 @@
+"""Papers that are drawn become files: a part of the class at a time, by whichever press the exam asks for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.document import KeyPaper, PaperSize
+from kinegrade.exam.key_record import key_record
+from kinegrade.exam.pages import key_paper, paper_pages
+from kinegrade.exam.press import Engine, Press
+from kinegrade.exam.setting import SetPaper
+from kinegrade.exam.solution_pages import solution_sheet
+from kinegrade.exam.typst import TypstPress
+from kinegrade.problem.template import Language
+
+
+@dataclass(frozen=True)
+class PressOrder:
+    """Which press is wanted; LaTeX keeps its sources in the folder `sources`."""
+
+    engine: Engine
+    paper_size: PaperSize
+    sources: Path
+
+    def press(self) -> Press:
+        """A new press. Raises TypesetError where its typesetter is not installed."""
+        if self.engine == "typst":
+            return TypstPress(self.paper_size)
+        from kinegrade.exam.latex import LatexPress  # noqa: PLC0415  # few exams need it, and it takes long
+
+        return LatexPress(self.paper_size, self.sources)
+
+
+@dataclass(frozen=True)
+class PrintRun:
+    """All that holds for every paper of an exam; worked solutions are printed where they have a folder."""
+
+    bank: Bank
+    language: Language
+    press_order: PressOrder
+    papers: Path
+    solutions: Path | None = None
+
+
+@dataclass(frozen=True)
+class Printed:
+    """What remains of a paper when it is printed: its line of key.jsonl, and its part of the instructor's key."""
+
+    record: str
+    key: KeyPaper
+
+
+def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> list[Printed]:
+    """Write `NAME.pdf` for each of the papers, and for its worked solutions where they are wanted.
+
+    Raises TypesetError with all faults of their texts.
+    """
+    pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language) for paper in papers}
+    press.papers(pages, run.papers)
+    if run.solutions is not None:
+        press.solutions({paper.student.file_name: solution_sheet(run.bank, paper, run.language) for paper in papers},
+                        run.solutions)
+    return [Printed(json.dumps(key_record(paper, shuffled=run.bank.shuffle), ensure_ascii=False),
+                    key_paper(paper, run.language)) for paper in papers]

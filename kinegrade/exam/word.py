@@ -1,0 +1,129 @@
+"""Papers for those who edit them: Word (.docx) with equations, tables and styles of its own, and HTML in one file.
+
+pandoc writes both, and is an optional extra. It gets a document of values (`kinegrade.exam.paper_tree`), no text to
+read, and runs in its sandbox with no file but the reference document of Word's styles. Same input, same bytes.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from base64 import b64encode
+from collections.abc import Sequence
+from functools import cached_property
+from html import escape
+from importlib import import_module
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from tempfile import TemporaryDirectory
+from typing import Literal, get_args
+
+import typst
+
+from kinegrade.errors import TypesetError, did_you_mean
+from kinegrade.exam.document import Paper, PaperSize
+from kinegrade.exam.fonts import installed_fonts
+from kinegrade.exam.paper_tree import paper_tree
+from kinegrade.exam.word_reference import layout, word_reference
+from kinegrade.exam.words import words_of
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.typst import to_typst
+
+Kind = Literal["docx", "html"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+MISSING = "pandoc not found; expected the optional extra; pip install 'kinegrade[word]'"
+PIXELS = 300  # to the inch, of a figure in Word
+SECONDS = 60  # a paper takes a fraction of one
+LANGUAGES = {"en": "en", "zh": "zh-CN"}
+CSS_SIZES = {"a4": "A4", "letter": "letter"}
+_UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
+
+
+class PandocPress:
+    """Writes papers as Word or HTML; keep one for many papers, and one for each thread or process."""
+
+    def __init__(self, paper_size: PaperSize = "a4") -> None:
+        self._size: PaperSize = paper_size
+        layouts = str(files("kinegrade.exam") / "layouts")
+        self._compiler = typst.Compiler(root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True)
+
+    def also(self, paper: Paper, kind: str) -> bytes:
+        """The paper as "docx" or "html". Raises TypesetError as `docx` and `html` do, and for another kind."""
+        match kind:
+            case "docx":
+                return self.docx(paper)
+            case "html":
+                return self.html(paper)
+        raise TypesetError(f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}")
+
+    def docx(self, paper: Paper) -> bytes:
+        """The paper for Word. Raises TypesetError with all faults of its texts, and where there is no pandoc."""
+        reference = word_reference(self._default_reference, paper, self._size)
+        tree = paper_tree(paper, self._figures(paper, "png"))
+        with TemporaryDirectory() as folder:
+            file = Path(folder) / "reference.docx"
+            file.write_bytes(reference)
+            return _pandoc("docx", ["--reference-doc", str(file)], tree)
+
+    def html(self, paper: Paper) -> bytes:
+        """The paper as one HTML file, in UTF-8. Raises TypesetError as `docx` does."""
+        body = _pandoc("html", ["--mathml"], paper_tree(paper, self._figures(paper, "svg"))).decode()
+        page = Template((files("kinegrade.exam") / "layouts" / "paper.html").read_text(encoding="utf-8"))
+        owner = f"{words_of(paper.language).paper} {paper.code} · {paper.student}"
+        style = layout("paper.css", size=CSS_SIZES[self._size])
+        return page.substitute(language=LANGUAGES[paper.language], title=escape(f"{paper.title} {paper.code}"),
+                               style=style, body=body, footer=escape(owner)).encode()
+
+    @cached_property
+    def _default_reference(self) -> bytes:
+        return _run("docx", ["--print-default-data-file", "reference.docx"], b"")
+
+    def _figures(self, paper: Paper, kind: Literal["png", "svg"]) -> dict[int, str]:
+        """The figure of each question as a data URI."""
+        return {question.number: self._picture(question.figure, kind)
+                for question in paper.questions if question.figure}
+
+    def _picture(self, scene: Scene, kind: Literal["png", "svg"]) -> str:
+        source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{to_typst(scene)}\n'
+        image = self._compiler.compile(source.encode(), format=kind, ppi=PIXELS)
+        data = b64encode(image if isinstance(image, bytes) else b"").decode()
+        return f"data:image/{'svg+xml' if kind == 'svg' else kind};base64,{data}"
+
+
+def _pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
+    """What pandoc makes of a document."""
+    form = ["--from", "json", "--to", kind, "--wrap", "none", "--fail-if-warnings", "--output", "-"]
+    return _run(kind, [*form, *options], tree)
+
+
+def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
+    """What pandoc writes. Raises TypesetError where there is none, and with its own words where it fails or warns."""
+    command = [_pandoc_path(kind), "--sandbox", *options]
+    try:
+        result = subprocess.run(command, input=given, capture_output=True, timeout=SECONDS, check=False)
+    except OSError as error:
+        raise TypesetError(f"{kind}: {MISSING}") from error
+    except subprocess.TimeoutExpired as error:
+        raise TypesetError(f"{kind}: pandoc has not ended after {SECONDS} s; expected a fraction of one; try again"
+                           ) from error
+    if result.returncode:
+        raise TypesetError(*_explained(result.stderr.decode(errors="replace"), kind))
+    return result.stdout
+
+
+def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
+    """What pandoc complains of: formulas, as a rule."""
+    said = " ".join(complaint.split())
+    formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
+    if not formulas:
+        return (f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of version 3",)
+    return tuple(f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it" for latex in formulas)
+
+
+def _pandoc_path(kind: Kind) -> str:
+    """Where pandoc is: the one of the optional extra, or the machine's own."""
+    try:
+        return str(import_module("pypandoc").get_pandoc_path())
+    except (ImportError, OSError) as error:
+        raise TypesetError(f"{kind}: {MISSING}") from error

@@ -1,0 +1,113 @@
+"""Plain text, prose and math for LaTeX: what is typed is printed, and nothing of it is obeyed."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.formula import COMMANDS
+from kinegrade.exam.latex_markup import line, prose
+from kinegrade.exam.latex_math import math
+from kinegrade.exam.latex_text import comment, is_latin, plain, signed, unit
+
+OWN = re.compile(r"\\(?:text[a-z]+\{\}|[{}$&#%_,])|\$-\$|\{\[\}|\{\]\}|\{\}")
+
+
+@given(st.text(max_size=20))
+def test_plain_text_leaves_no_character_that_tex_obeys(text: str) -> None:
+    assert not set(OWN.sub("", plain(text)).replace("~", "")) & set("\\{}$&#%_^\0\n\r")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("O'Neil--\"x\"", r"O\textquotesingle{}Neil-{}-\textquotedbl{}x\textquotedbl{}"),
+        ("a\nb\x00c\u2028", "a b c "),
+        ("a\u00a0b\u202fm \u2212 1", r"a~b\,m $-$ 1"),
+        ("\u202eabc\u200b", "abc{}"),
+        ("e\u0301", "é"),
+    ],
+)
+def test_plain_text(text: str, expected: str) -> None:
+    assert plain(text) == expected
+
+
+def test_units_and_numbers_are_printed_as_books_do() -> None:
+    assert [unit(text) for text in ("m/s^2", "deg", "1", "s^-1", "N*m")] == [
+        r"m/s\textsuperscript{2}", "°", "–", r"s\textsuperscript{$-$1}", "N·m"]
+    assert signed("-1.5") == "$-$1.5"
+
+
+def test_the_letters_of_the_older_engine() -> None:
+    assert is_latin("Zoë Łukasz Żółć, Ştefan Ğül – “x” 5 € ½ ×")
+    assert not any(map(is_latin, ("Đặng", "Юлия", "张", "😀", "Ħ", "′")))
+
+
+def test_a_comment_stays_on_its_line() -> None:
+    assert comment("a\nb") == "%% a·b"
+
+
+@pytest.mark.parametrize(
+    ("markdown", "expected"),
+    [
+        ("The *crank* $OA$", r"The \emph{crank} $OA$"),
+        ("a\n\n**b**", "a\n\n\\textbf{b}"),
+        ("- a\n- $b$", "\\begin{itemize}\n\\item{} a\n\\item{} $b$\n\\end{itemize}"),
+        ("3. a", "\\begin{enumerate}\\startat{3}\n\\item{} a\n\\end{enumerate}"),
+        ("so $$x = 1$$", r"so \[x = 1\]"),
+        ("the rod\nAB", "the rod\nAB"),
+        ("曲柄\n转动", "曲柄%\n转动"),
+        ("the slider's pin", "the slider’s pin"),
+        (r"5 \$ \* \# &amp; \\input{x}", r"5 \$ * \# \& \textbackslash{}input\{x\}"),
+    ],
+)
+def test_what_an_exam_needs(markdown: str, expected: str) -> None:
+    assert prose(markdown, "q1") == expected
+
+
+@pytest.mark.parametrize("markdown", ["![a](b.png)", "<b>x</b>", "[a](b)", "`a`"])
+def test_what_it_does_not_need_is_refused(markdown: str) -> None:
+    with pytest.raises(TypesetError, match="q1: .* cannot be printed; expected text"):
+        line(markdown, "q1")
+
+
+@pytest.mark.parametrize(
+    ("latex", "message"),
+    [
+        (r"\input{x}", r"q1: formula $\input{x}$: unknown command \input"),
+        ("a %", r"q1: formula $a %$: expected no % in math; write \%"),
+        (r"a \\% b", r"expected no % in math"),
+        ("^^5cinput", r"q1: formula $^^5cinput$: expected one thing behind each ^; write ^{...}"),
+        (r"\begin L", r"q1: formula $\begin L$: expected braces right behind \begin and \end; write \begin{cases}"),
+        ("圆", "expected no 圆 in math"),
+    ],
+)
+def test_math_beyond_the_closed_list_is_refused(latex: str, message: str) -> None:
+    with pytest.raises(TypesetError) as refusal:
+        math(latex, "q1")
+    assert any(message in problem for problem in refusal.value.problems)
+
+
+def test_text_inside_math_is_plain_text() -> None:
+    assert math(r"v = 1{,}5\,\text{m/s^2 \par & 5}", "q1") == (
+        r"v = 1{,}5\,\text{m/s\textsuperscript{2} \textbackslash{}par \& 5}")
+    assert math(r"5\% \text{曲柄}", "q1") == r"5\% \text{曲柄}"
+
+
+TOKENS = [f"\\{name} " for name in sorted(COMMANDS - {"begin", "end"})] + list("ab12{}()^_&,=+-'!<>%#\n")
+TOKENS += [r"\text{#\a}", r"\{", r"\\", r"\begin{cases}", r"\end{cases}", r"\text{}", r"\begin", "^^"]
+
+
+@given(st.lists(st.sampled_from(TOKENS), max_size=9).map("".join))
+def test_no_formula_comments_or_codes(latex: str) -> None:
+    try:
+        source = math(latex, "q1")
+    except TypesetError:
+        return
+    assert "^^" not in source
+    assert "\n" not in source
+    assert not re.search(r"(?<!\\)(?:\\\\)*%", source)

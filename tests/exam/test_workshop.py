@@ -1,0 +1,135 @@
+"""A class printed by several processes: the same bytes, the same refusals, nobody left behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.workshop import CHUNK, finished
+from tests.problem.crank import crank_text
+from tests.small_class import contents, generate, key_lines
+
+TWO_CHUNKS = "student,name\n" + "".join(f"{number},Student {number}\n" for number in range(2 * CHUNK + 1))
+BANK = """title = "T"
+course = "C"
+shuffle = true
+[[questions]]
+template = "slider-crank"
+[[questions]]
+template = "crank.toml"
+draw = { h = "0 .. 10 step 1", omega = "1 .. 40 step 1" }
+"""
+
+FEW = """title = "T"
+course = "C"
+[[questions]]
+template = "crank.toml"
+draw = { h = [1], r = "1 .. 8 step 1", omega = "1 .. 8 step 1" }
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A class that is large enough for two processes."""
+    (tmp_path / "roster.csv").write_text(TWO_CHUNKS, encoding="utf-8")
+    (tmp_path / "bank.toml").write_text(BANK, encoding="utf-8")
+    (tmp_path / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    return tmp_path
+
+
+def test_two_processes_write_the_same_bytes_as_one(folder: Path) -> None:
+    assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
+    assert generate(folder, "TWO", "--jobs", "2").exit_code == 0
+    assert contents(folder / "TWO") == contents(folder / "ONE")
+
+
+def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(folder: Path) -> None:
+    (folder / "crank.toml").write_text(crank_text(("above $O$.", r"above $\nonsense{O}$.")), encoding="utf-8")
+    lines = []
+    for jobs in ("1", "2"):
+        result = generate(folder, "EXAM", "--jobs", jobs)
+        assert result.exit_code == 2
+        lines.append(result.stderr)
+    assert lines[0] == lines[1]
+    assert r"unknown command \nonsense" in lines[0]
+    assert not list(folder.glob(".*"))
+
+
+def test_a_worker_that_is_killed_is_told_of() -> None:
+    with ProcessPoolExecutor(1) as executor:
+        task = executor.submit(os._exit, 9)
+        with pytest.raises(TypesetError, match="a process that prints papers was ended from outside; .*--jobs 1"):
+            finished(task)  # type: ignore[arg-type]
+
+
+def test_nobody_gets_the_numbers_of_another_however_the_class_is_divided(folder: Path) -> None:
+    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    (folder / "bank.toml").write_text(FEW, encoding="utf-8")
+    refusals = []
+    for jobs in ("1", "2"):
+        result = generate(folder, f"EXAM{jobs}", "--jobs", jobs)
+        assert result.exit_code == 0
+        refusals.append(result.stderr.splitlines()[:2])
+    assert contents(folder / "EXAM1") == contents(folder / "EXAM2")
+    assert refusals[0] == refusals[1]
+    assert "duplicate" in refusals[0][1]
+    drawn = [json.dumps(line["questions"][0]["parameters"]) for line in key_lines(folder / "EXAM2")]
+    assert len(set(drawn)) == len(drawn) == 2 * CHUNK + 1
+
+
+def test_a_draw_that_fails_in_a_worker_is_told_as_ever(folder: Path) -> None:
+    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    scarce = FEW.replace('"1 .. 8 step 1", omega = "1 .. 8 step 1"',
+                         '"1 .. 7 step 1", omega = [1, 2, 3, 4, 5, 20000000]')
+    (folder / "bank.toml").write_text(scarce, encoding="utf-8")
+    errors = [generate(folder, "EXAM", "--jobs", jobs).stderr for jobs in ("1", "2")]
+    assert errors[0] == errors[1]
+    assert "q1 (crank): no acceptable instance for student" in errors[0]
+    assert not list(folder.glob(".*"))
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="asks Linux for the children of a process")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_whatever_ends_the_command_its_workers_end_with_it(folder: Path, how: signal.Signals) -> None:
+    command = [sys.executable, "-m", "kinegrade", "generate", "bank.toml", "roster.csv", "-o", "EXAM", "--jobs", "2"]
+    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    while process.poll() is None and not list(folder.glob(".*.partial-*/papers/*.pdf")):
+        time.sleep(0.01)
+    workers = children(process.pid)
+    process.send_signal(how)
+    process.wait()
+    assert len(workers) >= 2
+    assert gone(workers)
+    assert not (folder / "EXAM").exists()
+    assert how == signal.SIGKILL or not list(folder.glob(".*"))
+
+
+def children(process: int) -> list[int]:
+    return [int(number) for task in Path(f"/proc/{process}/task").iterdir()
+            for number in (task / "children").read_text().split()]
+
+
+def gone(processes: list[int]) -> bool:
+    """Whether all of them are gone, or only waited for, before long."""
+    for _ in range(500):
+        if not any(map(running, processes)):
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def running(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False

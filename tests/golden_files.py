@@ -1,0 +1,26 @@
+"""A tiny exam whose files are held as goldens, and how a text is held against its file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from kinegrade.exam.bank import Bank
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.setting import SetPaper, set_exam
+
+GOLDEN = Path(__file__).parent / "golden"
+BANK = """title = { en = "Golden exam", zh = "样卷" }
+course = { en = "Mechanics", zh = "力学" }
+date = 2026-05-01
+[[questions]]
+template = "crank.toml"
+draw = { h = [0, 1], r = [2, 3, 4], omega = [2, 3, "sqrt(2)"] }
+asks = { v_x = 1, v_y = { points = 2.5, tolerance = { absolute = 0.05 } } }
+"""
+Hold = Callable[[str, str], None]
+
+
+def papers(bank: Bank) -> list[SetPaper]:
+    students = Student("007", "王伟", "", "007"), Student("0012", "O'Neil, Zoë", "", "0012")
+    return list(set_exam(bank, Roster(students, ()), "golden").papers())

@@ -1,0 +1,45 @@
+"""The sources for LaTeX, read by a person once and held since; `pytest --regenerate-golden` writes them anew."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from kinegrade.exam.bank import Bank
+from kinegrade.exam.document import SolutionSheet
+from kinegrade.exam.latex_key import key_body
+from kinegrade.exam.latex_solution import solution_body
+from kinegrade.exam.latex_source import document, paper_body
+from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.words import words_of
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.tikz import to_tikz
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.library import load_template
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template import Language
+from tests.exam.papers import key_book
+from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
+from tests.golden_files import Hold, papers
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_a_paper_for_latex(golden_bank: Bank, hold: Hold, language: Language) -> None:
+    page = paper_pages(golden_bank, papers(golden_bank)[1], language)
+    hold(f"paper-{language}.tex", document([paper_body(page, 0)], language, "a4", words_of(language), "fonts"))
+
+
+@pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
+def test_worked_solutions_for_latex(sheet: SolutionSheet, hold: Hold) -> None:
+    hold(f"solution-{sheet.language}.tex", solution_body(sheet, 0))
+
+
+def test_a_key_for_latex(hold: Hold) -> None:
+    hold("key.tex", key_body(replace(key_book(1), course="A & B")))
+
+
+def test_a_figure_for_latex(hold: Hold) -> None:
+    template = load_template("slider-crank")
+    motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
+    hold("slider-crank.tex", to_tikz(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)))
