@@ -1,9 +1,10 @@
 """An exam for 300 students, four questions with figures each, papers and key, as users make it on the command line.
 
-The peer is what is usual elsewhere: one LaTeX run for each student. It typesets the same papers by the same layout, on
-a sample, in files that are drawn, solved and written as LaTeX before the clock starts, so it has less to do. Memory is
-that of the command with all its processes. Where no LaTeX is on the machine its figures are left out, and the report
-says so.
+The peer is what is usual elsewhere: one pdflatex run a student, of an ordinary document with amsmath, siunitx and
+TikZ. It prints a sample of the same papers, in files that are drawn, solved and written before the clock starts, and no
+key, so it has less to do. As a second peer, without promise, stands a run of our own LaTeX source, which is written to
+be fast. Memory is that of the command with all its processes. Where no such LaTeX is on the machine its figures are
+left out, and the report says so.
 """
 
 from __future__ import annotations
@@ -13,13 +14,18 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from shutil import which
 from tempfile import TemporaryDirectory
 
 from benchmarks.figure_of_merit import Figure, seconds
 from benchmarks.memory import peak_of_tree
+from benchmarks.ordinary_latex import has_ordinary_latex, ordinary_paper
+from kinegrade.exam.bank import bank_path, read_bank
+from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.roster import read_roster
+from kinegrade.exam.setting import set_exam
 
 STUDENTS, HALF, SAMPLE = 300, 150, 10
+BANK, SEED = "demo", "bench"
 TYPST_PROMISE, LATEX_PROMISE = 25, 4
 MEMORY_PROMISE, GROWTH_PROMISE = 1024, 1.15  # megabytes at 300 students; at most so many times that of 150
 
@@ -32,23 +38,23 @@ def figures() -> Iterator[Figure]:
         _, half = generate(folder, HALF)
         yield Figure("generate, 300 students: memory against 1 GiB", memory, MEMORY_PROMISE, 1, "MB")
         yield Figure("generate, 150 students: memory against that of 300", memory / GROWTH_PROMISE, half, 1, "MB")
-        if which("pdflatex") is None:
-            print(f"papers: {typst * 1e3:.1f} ms each; no LaTeX on this machine to compare with")
+        if not has_ordinary_latex():
+            print(f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to compare with")
             return
         latex, _ = generate(folder, STUDENTS, "--engine", "latex")
-        peer = one_run_each(folder, SAMPLE)
-        yield Figure("a paper by Typst against a LaTeX run of its own", typst, peer, TYPST_PROMISE)
-        yield Figure("a paper by LaTeX, a run for many, against a run of its own", latex, peer, LATEX_PROMISE)
+        ordinary, lean = one_run_each(ordinary_papers(folder, SAMPLE)), one_run_each(kept_papers(folder, SAMPLE))
+        yield Figure("a paper by Typst against a pdflatex run for each", typst, ordinary, TYPST_PROMISE)
+        yield Figure("a paper by LaTeX, a run for many, against one for each", latex, ordinary, LATEX_PROMISE)
+        yield Figure("a paper by Typst against a run of our own lean source", typst, lean, None)
+        yield Figure("a paper by LaTeX against a run of our own lean source", latex, lean, None)
 
 
 def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
     """Seconds per paper and peak memory in megabytes of the command, for a class of that size."""
-    roster = folder / f"{students}.csv"
-    roster.write_text("student,name\n" + "".join(f"{number:05},Student {number}\n" for number in range(students)),
-                      encoding="utf-8")
+    roster = class_of(folder, students)
     start = time.perf_counter()
-    process = subprocess.Popen([sys.executable, "-m", "kinegrade", "generate", "demo", str(roster), "-o",
-                                str(folder / "EXAM"), "--seed", "bench", "--force",
+    process = subprocess.Popen([sys.executable, "-m", "kinegrade", "generate", BANK, str(roster), "-o",
+                                str(folder / "EXAM"), "--seed", SEED, "--force",
                                 "--no-solutions", *options], stderr=subprocess.PIPE)
     memory = peak_of_tree(process)
     if process.returncode:
@@ -56,14 +62,37 @@ def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
     return (time.perf_counter() - start) / students, memory
 
 
-def one_run_each(folder: Path, count: int) -> float:
-    """The median time of a LaTeX run of one paper, from the sources that `generate` has just kept."""
-    papers = folder / "EXAM" / "tex" / "papers"
-    sources = iter(sorted(papers.glob("*.tex"))[:count + 1])
-    return seconds(lambda: run_latex(papers, next(sources)), count)
+def class_of(folder: Path, students: int) -> Path:
+    """The roster of a class of that size."""
+    roster = folder / f"{students}.csv"
+    roster.write_text("student,name\n" + "".join(f"{number:05},Student {number}\n" for number in range(students)),
+                      encoding="utf-8")
+    return roster
 
 
-def run_latex(folder: Path, source: Path) -> None:
-    """One pdflatex run, shell escape off."""
-    subprocess.run(["pdflatex", "-no-shell-escape", "-interaction=batchmode", source.name], cwd=folder, check=True,
-                   capture_output=True)
+def ordinary_papers(folder: Path, count: int) -> list[Path]:
+    """The first papers of the class and one more to warm up, written as ordinary LaTeX documents."""
+    bank, place = read_bank(bank_path(Path(BANK)), SEED), folder / "ordinary"
+    place.mkdir()
+    papers = set_exam(bank, read_roster(class_of(folder, STUDENTS)), SEED).papers(range(count + 1))
+    for paper in papers:
+        pages = paper_pages(bank, paper, "en")
+        (place / f"{pages.student}.tex").write_text(ordinary_paper(pages), encoding="utf-8")
+    return sorted(place.glob("*.tex"))
+
+
+def kept_papers(folder: Path, count: int) -> list[Path]:
+    """The same papers in the LaTeX sources that `generate` has just kept."""
+    return sorted((folder / "EXAM" / "tex" / "papers").glob("*.tex"))[:count + 1]
+
+
+def one_run_each(sources: list[Path]) -> float:
+    """The median time of a pdflatex run for one paper, shell escape off, after one to warm up."""
+    turn = iter(sources)
+    return seconds(lambda: run_latex(next(turn)), len(sources) - 1)
+
+
+def run_latex(source: Path) -> None:
+    """One pdflatex run."""
+    subprocess.run(["pdflatex", "-no-shell-escape", "-interaction=batchmode", source.name], cwd=source.parent,
+                   check=True, capture_output=True)

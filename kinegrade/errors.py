@@ -45,6 +45,10 @@ class BankError(KinegradeError):
     """An exam blueprint is at fault."""
 
 
+class PolicyError(KinegradeError):
+    """A policy by which answers are to be marked is at fault."""
+
+
 class TableError(KinegradeError):
     """A CSV file (roster or answers) cannot be used at all."""
 

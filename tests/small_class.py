@@ -58,9 +58,11 @@ def kinegrade(*arguments: str | Path) -> Result:
 
 
 def generate(folder: Path, name: str = "EXAM", *options: str) -> Result:
-    """`kinegrade generate` for the class in a folder, seed spring unless said otherwise."""
+    """`kinegrade generate` for the class in a folder, seed spring and no worked solutions unless said otherwise."""
     seed = () if "--seed" in options else ("--seed", "spring")
-    return kinegrade("generate", folder / "bank.toml", folder / "roster.csv", "-o", folder / name, *seed, *options)
+    plain = () if "--solutions" in options else ("--no-solutions",)
+    files = folder / "bank.toml", folder / "roster.csv"
+    return kinegrade("generate", *files, "-o", folder / name, *seed, *plain, *options)
 
 
 def contents(folder: Path) -> dict[str, bytes]:

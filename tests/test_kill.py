@@ -56,7 +56,7 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
     old, new = contents(small_class / "EXAM"), contents(other_exam)
     shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
     arguments = ["generate", str(small_class / "bank.toml"), str(small_class / "roster.csv"), "-o",
-                 str(tmp_path / "EXAM"), "--seed", "autumn", "--force"]
+                 str(tmp_path / "EXAM"), "--seed", "autumn", "--force", "--no-solutions"]
     moment = replaced(tmp_path / "EXAM") if name == REPLACED else being_made(name)
     assert killed(arguments, tmp_path, moment, delay) or delay or name == REPLACED
     assert contents(tmp_path / "EXAM") in ((new,) if name == REPLACED else (old, new))
@@ -70,9 +70,8 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
 @pytest.fixture(scope="module")
 def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The exam of the same class with another seed."""
-    folder = tmp_path_factory.mktemp("other")
-    arguments = (small_class / "bank.toml", small_class / "roster.csv", "-o", folder / "EXAM", "--seed", "autumn")
-    if kinegrade("generate", *arguments).exit_code:
+    folder = write_class(tmp_path_factory.mktemp("other"))
+    if generate(folder, "EXAM", "--seed", "autumn").exit_code:
         raise RuntimeError("the exam cannot be generated")
     return folder / "EXAM"
 

@@ -2,7 +2,7 @@
 
     title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
     course = { en = "Theoretical mechanics", zh = "理论力学" }
-    tolerance = { relative = "1 %" }
+    tolerance = { relative = "1 %" }         # or { absolute = 0.01 }, { figures = 3 }: significant figures; or several
     shuffle = true                           # optional: every paper has its own order of the questions
     versions = 3                             # optional: versions A, B, C instead of a paper for each student
     engine = "latex"                         # optional: what typesets the exam (typst)
@@ -25,22 +25,21 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from pathlib import Path
 from typing import Any, cast
 
 from kinegrade.errors import BankError, did_you_mean
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
 from kinegrade.exam.bank_values import Values, written
-from kinegrade.exam.blueprint import Bank, Blueprint, Slot, Tolerance, matched, wishes
+from kinegrade.exam.blueprint import Bank, Blueprint, Slot, matched, wishes
 from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
 from kinegrade.problem.reading import TOO_LARGE, short_line, too_large
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 
 KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "engine", "questions")
 MAX_BYTES = 200_000
-ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
 
 def bank_path(path: Path) -> Path:

@@ -15,7 +15,7 @@ from kinegrade.errors import KinegradeError, did_you_mean
 from kinegrade.exact.angle import Inexact
 from kinegrade.exact.field import Field
 from kinegrade.exam.bank_values import Values
-from kinegrade.exam.blueprint import BankAsk, BankQuestion, Slot, Tolerance
+from kinegrade.exam.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.points import shared
 from kinegrade.exam.shelf import Shelf, read_shelf
 from kinegrade.expression import read
@@ -25,6 +25,7 @@ from kinegrade.problem.library import load_template
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.tags import KINDS, asked_about
 from kinegrade.problem.template import Template
+from kinegrade.problem.tolerance import Tolerance
 
 TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 DRAWN_KEYS = ("number", "without", "asks", "points", "tolerance")

@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import did_you_mean
-from kinegrade.exam.blueprint import Tolerance
 from kinegrade.problem.reading import short_line
 from kinegrade.problem.template import Translated
+from kinegrade.problem.tolerance import Tolerance
 
 NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
 DECIMAL = re.compile(NUMBER, re.ASCII)
+MOST_FIGURES = 6  # as many as the key prints
 SHARE = re.compile(NUMBER + r"\s*(%?)", re.ASCII)
 
 
@@ -66,20 +67,21 @@ class Values:
         return least
 
     def tolerance(self, place: str, value: Any, default: Tolerance) -> Tolerance:
-        """{ relative = "1 %", absolute = 0.01 }, each optional."""
+        """{ relative = "1 %", absolute = 0.01, figures = 3 }, each optional; what gives most room holds."""
         if value is None:
             return default
         if not isinstance(value, dict):
-            self.fault(place, 'expected a table like { relative = "1 %" } or { absolute = 0.01 }')
+            self.fault(place, 'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }')
             return default
-        self.unknown_keys(place, value, ("relative", "absolute"))
+        self.unknown_keys(place, value, ("relative", "absolute", "figures"))
         relative = self.share(f"{place}.relative", value.get("relative", 0))
         absolute = self.amount(f"{place}.absolute", value.get("absolute", 0))
+        figures = self.whole(f"{place}.figures", value["figures"], 2, MOST_FIGURES) if "figures" in value else None
         if relative is None or absolute is None:
             return default
-        if relative >= 1 or relative + absolute == 0:
+        if relative >= 1 or (relative + absolute == 0 and figures is None):
             self.fault(place, "expected a tolerance above zero, the relative one below 100 %")
-        return Tolerance(relative, absolute)
+        return Tolerance(relative, absolute, figures)
 
     def amount(self, place: str, value: Any) -> Fraction | None:
         """A number of zero or more, exactly."""

@@ -13,14 +13,7 @@ from fractions import Fraction
 from kinegrade.exam.press import Engine
 from kinegrade.problem.drawing import address
 from kinegrade.problem.template import Template, Translated
-
-
-@dataclass(frozen=True)
-class Tolerance:
-    """Right within max(relative*|exact value|, absolute), the bounds included; absolute in the ask's unit."""
-
-    relative: Fraction
-    absolute: Fraction
+from kinegrade.problem.tolerance import Tolerance
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,10 @@ kinds of text:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import islice
 from typing import Literal
 
 from kinegrade.figure.scene import Scene
@@ -119,13 +120,17 @@ class KeyBook:
     course: str
     title: str
     warning: str
-    papers: tuple[KeyPaper, ...]
+    papers: Iterable[KeyPaper]  # they may come one after another, while the papers are printed
 
     def chunks(self, size: int) -> Iterator[KeyBook]:
         """The same book in parts of `size` papers; an empty book is one empty part."""
-        for start in range(0, max(len(self.papers), 1), size):
-            part = self.papers[start : start + size]
-            yield KeyBook(self.language, self.course, self.title, self.warning, part)
+        papers = iter(self.papers)
+        part = tuple(islice(papers, size))
+        while True:
+            yield replace(self, papers=part)
+            part = tuple(islice(papers, size))
+            if not part:
+                return
 
 
 @dataclass(frozen=True)

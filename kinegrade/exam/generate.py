@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from contextlib import closing
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from kinegrade import __version__
 from kinegrade.errors import BankError
@@ -19,7 +20,7 @@ from kinegrade.exam.join import join
 from kinegrade.exam.key_record import amount
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
-from kinegrade.exam.printing import PressOrder, Printed, PrintRun
+from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun
 from kinegrade.exam.roster import Roster
 from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
@@ -39,6 +40,7 @@ WARNING = (
     "and after the exam, if you hand them out, their own worked solutions under solutions/. "
     "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；考试结束后可由教师发放 solutions/ 中的题解。"
 )
+PLAIN = Extras()
 Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 
@@ -58,10 +60,10 @@ class Generated:
 
 def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, language: Language, *,
              force: bool = False, paper_size: PaperSize = "a4", engine: Engine | None = None, jobs: int = 1,
-             solutions: bool = False, progress: Progress = lambda papers, count: papers) -> Generated:
+             extras: Extras = PLAIN, progress: Progress = lambda papers, count: papers) -> Generated:
     """Write the exam folder `output`, by up to `jobs` processes; the engine is the bank's unless one is given.
 
-    With `solutions` everybody's worked solutions are written too.
+    `extras` says what is written beside papers and key.
     Raises BankError, DrawError, TypesetError, OutputError; then nothing is written.
     """
     bank = blueprint.bank(secret)
@@ -70,9 +72,8 @@ def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, la
     with output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
         order = PressOrder(engine or bank.engine, paper_size, folder / "tex")
         press = order.press()
-        run = PrintRun(bank, language, order, folder / "papers", folder / "solutions" if solutions else None)
+        run = PrintRun(bank, language, order, folder / "papers", folder / "solutions", extras)
         keys = write_papers(setting, run, press, folder, jobs=jobs, progress=progress)
-        press.key(key_book(bank, keys, language), folder / "key.pdf")
         write_sources(sources, folder)
         write_blank_answers(setting, folder / "answers.csv")
         write_json(folder / MARKER, exam_record(setting, keys, language))
@@ -90,22 +91,30 @@ def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
 
 def write_papers(setting: Setting, run: PrintRun, press: Press, folder: Path, *, jobs: int,
                  progress: Progress) -> list[KeyPaper]:
-    """The papers, and the solutions that are wanted, each alone and all in one file; and the key line by line.
+    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
-    Gives what the instructor's book of keys needs.
+    The instructor's book is typeset while papers are printed. Gives the key of each paper without its questions.
     """
-    printouts = [place for place in (run.papers, run.solutions) if place is not None]
+    printouts = [run.papers, run.solutions] if run.extras.solutions else [run.papers]
     for place in printouts:
         place.mkdir()
-    keys, count = [], len(setting.roster.students)
-    with (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines:
-        for result in progress(printed(run, setting, press, jobs), count):
-            lines.write(result.record + "\n")
-            keys.append(result.key)
+    keys: list[KeyPaper] = []
+    with (closing(printed(run, setting, press, jobs)) as results,
+          (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines):
+        papers = noted(progress(results, len(setting.roster.students)), lines, keys)
+        press.key(key_book(run.bank, papers, run.language), folder / "key.pdf")
     for place in printouts:
         files = (place / f"{student.file_name}.pdf" for student in setting.roster.students)
         join(files, place.with_suffix(".pdf"), duplex=True)
     return keys
+
+
+def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
+    """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
+    for result in results:
+        lines.write(result.record + "\n")
+        keys.append(replace(result.key, entries=()))
+        yield result.key
 
 
 def source_files(setting: Setting) -> dict[str, str]:

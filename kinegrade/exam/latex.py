@@ -73,8 +73,9 @@ class LatexPress:
 
     def key(self, book: KeyBook, target: Path) -> None:
         """Write the instructor's key; names are printed and errors raised as by `papers`."""
-        missing = self.unprintable(paper.name for paper in book.papers)
-        named = replace(book, papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in book.papers))
+        papers = tuple(book.papers)
+        missing = self.unprintable(paper.name for paper in papers)
+        named = replace(book, papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers))
         body, words = key_body(named), words_of(book.language)
         with self._typeset([body], book.language, words, "key") as outcome:
             _write_pages(outcome.pdf, [(0, _page_count(outcome.pdf), target)])

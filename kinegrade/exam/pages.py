@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -69,9 +69,9 @@ def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
-def key_book(bank: Bank, papers: Sequence[KeyPaper], language: Language) -> KeyBook:
-    """The instructor's book: a key for each paper, or for each version."""
-    shown = each_version(papers, language) if bank.versions else tuple(papers)
+def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
+    """The instructor's book: a key for each paper, which may come one after another, or for each version."""
+    shown = each_version(tuple(papers), language) if bank.versions else papers
     return KeyBook(language, bank.course.in_language(language), bank.title.in_language(language),
                    WARNING[language], shown)
 
@@ -105,9 +105,8 @@ def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
 
 def interval(entry: SetAsk) -> str:
     """The closed interval of what is marked right, rounded to six figures for the reader."""
-    value = decimal_fraction(entry.answer)
-    room = max(entry.tolerance.relative * abs(value), entry.tolerance.absolute)
-    return f"[{float(value - room):.6g}, {float(value + room):.6g}]"
+    low, high = entry.tolerance.interval(decimal_fraction(entry.answer))
+    return f"[{float(low):.6g}, {float(high):.6g}]"
 
 
 def decimal_fraction(quantity: Quantity) -> Fraction:

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.document import KeyPaper, PaperSize
+from kinegrade.exam.document import KeyPaper, Paper, PaperSize
+from kinegrade.exam.key_mistakes import mistaken_answers
 from kinegrade.exam.key_record import key_record
 from kinegrade.exam.pages import key_paper, paper_pages
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.solution_pages import solution_sheet
 from kinegrade.exam.typst import TypstPress
-from kinegrade.problem.template import Language
+from kinegrade.problem.template import Language, Method
 
 
 @dataclass(frozen=True)
@@ -30,20 +31,31 @@ class PressOrder:
         """A new press. Raises TypesetError where its typesetter is not installed."""
         if self.engine == "typst":
             return TypstPress(self.paper_size)
-        from kinegrade.exam.latex import LatexPress  # noqa: PLC0415  # few exams need it, and it takes long
+        from kinegrade.exam.latex import LatexPress  # few exams need it, and it takes long
 
         return LatexPress(self.paper_size, self.sources)
 
 
 @dataclass(frozen=True)
+class Extras:
+    """What is wanted beside papers and key: worked solutions, by `method` where several serve, and papers in the
+    other kinds of files named (docx, html)."""
+
+    solutions: bool = False
+    method: Method | None = None
+    also: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class PrintRun:
-    """All that holds for every paper of an exam; worked solutions are printed where they have a folder."""
+    """All that holds for every paper of an exam."""
 
     bank: Bank
     language: Language
     press_order: PressOrder
     papers: Path
-    solutions: Path | None = None
+    solutions: Path
+    extras: Extras
 
 
 @dataclass(frozen=True)
@@ -61,8 +73,21 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
     """
     pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language) for paper in papers}
     press.papers(pages, run.papers)
-    if run.solutions is not None:
-        press.solutions({paper.student.file_name: solution_sheet(run.bank, paper, run.language) for paper in papers},
-                        run.solutions)
-    return [Printed(json.dumps(key_record(paper, shuffled=run.bank.shuffle), ensure_ascii=False),
-                    key_paper(paper, run.language)) for paper in papers]
+    if run.extras.solutions:
+        press.solutions({paper.student.file_name: solution_sheet(run.bank, paper, run.language, run.extras.method)
+                         for paper in papers}, run.solutions)
+    if run.extras.also:
+        write_also(pages, run)
+    return [Printed(json.dumps(key_record(paper, mistakes, shuffled=run.bank.shuffle), ensure_ascii=False),
+                    key_paper(paper, run.language))
+            for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)]
+
+
+def write_also(pages: Mapping[str, Paper], run: PrintRun) -> None:
+    """Write `NAME.docx`, `NAME.html` beside `NAME.pdf`. Raises TypesetError as `kinegrade.exam.word` does."""
+    from kinegrade.exam.word import PandocPress  # few exams need it
+
+    press = PandocPress(run.press_order.paper_size)
+    for name, paper in pages.items():
+        for kind in run.extras.also:
+            (run.papers / f"{name}.{kind}").write_bytes(press.also(paper, kind))

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
+from math import sqrt
 
-from kinegrade.exam.blueprint import Bank, BankQuestion, Tolerance
+from kinegrade.exact.figures import figures_interval
+from kinegrade.exam.blueprint import Bank, BankQuestion
 from kinegrade.problem.template import Language
+from kinegrade.problem.tolerance import Tolerance
 
 WRITING = {
-    "en": "Write one number into each box, in the unit printed there, with at least four significant digits: "
-          "0.8660 or 0,8660. Do not separate thousands.",
-    "zh": "每个答案框内填写一个数，单位已印在框内，至少保留四位有效数字，写成 0.8660 或 0,8660 均可；"
+    "en": "Write one number into each box, in the unit printed there, with at least {digits} significant digits: "
+          "{point} or {comma}. Do not separate thousands.",
+    "zh": "每个答案框内填写一个数，单位已印在框内，至少保留{digits}位有效数字，写成 {point} 或 {comma} 均可；"
           "不要使用千位分隔符。",
 }
 AXES = {
@@ -21,11 +24,19 @@ AXES = {
     "zh": "$x$ 轴向右，$y$ 轴向上；除另有说明外，均以逆时针为正。附图按比例绘制。",
 }
 RELATIVE = {
-    "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. Where "
-          "the exact value is zero, it may differ by at most {relative} of the largest quantity of its kind in the "
-          "mechanism.",
-    "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确；"
-          "精确值为零时，允许的偏差为该机构中同类量最大值的 {relative}。",
+    "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. {zero}",
+    "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确。{zero}",
+}
+FIGURES = {
+    "en": "An answer is right if it agrees with the exact value to {figures} significant digits (where that is "
+          "{example}, from {low} to {high}){others}. {zero}",
+    "zh": "答案与精确值在 {figures} 位有效数字内一致（如精确值为 {example} 时，从 {low} 到 {high}）{others}即判为正确。"
+          "{zero}",
+}
+ZERO = {
+    "en": "Where the exact value is zero, or less than {share} of the largest quantity of its kind in the mechanism, "
+          "{share} of that quantity is allowed.",
+    "zh": "精确值为零或小于该机构中同类量最大值的 {share} 时，允许偏差为该最大值的 {share}。",
 }
 ABSOLUTE = {
     "en": "An answer is right if it differs from the exact value by at most {amount} in the unit of the table.",
@@ -35,12 +46,21 @@ OR_ABSOLUTE = {
     "en": ", or by at most {amount} in the unit of the table, whichever is more",
     "zh": "（或不超过 {amount}，以表中单位计，取其大者）",
 }
+OR_WITHIN = {
+    "en": ", or differs from it by at most {amounts}",
+    "zh": "，或与其之差不超过{amounts}，",
+}
+OF_VALUE = {"en": "{relative} of it", "zh": "精确值的 {relative}"}
+IN_UNIT = {"en": "{amount} in the unit of the table", "zh": " {amount}（以表中单位计）"}
+OR = {"en": " or ", "zh": "或"}
+NUMERALS = {"en": ("four", "five", "six", "seven", "eight", "nine", "ten"), "zh": "四五六七八九十"}
+FEWEST_DIGITS = 4
 EXCEPTION = {"en": "For {what}: {rule}", "zh": "{what}：{rule}"}
 
 
 def rules(bank: Bank, language: Language) -> tuple[str, ...]:
     """The sentences of the rules box, with the tolerances of single questions and asks where they differ."""
-    sentences = [WRITING[language], AXES[language], marking_rule(bank.tolerance, language)]
+    sentences = [writing_rule(bank, language), AXES[language], marking_rule(bank.tolerance, language)]
     for question in bank.questions:
         for tolerance, what in exceptions(bank, question):
             rule = marking_rule(tolerance, language)
@@ -59,12 +79,39 @@ def exceptions(bank: Bank, question: BankQuestion) -> Iterator[tuple[Tolerance, 
             yield ask.tolerance, f"{question.identifier}, ${question.template.asks[ask.name].symbol}$"
 
 
+def writing_rule(bank: Bank, language: Language) -> str:
+    """How to write answers: with four digits, or as many as the strictest tolerance takes to tell right from wrong."""
+    carried = [ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks]
+    digits = max(FEWEST_DIGITS, *carried)
+    point = f"{sqrt(3) / 2:.{digits}f}"
+    numerals = NUMERALS[language][digits - FEWEST_DIGITS:]
+    return WRITING[language].format(digits=numerals[0] if numerals else str(digits), point=point,
+                                    comma=point.replace(".", ","))
+
+
 def marking_rule(tolerance: Tolerance, language: Language) -> str:
     """When an answer is right, in words a first-year reads."""
+    zero = ZERO[language].format(share=percent(tolerance.share))
+    if tolerance.figures:
+        return figures_rule(tolerance, tolerance.figures, zero, language)
     if tolerance.relative == 0:
         return ABSOLUTE[language].format(amount=plain(tolerance.absolute))
     also = OR_ABSOLUTE[language].format(amount=plain(tolerance.absolute)) if tolerance.absolute else ""
-    return RELATIVE[language].format(relative=percent(tolerance.relative), absolute=also)
+    return RELATIVE[language].format(relative=percent(tolerance.relative), absolute=also, zero=zero)
+
+
+def figures_rule(tolerance: Tolerance, figures: int, zero: str, language: Language) -> str:
+    """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to 1.235."""
+    example = f"{'1.23456'[:figures + 1]}04"
+    low, high = figures_interval(Fraction(example), figures)
+    amounts = []
+    if tolerance.relative:
+        amounts.append(OF_VALUE[language].format(relative=percent(tolerance.relative)))
+    if tolerance.absolute:
+        amounts.append(IN_UNIT[language].format(amount=plain(tolerance.absolute)))
+    others = OR_WITHIN[language].format(amounts=OR[language].join(amounts)) if amounts else ""
+    return FIGURES[language].format(figures=figures, example=example, low=plain(low), high=plain(high), others=others,
+                                    zero=zero)
 
 
 def percent(share: Fraction) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
@@ -13,15 +13,15 @@ from kinegrade.exam.typst import TypstPress
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import Language, Method, Template, Translated
+from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.worked.solution import worked_solution
 
 
 def sample_bank(template: Template) -> Bank:
     """A bank that asks what the template asks."""
-    tolerance = Tolerance(Fraction(1, 100), Fraction(0))
-    asks = tuple(BankAsk(name, Fraction(template.asks[name].points), tolerance) for name in template.asked())
+    asks = tuple(BankAsk(name, Fraction(template.asks[name].points), ONE_PER_CENT) for name in template.asked())
     question = BankQuestion("q1", template, asks, {})
-    return Bank(template.title, Translated("kinegrade", "kinegrade"), "", tolerance, (question,), "")
+    return Bank(template.title, Translated("kinegrade", "kinegrade"), "", ONE_PER_CENT, (question,), "")
 
 
 def sample_page(template: Template, seed: str, language: Language) -> bytes:

@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from math import floor, log10
 
 from kinegrade.errors import DrawError
-from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion, Tolerance
+from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.versions import version_letters, version_of
+from kinegrade.mechanics.doubles import in_doubles
+from kinegrade.mechanics.motion import Motion
 from kinegrade.problem.drawing import Deck, Drawn, address
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.scale import scale
+from kinegrade.problem.tolerance import Tolerance, effective
 
+SEEN_AHEAD = 64  # students whose draws are looked at together
 LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are misread
 
 
@@ -76,14 +77,22 @@ class Setting:
         """
         letters = version_letters(self.bank.versions)
         versions = {letter: self.draw(f"version {letter}") for letter in letters}
-        for place in range(len(self.roster.students)) if places is None else places:
+        places = range(len(self.roster.students)) if places is None else places
+        for number, place in enumerate(places):
             student = self.roster.students[place]
             code = paper_code(self.secret, student.student)
             if versions:
                 letter = version_of(self.secret, place, letters)
                 yield SetPaper(student, f"{letter}-{code}", versions[letter], self.order(f"version {letter}"), letter)
             else:
+                if number % SEEN_AHEAD == 0:
+                    self.foresee(places[number:number + SEEN_AHEAD])
                 yield SetPaper(student, code, self.draw(student.student), self.order(student.student), "")
+
+    def foresee(self, places: Sequence[int]) -> None:
+        """Look ahead at the draws of the students at these places."""
+        for deck in self.decks.values():
+            deck.foresee([self.roster.students[place].student for place in places])
 
     def draw(self, whose: str) -> tuple[SetQuestion, ...]:
         """The questions of a student, or of a version."""
@@ -105,7 +114,8 @@ class Setting:
 def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
     """A setting. Raises DrawError for every question with fewer combinations than there are papers to be drawn."""
     decks = {question.identifier: Deck(question.template, tuple(ask.name for ask in question.asks), secret,
-                                       question.identifier, question.domains)
+                                       question.identifier, question.domains,
+                                       tolerances={ask.name: ask.tolerance for ask in question.asks})
              for question in bank.questions}
     count, whose = (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
     few = [f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {count} {whose}: "
@@ -118,26 +128,15 @@ def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
 def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
     """A question drawn for a student, or for a version."""
     drawn = deck.draw(whose)
-    asks = tuple(SetAsk(ask, drawn.solution[ask.name], effective(ask, drawn),
-                        question.template.asks[ask.name].cyclic) for ask in question.asks)
+    motion = in_doubles(drawn.solution.motion)
+    asks = tuple(set_ask(question, ask, drawn.solution[ask.name], motion) for ask in question.asks)
     return SetQuestion(question, drawn, asks)
 
 
-def effective(ask: BankAsk, drawn: Drawn) -> Tolerance:
-    """The tolerance of an ask; an answer that is exactly zero gets room from the mechanism's own scale."""
-    answer = drawn.solution[ask.name]
-    if not answer.is_zero:
-        return ask.tolerance
-    room = ask.tolerance.relative * two_figures(scale(drawn.solution.motion, answer.measure))
-    return Tolerance(ask.tolerance.relative, max(ask.tolerance.absolute, room))
-
-
-def two_figures(size: float) -> Fraction:
-    """A size rounded to two significant figures, exactly."""
-    if size <= 0:
-        return Fraction(0)
-    step = Fraction(10) ** (floor(log10(size)) - 1)
-    return round(Fraction(size) / step) * step
+def set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: Motion) -> SetAsk:
+    """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is next to zero."""
+    tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
+    return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)
 
 
 def paper_code(secret: str, student: str) -> str:

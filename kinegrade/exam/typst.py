@@ -88,9 +88,7 @@ class TypstPress:
 
     def key(self, book: KeyBook, target: Path) -> None:
         """Write the instructor's key; names are printed and errors raised as by `paper`."""
-        missing = self.unprintable(paper.name for paper in book.papers)
-        papers = tuple(replace(paper, name=legible(paper.name, missing)) for paper in book.papers)
-        target.write_bytes(joined(self._key_parts(replace(book, papers=papers))))
+        target.write_bytes(joined(self._key_parts(book)))
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is told of `where`."""
@@ -109,9 +107,14 @@ class TypstPress:
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
-            pdf = self._explaining(key_source(part, first_page, self._size), "key")
+            pdf = self._explaining(key_source(self._legible(part), first_page, self._size), "key")
             first_page += page_count(pdf)
             yield pdf
+
+    def _legible(self, book: KeyBook) -> KeyBook:
+        papers = tuple(book.papers)
+        missing = self.unprintable(paper.name for paper in papers)
+        return replace(book, papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers))
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains of; it may need several looks to find all."""

@@ -10,7 +10,7 @@ import os
 import signal
 import threading
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -49,7 +49,7 @@ class Job:
         return set_exam(self.bank, self.roster, self.secret)
 
 
-def printed(run: PrintRun, setting: Setting, press: Press, jobs: int) -> Iterator[Printed]:
+def printed(run: PrintRun, setting: Setting, press: Press, jobs: int) -> Generator[Printed, None, None]:
     """What remains of each paper, in order, by up to `jobs` processes; a small class by this one and its press.
 
     Raises DrawError, and TypesetError with the faults of the first part of the class that has any.

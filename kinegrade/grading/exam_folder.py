@@ -19,7 +19,7 @@ from typing import Any, TypeVar
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.roster import student_key
-from kinegrade.grading.key import Ask, Exam, Examinee, Key
+from kinegrade.grading.key import Ask, Exam, Examinee, Key, rule
 
 FORMAT = 1
 _NUMBER = re.compile(r"-?[0-9]{1,100}(?:\.[0-9]{1,100})?(?:[eE][+-]?[0-9]{1,2})?")
@@ -27,6 +27,7 @@ _RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
 _COLUMNS_OF_GRADES = {"student", "name", "total", "out_of", "percent"}
 _LARGEST_POWER = 300
+_FIGURES = range(1, 16)
 _AGREEMENT = 1e-9
 _MENDING = "restore the exam folder as it was generated"
 _KINDS: Mapping[type, str] = {str: "a text", list: "a list", dict: "an object", Decimal: "a number"}
@@ -203,9 +204,28 @@ def _key(ask: Ask, entry: Any) -> Key:
         tolerance = _field(entry, "tolerance", dict)
         relative, absolute = _not_negative(tolerance, "relative"), _not_negative(tolerance, "absolute")
         period = _not_negative(entry, "period") if "period" in entry else None
+        figures, mistakes = _figures(tolerance), _mistakes(entry)
     except _FieldError as fault:
         raise _FieldError(f"{ask.column}: {fault}") from fault
-    return Key(value, max(relative * abs(value), absolute), period)
+    return rule(relative, absolute, figures).key(value, period, mistakes)
+
+
+def _figures(tolerance: Any) -> int | None:
+    """To how many significant figures an answer has to agree with the right one, where that is asked for."""
+    if "figures" not in tolerance:
+        return None
+    figures = tolerance["figures"]
+    if not isinstance(figures, Decimal) or figures not in _FIGURES:
+        raise _FieldError(f'"figures" is {figures!r} - expected a whole number from 1 to 15')
+    return int(figures)
+
+
+def _mistakes(entry: Any) -> Mapping[str, Fraction]:
+    """What known mistakes lead to, by the mistake's id; exams of earlier versions do not state it."""
+    if "mistakes" not in entry:
+        return {}
+    mistakes = _field(entry, "mistakes", dict)
+    return {name: _amount(mistakes, name) for name in mistakes}
 
 
 def _value(entry: Any) -> Fraction:

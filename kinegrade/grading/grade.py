@@ -7,16 +7,23 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kinegrade.files import output_folder
+from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.givens import Givens
 from kinegrade.grading.marks import Marks, mark
-from kinegrade.grading.report import write_report
+from kinegrade.grading.marks_folder import KEPT, read_totals
+from kinegrade.grading.never_lower import Kept
+from kinegrade.grading.never_lower import never_lower as with_kept_totals
+from kinegrade.grading.policy import AS_PRINTED
+from kinegrade.grading.policy_reading import read_policy
+from kinegrade.grading.report import POLICY, write_report
 from kinegrade.grading.sheet import read_sheet
 from kinegrade.tables import read_table
 
 MARKER = "complaints.csv"
-FILES = ("marks.csv", "grades.csv", "complaints.csv")
-Export = Callable[[Path], str]  # a folder with the three files -> the text of one more
+FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT)
+Export = Callable[[Path], str]  # a folder with these files -> the text of one more
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 
@@ -28,18 +35,26 @@ def grade(
     force: bool = False,
     exports: Mapping[str, Export] = _NO_EXPORTS,
     decimal: DecimalMark | None = None,
+    policy: Path | None = None,
+    never_lower: Path | None = None,
 ) -> Marks:
     """Writes the folder `output`, whole or not at all, and gives the marks with their complaints.
 
     `exports` names the files for other systems that go into the folder too, such as
     `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
-    1.234. Same input, same bytes.
-    Raises ExamError, TableError, OutputError.
+    1.234. `policy` is the file of a policy, of which the folder gets a copy; `never_lower` an earlier folder of marks
+    below whose totals nobody falls. Same input, same bytes.
+    Raises ExamError, PolicyError, TableError, OutputError.
     """
     with output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force) as folder:
-        known = read_exam(exam)
-        marks = mark(known, read_sheet(read_table(answers), known), decimal)
-        write_report(folder, marks)
+        known, givens = read_exam(exam), Givens(exam)
+        rules = read_policy(policy, known, givens) if policy else AS_PRINTED
+        accepted = alternatives(known, rules, givens)
+        marks = mark(known, read_sheet(read_table(answers), known), decimal, rules, accepted)
+        kept: tuple[Kept, ...] | None = None
+        if never_lower:
+            marks, kept = with_kept_totals(marks, read_totals(never_lower))
+        write_report(folder, marks, rules, kept)
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
     return marks

@@ -1,7 +1,8 @@
 """Right or wrong: one reading held against one key.
 
 `judge` is pure and is called by `marks` for every answer. The rule is the one printed on the paper: right is
-what differs from the key by at most the tolerance, exactly the tolerance included.
+what differs from the key by at most the tolerance, exactly the tolerance included, and what agrees with it to the
+significant figures that are asked for.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Literal
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.key import Key
 
-Kind = Literal["right", "wrong", "wrong unit", "blank", "unreadable"]
+Kind = Literal["right", "accepted", "mistake", "wrong", "wrong unit", "blank", "unreadable", "void"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,15 +39,19 @@ def judge(reading: Reading, key: Key) -> Verdict:
         return Verdict("wrong unit", reading.reason)
     if reading.kind == "unreadable" or reading.value is None:
         return Verdict("unreadable", reading.reason)
-    difference = abs(reading.value - key.value)
+    difference = reading.value - key.value
     if key.period:
-        difference = abs(difference - round(difference / key.period) * key.period)
-    kind: Kind = "right" if difference <= key.tolerance + reading.error else "wrong"
-    return Verdict(kind, _comparison(key, difference))
+        difference -= round(difference / key.period) * key.period
+    low, high = key.interval
+    right = low - reading.error <= key.value + difference <= high + reading.error
+    return Verdict("right" if right else "wrong", _comparison(key, abs(difference)))
 
 
 def _comparison(key: Key, difference: Fraction) -> str:
     """With as many digits as it takes to see which of the two is larger."""
+    if key.agreeing:
+        low, high = key.interval
+        return f"key {_short(key.value)}, difference {_short(difference)}, right from {_short(low)} to {_short(high)}"
     shown, allowed = _short(difference), _short(key.tolerance)
     if shown == allowed and difference != key.tolerance:
         shown, allowed = _long(difference), _long(key.tolerance)

@@ -1,17 +1,20 @@
-"""The files of a marks folder: marks.csv, grades.csv and complaints.csv.
+"""The files of a marks folder: marks.csv, grades.csv, complaints.csv and the policy by which it was marked.
 
-Called by `grade`. Typed text and names are written `neutralised`, so that no cell runs as a formula in a
-spreadsheet; ids and numbers are written as they are. A response longer than a thousand characters is cut.
+Called by `grade`; kept.csv says whose total is not the sum of the questions, where nobody was to be lowered. Typed
+text and names are written `neutralised`, so that no cell runs as a formula in a spreadsheet; ids and numbers are
+written as they are. A response longer than a thousand characters is cut.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
-from functools import lru_cache
 from pathlib import Path
 
+from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.marks import Grade, Mark, Marks
+from kinegrade.grading.marks_folder import KEPT
+from kinegrade.grading.never_lower import Kept
+from kinegrade.grading.policy import Policy
 from kinegrade.tables import Complaint, neutralised, shortened, write_csv
 
 _MARKS = (
@@ -26,27 +29,21 @@ _MARKS = (
     "out_of",
     "reason",
 )
+POLICY = "policy.toml"
+_NO_POLICY = "# No policy: marked as the papers say.\n"
+_KEPT = ("student", "name", "before", "before_out_of", "by_this_marking", "out_of", "stands", "reason")
 _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
 
 
-def write_report(folder: Path, marks: Marks) -> None:
-    """Writes the three files into an existing folder."""
+def write_report(folder: Path, marks: Marks, policy: Policy, kept: Iterable[Kept] | None) -> None:
+    """Writes the files into an existing folder; `kept` is None where totals may fall."""
     write_csv(folder / "marks.csv", _MARKS, map(_mark_row, marks.marks))
     grades = ("student", "name", *marks.questions, "total", "out_of", "percent")
     write_csv(folder / "grades.csv", grades, map(_grade_row, marks.grades))
     write_csv(folder / "complaints.csv", _COMPLAINTS, _complaint_rows(marks.complaints))
-
-
-@lru_cache(maxsize=4096)
-def amount_text(amount: Fraction, places: int = 4) -> str:
-    """The shortest decimal with at most that many places, halves rounded up; amounts are not negative.
-
-    >>> amount_text(Fraction(7, 2)), amount_text(Fraction(2, 3))
-    ('3.5', '0.6667')
-    """
-    whole, decimals = divmod((2 * amount * 10**places + 1) // 2, 10**places)
-    digits = f"{decimals:0{places}d}".rstrip("0")
-    return f"{whole}.{digits}" if digits else str(whole)
+    (folder / POLICY).write_bytes((policy.text or _NO_POLICY).encode("utf-8"))
+    if kept is not None:
+        write_csv(folder / KEPT, _KEPT, map(_kept_row, kept))
 
 
 def _mark_row(mark: Mark) -> tuple[str, ...]:
@@ -67,6 +64,12 @@ def _mark_row(mark: Mark) -> tuple[str, ...]:
 def _grade_row(grade: Grade) -> tuple[str, ...]:
     points = map(amount_text, (*grade.points, grade.total, grade.out_of))
     return (grade.student, neutralised(grade.name), *points, amount_text(grade.percent, places=2))
+
+
+def _kept_row(kept: Kept) -> tuple[str, ...]:
+    now, before = kept.grade, kept.before
+    amounts = (before.points, before.out_of, now.total, now.out_of, kept.stands)
+    return (now.student, neutralised(now.name), *map(amount_text, amounts), kept.reason)
 
 
 def _complaint_rows(complaints: Iterable[Complaint]) -> Iterator[tuple[str, ...]]:

@@ -25,19 +25,26 @@ _ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate heads the answer she
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One student's responses in the order of the asks; `line` is None where the student has no row."""
+    """One row of a student: the responses in the order of the asks; `line` is None where the student has no row.
+
+    `whole` is the row as it came, where the student has several.
+    """
 
     line: int | None
     responses: tuple[str, ...]
+    whole: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """An entry for each student, by id; `columns` are those of the asks, as named in the file."""
+    """Each student's entries by id, one or more in the order of the file; `columns` are those of the asks, as named.
+
+    `complaints` are those that stand before it is decided which of several entries counts: see `repeated`.
+    """
 
     file: str
     columns: tuple[str, ...]
-    entries: Mapping[str, Entry]
+    entries: Mapping[str, tuple[Entry, ...]]
     complaints: tuple[Complaint, ...]
 
 
@@ -56,7 +63,7 @@ def read_sheet(table: Table, exam: Exam) -> Sheet:
     columns = _columns(table, exam.asks)
     rows, unknown = _rows_by_student(table, columns, exam)
     entries = {
-        examinee.student: _entry(rows.get(examinee.student, []), columns) for examinee in exam.examinees
+        examinee.student: _entries(rows.get(examinee.student, []), columns) for examinee in exam.examinees
     }
     complaints = [
         *table.complaints,
@@ -64,7 +71,6 @@ def read_sheet(table: Table, exam: Exam) -> Sheet:
         *_extra_columns(table, columns),
         *_missing_students(table, entries),
         *unknown,
-        *(complaint for found in rows.values() for complaint in _repeated(table, found, columns)),
     ]
     names = (
         ask.column if index is None else table.header[index]
@@ -155,11 +161,10 @@ def _whole(row: Row) -> str:
     return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
 
 
-def _entry(rows: Sequence[Row], columns: _Columns) -> Entry:
+def _entries(rows: Sequence[Row], columns: _Columns) -> tuple[Entry, ...]:
     if not rows:
-        return Entry(None, ("",) * len(columns.asks))
-    last = rows[-1]
-    return Entry(last.line, _responses(last, columns))
+        return (Entry(None, ("",) * len(columns.asks)),)
+    return tuple(Entry(row.line, _responses(row, columns), _whole(row) if len(rows) > 1 else "") for row in rows)
 
 
 def _responses(row: Row, columns: _Columns) -> tuple[str, ...]:
@@ -190,22 +195,25 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
             )
 
 
-def _missing_students(table: Table, entries: Mapping[str, Entry]) -> Iterator[Complaint]:
-    for student, entry in entries.items():
+def _missing_students(table: Table, entries: Mapping[str, tuple[Entry, ...]]) -> Iterator[Complaint]:
+    for student, (entry, *_) in entries.items():
         if entry.line is None:
             yield Complaint(
                 table.file, None, "", student, f'no row for student "{student}"', "all answers count as blank"
             )
 
 
-def _repeated(table: Table, rows: Sequence[Row], columns: _Columns) -> Iterator[Complaint]:
-    *earlier, last = rows
-    for row in earlier:
-        same = list(map(trimmed, _responses(row, columns))) == list(map(trimmed, _responses(last, columns)))
-        problem = f"another row for this student stands on line {last.line}"
+def repeated(file: str, entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
+    """A complaint for each entry of a student that does not count; it carries the row."""
+    answers = list(map(trimmed, counted.responses))
+    for entry in entries:
+        if entry is counted:
+            continue
+        problem = f"another row for this student stands on line {counted.line}"
+        same = list(map(trimmed, entry.responses)) == answers
         done = (
             "ignored, the answers are the same"
             if same
-            else f"line {last.line} counts; this row is kept here only"
+            else f"line {counted.line} counts; this row is kept here only"
         )
-        yield Complaint(table.file, row.line, "", _whole(row), problem, done)
+        yield Complaint(file, entry.line, "", entry.whole, problem, done)

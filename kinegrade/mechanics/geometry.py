@@ -105,7 +105,7 @@ class Constructions:
     def _line_circle(self, line: Line, circle: Round, branch: Branch) -> Vector:
         nearest = foot(circle.centre, line)
         rest = circle.radius * circle.radius - (nearest - circle.centre).squared()
-        half = line.direction * self._reach(rest / line.direction.squared(), circle, self.name(line))
+        half = line.direction * self._reach(rest / line.direction.squared(), circle, line)
         return self._pick(nearest + half, nearest - half, line.direction, circle.centre, branch)
 
     def _circles(self, first: Round, second: Round, branch: Branch) -> Vector:
@@ -116,14 +116,14 @@ class Constructions:
         share = (first.radius * first.radius - second.radius * second.radius + square) / (2 * square)
         middle = first.centre + axis * share
         rest = first.radius * first.radius / square - share * share
-        half = axis.turned() * self._reach(rest, first, self.name(second))
+        half = axis.turned() * self._reach(rest, first, second)
         return self._pick(middle + half, middle - half, axis, first.centre, branch)
 
-    def _reach(self, square: Any, circle: Round, other: str) -> Any:
+    def _reach(self, square: Any, circle: Round, other: Line | Round) -> Any:
         try:
             return self.arithmetic.sqrt(square)
         except ValueError:
-            raise MechanismError(f"{self.name(circle)} does not reach {other}") from None
+            raise MechanismError(f"{self.name(circle)} does not reach {self.name(other)}") from None
 
     def _pick(self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch) -> Vector:
         if branch in TURNS:

@@ -56,8 +56,12 @@ def radians(value: Any) -> Any:
     raise Inexact("a rational number of radians")
 
 
-def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any) -> Assembly:
-    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the place, Inexact."""
+def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any,
+             put_down: Callable[[Vector], Vector] = lambda point: point) -> Assembly:
+    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the place, Inexact.
+
+    `put_down` gives each constructed point as it is used from then on, which is how rounding enters.
+    """
     values: dict[str, Any] = {"pi": arithmetic.turns(1), **given, **{branch: branch for branch in BRANCHES}}
     points: dict[str, Vector] = {}
     functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
@@ -67,7 +71,7 @@ def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any) -> A
         place = located(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)")
-        points[name] = values[name] = located(f"points.{name}", measured, place)
+        points[name] = values[name] = located(f"points.{name}", measured, put_down(place))
     parts = Parts(values, functions, points, arithmetic)
     joints = tuple(located(sentence.text, parts.joint, sentence) for sentence in template.joints)
     drivers = tuple(located(sentence.text, parts.driver, sentence) for sentence in template.drivers)

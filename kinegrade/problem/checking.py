@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from statistics import median
@@ -14,6 +14,7 @@ from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
 from kinegrade.problem.drawing import Deck, Refused, address, examine
+from kinegrade.problem.foresight import Foresight
 from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.spread import Spread
@@ -22,6 +23,7 @@ from kinegrade.problem.template import LANGUAGES, Ask, Published, Template
 
 FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 SEARCHED = 300  # instances that the search for breaking values tries
+OFTEN_ASTRAY = 0.1  # a share of refused draws that an author should hear of
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
@@ -29,14 +31,18 @@ INSTANCES = 5  # values at which a published formula is proved, besides the valu
 class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
-    `seconds` is the median time of an instance; `remarks` are for the author to weigh.
+    `inseparable` has for each ask the mistakes that cannot be told from the truth, or not in most instances. `blamed`
+    counts the refusals that are one answer's doing, by reason and ask. `seconds` is the median time of an
+    instance; `remarks` are for the author to weigh.
     """
 
     template: Template
     proved: int = 0
     instances: int = 0
     refused: Counter[str] = field(default_factory=Counter)
+    blamed: Counter[tuple[str, str]] = field(default_factory=Counter)
     spreads: dict[str, Spread] = field(default_factory=dict)
+    inseparable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0
     remarks: list[str] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
@@ -69,17 +75,32 @@ def check(template: Template, sample: int = 200) -> Report:
 def draw(report: Report, sample: int) -> None:
     """Examine the sample: what is refused and why, how the answers spread, how long an instance takes."""
     times, plan = [], None
-    for values in drawable(report.template, sample):
+    draws = list(drawable(report.template, sample))
+    sight = look_ahead(report, draws)
+    for values in draws:
+        if sight.seen[tuple(values.values())]:
+            report.refused["mistake"] += 1
+            continue
         start = perf_counter()
         try:
             solution = examine(report.template, values, report.template.asked(), plan)
         except Refused as refusal:
             report.refused[refusal.reason] += 1
+            report.blamed[refusal.reason, refusal.ask] += 1
             continue
         times.append(perf_counter() - start)
         plan = solution.motion.plan
         note(report, solution)
     report.seconds = median(times) if times else 0.0
+
+
+def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> Foresight:
+    """See which draws a known mistake would confuse with the truth; report what no draw can tell apart."""
+    sight = Deck(report.template, report.template.asked(), "check", report.template.name).sight
+    sight.look(draws)
+    if sight.separation is not None:
+        report.inseparable = sight.separation.inseparable()
+    return sight
 
 
 def weigh(report: Report) -> None:
@@ -95,8 +116,18 @@ def weigh(report: Report) -> None:
             report.faults.append(f"{name} has the same answer in all instances: a student guesses it")
         elif copied is not None:
             report.remarks.append(f"{name} equals the given {copied} in almost all instances")
+    report.remarks += rounding_remarks(report)
     if report.refused["mechanism"]:
         report.remarks.append("some drawable combinations cannot be solved: a condition would say why")
+
+
+def rounding_remarks(report: Report) -> Iterator[str]:
+    """The asks in which honest rounding often leaves the tolerance."""
+    examined = report.instances + sum(report.refused.values())
+    for (reason, ask), count in report.blamed.items():
+        if reason == "rounding" and count >= OFTEN_ASTRAY * examined:
+            yield (f"{ask} is off by more than 1 % in {count} of {examined} instances when every intermediate value is "
+                   "rounded to 3 significant figures: keep it from being a small difference, or ask another quantity")
 
 
 def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:

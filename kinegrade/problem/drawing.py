@@ -18,20 +18,25 @@ from kinegrade.errors import DrawError, ExpressionError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import Operation, elementary, evaluate
 from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.foresight import Foresight, foresight
+from kinegrade.problem.honest import stray
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, certified, parameter_values, read_values, solve_template
 from kinegrade.problem.template import Condition, Template
+from kinegrade.problem.tolerance import Tolerance
 
 MAX_ATTEMPTS = 400
 SMALLEST, LARGEST = 1e-3, 1e5  # sizes of answers, in the ask's own unit, that a student can be asked to write
-REASONS = ("condition", "mechanism", "degenerate", "absurd", "duplicate")
+REASONS = ("condition", "mechanism", "degenerate", "absurd", "rounding", "mistake", "duplicate")
+SAMPLE = 400  # instances by which it is judged what mistakes can be kept apart from the truth
 
 
 class Refused(Exception):
-    """A drawn instance will not do; `reason` is one of REASONS, the message tells more."""
+    """A drawn instance will not do; `reason` is one of REASONS, `ask` the answer that is to blame, the message tells
+    more."""
 
-    def __init__(self, reason: str, detail: str) -> None:
-        self.reason = reason
+    def __init__(self, reason: str, detail: str, ask: str = "") -> None:
+        self.reason, self.ask = reason, ask
         super().__init__(detail)
 
 
@@ -48,7 +53,8 @@ class Drawn:
 class Deck:
     """One question's template for one exam: draws for student after student, no two alike.
 
-    `fixed` replaces the domains of some parameters. `refused` counts why draws were refused.
+    `fixed` replaces the domains of some parameters. `refused` counts why draws were refused. `tolerances` holds for the
+    asks it names, 1 % for the others.
     """
 
     template: Template
@@ -59,12 +65,15 @@ class Deck:
     refused: Counter[str] = field(default_factory=Counter)
     taken: set[tuple[str, ...]] = field(default_factory=set)
     plan: Plan | None = None
+    tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
+    foresight: Foresight | None = None
 
     def draw(self, student: str) -> Drawn:
         """The instance of a student. Raises DrawError when none of MAX_ATTEMPTS will do."""
         for attempt in range(MAX_ATTEMPTS):
             values = self.values(student, attempt)
             try:
+                self.require_apart(student, attempt, values)
                 solution = self.accept(values)
             except Refused as refusal:
                 self.refused[refusal.reason] += 1
@@ -76,10 +85,40 @@ class Deck:
                         f"{MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
                         f"{self.combinations()} combinations are drawable")
 
+    def foresee(self, students: Iterable[str]) -> None:
+        """Look at the first draws of many students at once; drawing for them one after the other is faster then."""
+        self.sight.seen.clear()
+        self.sight.look(self.values(student, attempt) for student in students
+                        for attempt in range(self.sight.attempts))
+
+    @property
+    def sight(self) -> Foresight:
+        """The foresight, prepared when it is first needed."""
+        if self.foresight is None:
+            sample = [self.sampled(number) for number in range(SAMPLE)]
+            self.foresight = foresight(self.template, self.asks, self.tolerances, sample)
+        return self.foresight
+
+    def require_apart(self, student: str, attempt: int, values: Mapping[str, str]) -> None:
+        """Raises Refused when a known mistake would lead to an answer within tolerance of the right one."""
+        key = tuple(values.values())
+        if key not in self.sight.seen:
+            self.sight.look(self.values(student, attempt + more) for more in range(self.sight.attempts))
+        if self.sight.seen[key]:
+            raise Refused("mistake", "a known mistake leads to an answer within tolerance")
+
     def values(self, student: str, attempt: int) -> dict[str, str]:
         """The values that an attempt gives to a student."""
         return {name: choices[address(self.secret, student, self.question, name, attempt) % len(choices)]
                 for name, choices in self.domains().items()}
+
+    def sampled(self, number: int) -> dict[str, str]:
+        """The values of one instance of a sample, which does not depend on the secret."""
+        index, values = address("mistakes", self.template.name, number), {}
+        for name, choices in self.domains().items():
+            index, place = divmod(index, len(choices))
+            values[name] = choices[place]
+        return values
 
     def domains(self) -> dict[str, tuple[str, ...]]:
         """What may be drawn for each parameter."""
@@ -96,7 +135,7 @@ class Deck:
         """The solution of an instance that will do. Raises Refused with the reason."""
         if tuple(values.values()) in self.taken:
             raise Refused("duplicate", "another student has these values")
-        solution = examine(self.template, values, self.asks, self.plan)
+        solution = examine(self.template, values, self.asks, self.plan, self.tolerances)
         self.plan = solution.motion.plan
         return solution
 
@@ -107,8 +146,9 @@ def address(secret: str, *parts: str | int) -> int:
     return int.from_bytes(hmac(secret.encode(), message, sha256).digest(), "big")
 
 
-def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None) -> Solution:
-    """The solution of an instance fit for students. Raises Refused with the reason."""
+def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None,
+            tolerances: Mapping[str, Tolerance] | None = None) -> Solution:
+    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused with the reason."""
     try:
         for condition in template.conditions:
             if not holds(template, condition, values):
@@ -124,6 +164,8 @@ def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], 
                 raise Refused("degenerate", f"{name} is zero")
         elif not SMALLEST <= abs(answer.value) <= LARGEST:
             raise Refused("absurd", f"{name} is {sized(answer)}")
+    if strayed := stray(solution, tolerances or {}):
+        raise Refused("rounding", str(strayed), strayed.ask)
     return solution
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -20,12 +21,14 @@ LONGEST_CLOSED_FORM = 60  # characters: longer ones do not fit beside their deci
 class Quantity:
     """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small field holds it.
 
-    None stands for a coordinate or distance of a point at infinity.
+    None stands for a coordinate or distance of a point at infinity. `consequences` tells what known mistakes lead to
+    in place of an answer, given its name and value.
     """
 
     name: str
     number: Any
     measure: Unit
+    consequences: Callable[[str, float], Mapping[str, float]] | None = field(default=None, compare=False, repr=False)
 
     @property
     def unit(self) -> str:
@@ -100,6 +103,16 @@ class Quantity:
     def value(self) -> float:
         """The nearest double; infinity at infinity."""
         return float(self.certified)  # from 17 digits one in a hundred would be off by one bit
+
+    @property
+    def mistakes(self) -> Mapping[str, float]:
+        """What known mistakes lead to, in `unit`, by their identifiers; those that change nothing are not there.
+
+        Empty for givens and at infinity. `problem.mistake_kinds` lists the mistakes and their sentences.
+        """
+        if self.consequences is None or self.at_infinity:
+            return {}
+        return self.consequences(self.name, self.value)
 
     def decimal(self, digits: int) -> str:
         """The number to `digits` significant digits, correctly rounded."""

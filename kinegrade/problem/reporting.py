@@ -21,6 +21,9 @@ def report_lines(report: Report) -> Iterator[str]:
         yield (f"  {name:<12} {min(spread.values):10.4g} .. {max(spread.values):<10.4g} "
                f"{template.asks[name].unit.printed:<7} negative {spread.negative:4.0%}, "
                f"different {len(set(spread.values))}")
+    for name, mistakes in report.inseparable.items():
+        if mistakes:
+            yield f"  {name}: cannot be told from the right answer: {', '.join(mistakes)}"
     for remark in report.remarks:
         yield f"  remark: {remark}"
     for fault in report.faults:

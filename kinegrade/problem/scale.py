@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from math import hypot
+from typing import Any
 
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
@@ -17,32 +17,38 @@ from kinegrade.units import Unit
 
 def scale(motion: Motion, unit: Unit) -> float:
     """The largest size of a quantity of that dimension in the mechanism, in `unit`; angles: a radian; else 1."""
+    return float(max(sizes(motion, unit), default=0.0))
+
+
+def sizes(motion: Motion, unit: Unit) -> Iterator[Any]:
+    """The sizes of all quantities of that dimension in the mechanism, in `unit`; arrays for a motion in arrays."""
     if unit.time == 0 and unit.length == 0:
-        return 57.3 if unit.degrees else 1.0
-    if unit.time == 0:
-        sizes = lengths(motion)
-    elif unit.length == 0:
-        sizes = turning(motion, unit.time)
+        yield 57.3 if unit.degrees else 1.0
+    elif unit.time == 0:
+        yield from (length / float(unit.factor) for length in lengths(motion))
     else:
-        sizes = moving(motion, unit.time)
-    return max(sizes, default=0.0) / float(unit.factor)
+        found = moving(motion, unit.time) if unit.length else turning(motion, unit.time)
+        yield from (rate / float(unit.factor) for rate in found)
 
 
-def lengths(motion: Motion) -> Iterator[float]:
+def lengths(motion: Motion) -> Iterator[Any]:
     """Distances between points, m."""
     for first, second in combinations(motion.points.values(), 2):
         yield size(second - first)
 
 
-def turning(motion: Motion, time: int) -> Iterator[float]:
+def turning(motion: Motion, time: int) -> Iterator[Any]:
     """Angular velocities, or angular accelerations with the squares of the angular velocities beside them."""
     for body in motion.frames.mechanism.bodies:
         if not body.particle:
-            rate = abs(float(motion.omega(body.name)))
-            yield rate if time == -1 else max(rate * rate, abs(float(motion.alpha(body.name))))
+            rate = abs(double(motion.omega(body.name)))
+            if time == -1:
+                yield rate
+            else:
+                yield from (rate * rate, abs(double(motion.alpha(body.name))))
 
 
-def moving(motion: Motion, time: int) -> Iterator[float]:
+def moving(motion: Motion, time: int) -> Iterator[Any]:
     """Speeds or accelerations of all marked points, as points of every body that has them."""
     for body in motion.frames.mechanism.bodies:
         for point in body.points:
@@ -52,6 +58,11 @@ def moving(motion: Motion, time: int) -> Iterator[float]:
                 yield size(motion.acceleration(point, body.name))
 
 
-def size(vector: Vector) -> float:
-    """The length of a vector as a float."""
-    return hypot(float(vector.x), float(vector.y))
+def size(vector: Vector) -> Any:
+    """The length of a vector in doubles."""
+    return abs(double(vector.x) + 1j * double(vector.y))
+
+
+def double(number: Any) -> Any:
+    """A number as a double; arrays of doubles stay what they are."""
+    return number if hasattr(number, "shape") else float(number)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
-from typing import Any, TypeVar
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from flint import arb, fmpq
 
@@ -31,6 +32,9 @@ from kinegrade.problem.quantities import body_names, quantities
 from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.problem.template import Ask, Template
 
+if TYPE_CHECKING:
+    from kinegrade.problem.mistakes import Mistakes
+
 Result = TypeVar("Result")
 CERTIFIED = 120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
 
@@ -49,6 +53,27 @@ class Solution:
     def __getitem__(self, ask: str) -> Quantity:
         """The answer of an ask."""
         return self.answers[ask]
+
+
+@dataclass(frozen=True)
+class Consequences:
+    """What known mistakes lead to at one instance; worked out, for all asks at once, when it is first asked for."""
+
+    template: Template
+    asks: Mapping[str, Ask]
+    values: Mapping[str, Any]
+    plan: Plan
+
+    @cached_property
+    def mistakes(self) -> Mistakes:
+        """The mistakes of this instance."""
+        from kinegrade.problem.mistakes import Mistakes  # noqa: PLC0415  # arrays take long to load
+
+        return Mistakes(self.template, self.asks, self.values, self.plan)
+
+    def __call__(self, ask: str, right: float) -> Mapping[str, float]:
+        """The values that differ from the right one, by the mistakes' identifiers."""
+        return self.mistakes.of(ask, right)
 
 
 def solve_template(template: Template, given: Mapping[str, str], asks: Iterable[str] | None = None,
@@ -131,7 +156,9 @@ def attempt(template: Template, trees: Mapping[str, Expression], asks: Iterable[
     assembly = assemble(template, values, arithmetic)
     motion = solve(assembly.mechanism, arithmetic, plan) if template.drivers else pose(assembly.mechanism, arithmetic)
     circles = Centrodes(template, values, plan)
-    answers = {ask.name: answer(ask, assembly, motion, circles, arithmetic) for ask in asks}
+    consequences = Consequences(template, {ask.name: ask for ask in asks}, values, motion.plan)
+    answers = {ask.name: replace(answer(ask, assembly, motion, circles, arithmetic), consequences=consequences)
+               for ask in asks}
     known = values if arithmetic.exact else certain(template, trees, values)
     parameters = {name: in_unit(name, number, template.parameters[name].unit) for name, number in known.items()}
     return Solution(template, parameters, answers, assembly, motion, arithmetic)

@@ -9,8 +9,9 @@ import pytest
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank import MAX_BYTES, bank_path, read_bank, read_blueprint
-from kinegrade.exam.blueprint import Bank, Tolerance
+from kinegrade.exam.blueprint import Bank
 from kinegrade.problem.library import shipped
+from kinegrade.problem.tolerance import Tolerance
 from tests.problem.crank import crank_text
 
 HEAD = 'title = "Midterm"\ncourse = { en = "Mechanics", zh = "力学" }\n'
@@ -69,6 +70,15 @@ def test_asks_and_domains_of_the_bank_replace_the_templates(tmp_path: Path) -> N
 def test_tolerances_are_read_exactly(tmp_path: Path, written: str, tolerance: tuple[Fraction, Fraction]) -> None:
     found = tolerances(tmp_path, f"{HEAD}tolerance = {written}\n{QUESTION}")
     assert set(found) == {Tolerance(Fraction(tolerance[0]), Fraction(tolerance[1]))}
+
+
+@pytest.mark.parametrize(("written", "relative", "figures"), [
+    ("{ figures = 3 }", 0, 3), ('{ figures = 2, relative = "2 %" }', Fraction(1, 50), 2), ("{ figures = 6 }", 0, 6),
+])
+def test_significant_figures_may_be_asked_for(tmp_path: Path, written: str, relative: Fraction, figures: int) -> None:
+    found = tolerances(tmp_path, HEAD + QUESTION + f"tolerance = {written}\n" + QUESTION)
+    assert Tolerance(Fraction(relative), Fraction(0), figures) in found
+    assert found[-1].figures is None
 
 
 def test_the_nearest_tolerance_holds(tmp_path: Path) -> None:
@@ -150,7 +160,7 @@ number = 2
     assert found == [
         'unknown key "titel": did you mean "title"? (known here: course, date, engine, questions, shuffle, '
         'title, tolerance, versions)',
-        'tolerance: unknown key "size": known here: absolute, relative',
+        'tolerance: unknown key "size": known here: absolute, figures, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
         'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
         'questions[2]: unknown key "number": known here: asks, draw, points, template, tolerance',
@@ -190,7 +200,11 @@ number = 2
     ("[[questions]]\ntag = 3", f"questions[1]: {ONE_OF}"),
     (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
     (QUESTION + "tolerance = 0.01",
-     'questions[1].tolerance: expected a table like { relative = "1 %" } or { absolute = 0.01 }'),
+     'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'),
+    (QUESTION + "tolerance = { figures = 1 }",
+     "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '1'"),
+    (QUESTION + "tolerance = { figures = 3.0 }",
+     "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '3.0'"),
     (QUESTION + "tolerance = {}",
      "questions[1].tolerance: expected a tolerance above zero, the relative one below 100 %"),
     (QUESTION + 'tolerance = { relative = "-1 %" }',

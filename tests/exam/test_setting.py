@@ -14,7 +14,7 @@ from kinegrade.errors import DrawError
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper, paper_code, set_exam, two_figures
+from kinegrade.exam.setting import SetPaper, paper_code, set_exam
 from tests.small_class import BANK, write_class
 
 
@@ -76,13 +76,6 @@ def test_an_absolute_tolerance_of_the_bank_stands_where_it_is_the_wider(bank: Ba
     wide = replace(question.asks[0], tolerance=replace(question.asks[0].tolerance, absolute=Fraction(3)))
     changed = replace(bank, questions=(replace(question, identifier="q2", asks=(wide,)),))
     assert papers(changed, 1)[0].questions[0].asks[0].tolerance.absolute == 3
-
-
-@pytest.mark.parametrize(("size", "rounded"), [
-    (0.0, 0), (12.0, 12), (0.0123456, "0.012"), (987.6, 990), (9.96, 10), (1.25, "1.2"), (1e-9, "1e-9"), (57.3, 57),
-])
-def test_scales_are_rounded_to_two_figures(size: float, rounded: str | int) -> None:
-    assert two_figures(size) == Fraction(rounded)
 
 
 def test_paper_codes_depend_on_secret_and_student_alone() -> None:

@@ -119,6 +119,14 @@ CHANGES: list[tuple[Change, str]] = [
         '"relative" is -1 - expected zero',
     ),
     (
+        lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(figures=0),
+        "\"figures\" is Decimal('0') - expected a whole number from 1 to 15",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(figures="3"),
+        "\"figures\" is '3' - expected a whole number from 1 to 15",
+    ),
+    (
         lambda _, papers: asks(papers[1])["v_B"].update(value=float("nan")),
         "line 2: broken JSON (NaN is not a number)",
     ),
@@ -182,3 +190,13 @@ def test_a_number_too_large_to_be_one_is_refused(exam_folder: Path) -> None:
     with pytest.raises(ExamError, match="expected a number"):
         read_exam(exam_folder)
     assert json.loads(text)["format"] == 1
+
+
+def test_significant_figures_give_the_numbers_that_agree(tmp_path: Path) -> None:
+    papers = [paper(student) for student in STUDENTS]
+    for each in papers:
+        asks(each)["v_B"]["tolerance"] = {"relative": 0, "absolute": 0, "figures": 3}
+        asks(each)["omega_AB"]["tolerance"]["figures"] = 3
+    keys = read_exam(write_exam(tmp_path / "EXAM", exam(), papers)).examinees[0].keys
+    assert keys["q1.v_B"].interval == (Fraction("1.725"), Fraction("1.735"))  # of 1.73205
+    assert keys["q1.omega_AB"].interval == (Fraction("-0.002"), Fraction("0.002"))  # zero has no figures

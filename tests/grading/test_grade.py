@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExamError, OutputError, TableError
+from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import Grade, Marks
-from kinegrade.grading.report import amount_text
 from kinegrade.lms import moodle
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 
@@ -51,7 +51,7 @@ def verdicts(marks: Marks, student: str) -> list[str]:
 def test_a_class_is_marked(exam_folder: Path) -> None:
     marks = marked(exam_folder, HEADER + ROWS)
     assert sorted(os.listdir(exam_folder.parent / "MARKS")) == [
-        "complaints.csv", "grades.csv", "marks.csv", "moodle.csv",
+        "complaints.csv", "grades.csv", "marks.csv", "moodle.csv", "policy.toml",
     ]  # fmt: skip
     assert rows(exam_folder, "grades.csv") == [
         ["student", "name", "q1", "q2", "total", "out_of", "percent"],

@@ -87,3 +87,32 @@ def test_right_is_the_closed_interval_about_the_key(
 ])
 def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) -> None:
     assert judge(read(typed, "deg"), Key(Fraction(350), Fraction(1), Fraction(360))).kind == kind
+
+
+AGREEING = (Fraction("1.225"), Fraction("1.235"))  # to 3 significant figures with 1.2349
+
+
+@pytest.mark.parametrize(("typed", "kind"), [
+    ("1.23", "right"), ("1.225", "right"), ("1.235", "right"), ("1.2249", "wrong"), ("1.2351", "wrong"),
+    ("1.2", "wrong"), ("1.24", "wrong"), ("-1.23", "wrong"),
+])
+def test_what_agrees_to_the_significant_figures_asked_for_is_right(typed: str, kind: str) -> None:
+    assert judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).kind == kind
+
+
+@pytest.mark.parametrize(("typed", "kind"), [("1.225", "right"), ("1.2449", "right"), ("1.24491", "wrong")])
+def test_each_bound_is_the_wider_of_tolerance_and_figures(typed: str, kind: str) -> None:
+    assert judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction("0.01"), agreeing=AGREEING)).kind == kind
+
+
+def test_the_reason_names_the_bounds_where_figures_are_asked_for() -> None:
+    assert judge(read("1.24", "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).reason == (
+        "key 1.2349, difference 0.0051, right from 1.225 to 1.235"
+    )
+
+
+def test_figures_and_full_turns_go_together() -> None:
+    key = Key(Fraction("359.96"), Fraction(0), Fraction(360), (Fraction("359.5"), Fraction("360.5")))
+    assert [judge(read(typed, "deg"), key).kind for typed in ("0.5", "-0.5", "360", "0.6", "719.4")] == [
+        "right", "right", "right", "wrong", "wrong",
+    ]

@@ -122,7 +122,7 @@ def test_all_reasons_are_counted_by_name() -> None:
     counted = r"so far: absurd \d+, condition \d+, degenerate \d+, duplicate \d+, mechanism \d+\)"
     with pytest.raises(DrawError, match=counted):
         mixed.draw("3")
-    assert set(mixed.refused) == set(REASONS)
+    assert set(mixed.refused) == set(REASONS) - {"rounding", "mistake"}  # a crank's speed gives no room for these
     assert sum(mixed.refused.values()) >= MAX_ATTEMPTS
 
 

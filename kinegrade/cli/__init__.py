@@ -1,0 +1,30 @@
+"""The command line. Heavy modules are imported by the commands that need them, so that `--help` answers at once.
+
+Results go to standard output or to `-o`, talk goes to standard error. Exit status: 0 fine, 1 done with complaints,
+2 cannot be done; an error is one line for each fault.
+"""
+
+from __future__ import annotations
+
+import click
+
+from kinegrade import __version__
+from kinegrade.cli.exams import generate
+from kinegrade.cli.marks import class_report, diff, export, feedback, grade
+from kinegrade.cli.templates import check, gallery, list_templates, new, show, solve
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="kinegrade")
+def main() -> None:
+    """Set, typeset and mark exams in planar kinematics.
+
+    \b
+    kinegrade generate banks/demo.toml roster.csv -o EXAM --seed spring
+    kinegrade grade EXAM answers.csv -o MARKS
+    """
+
+
+for command in (list_templates, show, solve, check, new, gallery, generate,
+                grade, diff, class_report, feedback, export):
+    main.add_command(command)

@@ -1,0 +1,142 @@
+"""The commands about answers and marks: grade, diff, report, feedback, export."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import click
+
+from kinegrade.cli.options import FILE, FORCE, finish, refusing
+
+if TYPE_CHECKING:
+    from kinegrade.grading.decimal_style import Mark as DecimalMark
+    from kinegrade.grading.feedback_folder import Press, Text
+    from kinegrade.problem.template import Language
+
+    FeedbackForm = Literal["pdf", "html", "md"]
+
+EXAM_LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"]),
+                             help="Language of the output.  [default: that of the papers]")
+
+
+@click.command()
+@click.argument("exam", type=FILE)
+@click.argument("answers", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="MARKS", help="The folder of marks to write.")
+@click.option("--decimal", type=click.Choice(["point", "comma"]),
+              help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]")
+@click.option("--policy", type=FILE, metavar="FILE", help="Mark by this policy (TOML): tolerances, credits ...")
+@click.option("--never-lower", type=FILE, metavar="MARKS", help="Nobody falls below the total in this earlier MARKS.")
+@FORCE
+@refusing
+def grade(*, exam: Path, answers: Path, output: Path, decimal: DecimalMark | None, policy: Path | None,
+          never_lower: Path | None, force: bool) -> None:
+    """Mark the class: ANSWERS is a CSV of the shape of EXAM/answers.csv.
+
+    \b
+    Example: kinegrade grade EXAM answers.csv -o MARKS
+    Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
+    """
+    from kinegrade.grading.grade import grade as mark_class
+    from kinegrade.lms import moodle
+
+    marks = mark_class(exam, answers, output, force=force, exports={"moodle.csv": moodle.export}, decimal=decimal,
+                       policy=policy, never_lower=never_lower)
+    click.echo(f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints", err=True)
+    if never_lower:
+        kept = sum(each.kept is not None for each in marks.grades)
+        click.echo(f"{output / 'kept.csv'}: {kept} students keep an earlier total", err=True)
+    finish(tuple(map(str, marks.complaints)))
+
+
+@click.command()
+@click.argument("before", type=FILE, metavar="MARKS1")
+@click.argument("after", type=FILE, metavar="MARKS2")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="Also write it as CSV, with the reasons of both.")
+@FORCE
+@refusing
+def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
+    """Tell how the marks in MARKS2 differ from those in MARKS1: who changes, by how much, and why.
+
+    \b
+    Example: kinegrade diff MARKS MARKS2 -o changes.csv
+    """
+    from kinegrade.grading.comparison import compare, comparison_csv, comparison_text
+
+    comparison = compare(before, after)
+    if output is not None:
+        from kinegrade.files import write_file
+
+        write_file(output, comparison_csv(comparison), force=force)
+    click.echo(comparison_text(comparison))
+
+
+@click.command("report")
+@click.argument("exam", type=FILE)
+@click.argument("marks", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The HTML page to write.")
+@EXAM_LANGUAGE
+@FORCE
+@refusing
+def class_report(exam: Path, marks: Path, output: Path, language: Language | None, *, force: bool) -> None:
+    """Report on the class: distribution, how hard each ask was, where points were lost, whether papers were alike.
+
+    \b
+    Example: kinegrade report EXAM MARKS -o report.html
+    """
+    from kinegrade.exam.exam_wording import exam_language, exam_wording
+    from kinegrade.files import write_file
+    from kinegrade.grading.class_report import class_report as report_on
+
+    chosen = language or exam_language(exam)
+    page = report_on(marks, exam, exam_wording(exam, chosen), chosen)
+    write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
+
+
+@click.command()
+@click.argument("exam", type=FILE)
+@click.argument("marks", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="FEEDBACK", help="The folder of sheets to write.")
+@click.option("--format", "form", type=click.Choice(["pdf", "html", "md"]), default="pdf", show_default=True,
+              help="What the sheets are written as.")
+@click.option("--solutions/--no-solutions", default=False, show_default=True,
+              help="Also hand out the worked solutions that EXAM holds.")
+@EXAM_LANGUAGE
+@FORCE
+@refusing
+def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solutions: bool, language: Language | None,
+             force: bool) -> None:
+    """Write everybody a sheet: own answers, right answers, what probably went wrong, points.
+
+    \b
+    Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html
+    """
+    from kinegrade.exam.exam_wording import exam_language, exam_wording
+    from kinegrade.exam.feedback_pages import FeedbackPress
+    from kinegrade.grading.feedback_folder import write_feedback
+
+    chosen = language or exam_language(exam)
+    printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form
+    count = write_feedback(exam, marks, output, exam_wording(exam, chosen), printed, language=chosen,
+                           solutions=solutions, force=force)
+    click.echo(f"{output}: {count} sheets; {output / 'feedback.csv'} says which is whose", err=True)
+
+
+@click.command()
+@click.argument("marks", type=FILE)
+@click.option("--to", "system", type=click.Choice(["moodle"]), required=True, help="The learning management system.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
+@FORCE
+@refusing
+def export(marks: Path, system: str, output: Path, force: bool) -> None:
+    """Write the grades of MARKS in the form that a learning management system imports.
+
+    \b
+    Example: kinegrade export MARKS --to moodle -o moodle.csv
+    """
+    from kinegrade.files import write_file
+    from kinegrade.lms import moodle
+
+    writers = {"moodle": moodle.export}
+    write_file(output, writers[system](marks).encode("utf-8"), force=force)

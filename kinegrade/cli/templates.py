@@ -1,0 +1,193 @@
+"""The commands about templates: list, show, solve, check, new, gallery."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from kinegrade.cli.options import COMPLAINTS, FILE, FORCE, LANGUAGE, METHOD, finish, refusing, writable
+from kinegrade.errors import TemplateError
+
+if TYPE_CHECKING:
+    from kinegrade.problem.solving import Solution
+    from kinegrade.problem.template import Language, Method
+
+
+@click.command("list")
+@LANGUAGE
+@refusing
+def list_templates(language: Language) -> None:
+    """List the problem templates.
+
+    \b
+    Example: kinegrade list --lang zh
+    """
+    from kinegrade.problem.library import load_template, template_names
+
+    for name in template_names():
+        template = load_template(name)
+        click.echo(f"{name}\t{template.family}\t{template.title.in_language(language)}")
+
+
+@click.command()
+@click.argument("template_name", metavar="TEMPLATE")
+@LANGUAGE
+@click.option("-o", "--output", type=FILE, help="Also typeset a sample page as PDF.")
+@click.option("--seed", callback=writable, default="sample", show_default=True, help="Which sample is typeset.")
+@FORCE
+@refusing
+def show(template_name: str, language: Language, output: Path | None, seed: str, force: bool) -> None:
+    """Show a template: statement, parameters, what can be asked, how many instances.
+
+    \b
+    Example: kinegrade show slider-crank -o page.pdf
+    """
+    from kinegrade.problem.describing import describe
+    from kinegrade.problem.library import load_template
+
+    template = load_template(template_name)
+    click.echo(describe(template, language))
+    if output is not None:
+        from kinegrade.exam.sample import sample_page
+        from kinegrade.files import write_file
+
+        write_file(output, sample_page(template, seed, language), force=force)
+
+
+@click.command()
+@click.argument("template_name", metavar="TEMPLATE")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+              help="A parameter's value in its unit: a number or an exact expression.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="Also typeset the worked solution as PDF.")
+@METHOD
+@LANGUAGE
+@FORCE
+@refusing
+def solve(*, template_name: str, settings: tuple[str, ...], as_json: bool, output: Path | None, method: Method | None,
+          language: Language, force: bool) -> None:
+    """Solve a template exactly at given values; the rest take their published value, or the first drawable one.
+
+    \b
+    Example: kinegrade solve slider-crank --set r=1/5 --set phi=40 -o solution.pdf --method pole
+    """
+    from kinegrade.problem.library import load_template
+    from kinegrade.problem.solving import solve_template
+
+    solution = solve_template(load_template(template_name), read_settings(settings))
+    click.echo(solution_json(solution) if as_json else solution_text(solution))
+    if output is not None:
+        from kinegrade.exam.sample import worked_page
+        from kinegrade.files import write_file
+
+        write_file(output, worked_page(solution, language, method), force=force)
+
+
+def read_settings(settings: tuple[str, ...]) -> dict[str, str]:
+    """The values of --set. Raises TemplateError for a setting without "=" or given twice."""
+    values: dict[str, str] = {}
+    faults = []
+    for setting in settings:
+        name, mark, value = setting.partition("=")
+        if not mark or not name.strip() or not value.strip():
+            faults.append(f'--set "{setting}": expected NAME=VALUE, like r=1/5')
+        elif name.strip() in values:
+            faults.append(f"--set {name.strip()}: given twice: give it once")
+        values[name.strip()] = value.strip()
+    if faults:
+        raise TemplateError(*faults)
+    return values
+
+
+def solution_json(solution: Solution) -> str:
+    """The solution as JSON. Raises TemplateError for values that no JSON number holds."""
+    import json
+
+    record = {
+        "template": solution.template.name,
+        "parameters": {name: quantity.record() for name, quantity in solution.parameters.items()},
+        "answers": {name: quantity.record() for name, quantity in solution.answers.items()},
+    }
+    try:
+        return json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
+    except ValueError as error:
+        raise TemplateError("a value is beyond 1e308, which JSON numbers do not reach: give smaller ones") from error
+
+
+def solution_text(solution: Solution) -> str:
+    """The solution as a table: name, decimal, unit, exact."""
+    lines = []
+    for group in (solution.parameters, solution.answers):
+        lines += [f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
+                  f"{quantity.exact or '(certified enclosure)'}" for name, quantity in group.items()]
+        lines.append("")
+    return "\n".join(lines[:-1])
+
+
+@click.command()
+@click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
+@click.option("--sample", type=click.IntRange(1, 1_000_000), default=200, show_default=True,
+              help="How many combinations are drawn.")
+@refusing
+def check(template_names: tuple[str, ...], sample: int) -> None:
+    """Prove templates: published results exactly, drawn instances solvable and sensible (default: all shipped).
+
+    \b
+    Example: kinegrade check slider-crank --sample 1000
+    """
+    from kinegrade.problem.checking import check as prove
+    from kinegrade.problem.library import load_template
+    from kinegrade.problem.library import template_names as shipped_names
+    from kinegrade.problem.reporting import report_lines
+
+    sound = True
+    for name in template_names or shipped_names():
+        report = prove(load_template(name), sample)
+        for line in report_lines(report):
+            click.echo(line)
+        sound &= not report.faults
+    if not sound:
+        sys.exit(COMPLAINTS)
+
+
+@click.command()
+@click.argument("name")
+@click.option("-o", "--output", type=FILE, metavar="FILE", help="The file to write.  [default: NAME.toml]")
+@FORCE
+@refusing
+def new(name: str, output: Path | None, force: bool) -> None:
+    """Write a starter template, complete and sound, to put another mechanism into.
+
+    \b
+    Example: kinegrade new my-mechanism -o templates/my-mechanism.toml
+    """
+    from kinegrade.problem.starter import write_starter
+
+    path = write_starter(name, output, force=force)
+    click.echo(f"{path}: written; prove it with: kinegrade check {path}", err=True)
+
+
+@click.command()
+@click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The PDF to write.")
+@LANGUAGE
+@click.option("--draws", type=click.IntRange(1, 12), default=3, show_default=True,
+              help="At how many draws each figure is shown.")
+@FORCE
+@refusing
+def gallery(*, template_names: tuple[str, ...], output: Path, language: Language, draws: int, force: bool) -> None:
+    """Typeset a contact sheet to choose templates from: what each asks, and its figure (default: all shipped).
+
+    \b
+    Example: kinegrade gallery -o gallery.pdf --lang zh --draws 2
+    """
+    from kinegrade.exam.gallery import contact_sheet
+    from kinegrade.files import write_file
+    from kinegrade.problem.library import template_names as shipped_names
+
+    sheet = contact_sheet(template_names or shipped_names(), language, draws)
+    write_file(output, sheet.pdf, force=force)
+    finish(sheet.complaints)

@@ -1,0 +1,150 @@
+"""Feedback sheets as PDF, by the embedded Typst, with the worked solution behind where it is wanted.
+
+`kinegrade.grading.feedback` makes the sheets; the protocols here say what of them is printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Protocol
+
+from kinegrade.exam.document import PaperSize
+from kinegrade.exam.formula import formula
+from kinegrade.exam.join import joined
+from kinegrade.exam.layout_call import Sheet, each, gathered, layout_call
+from kinegrade.exam.markup import line
+from kinegrade.exam.typst import TypstPress, legible
+
+ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
+SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
+WORDS = ("feedback", "name", "student", "paper", "asked", "yours", "right", "verdict", "points", "total", "none",
+         "kept", "about_hints")
+LANGUAGES = {"zh-CN": "zh"}
+
+
+class Row(Protocol):
+    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `ROW_TEXTS` are plain."""
+
+    @property
+    def symbol(self) -> str:
+        """Math."""
+
+    @property
+    def meaning(self) -> str:
+        """Prose: what is asked for."""
+
+    @property
+    def remark(self) -> str:
+        """Prose: what probably went wrong; "" for nothing."""
+
+
+class Question(Protocol):
+    """One question: `heading` and `points` are plain, `title` is prose."""
+
+    @property
+    def heading(self) -> str:
+        """Plain: which question it is."""
+
+    @property
+    def title(self) -> str:
+        """Prose."""
+
+    @property
+    def points(self) -> str:
+        """Plain: points out of points."""
+
+    @property
+    def rows(self) -> Sequence[Row]:
+        """One for each ask."""
+
+
+class Words(Protocol):
+    """The fixed words: those in `WORDS`, and these."""
+
+    @property
+    def language(self) -> str:
+        """As HTML names it."""
+
+    @property
+    def page(self) -> str:
+        """Takes the page's number and the number of pages."""
+
+    @property
+    def read_as(self) -> str:
+        """Takes the number that was read."""
+
+
+class FeedbackSheet(Protocol):
+    """One student's sheet; the texts of `SHEET_TEXTS` are plain."""
+
+    @property
+    def words(self) -> Words:
+        """In the language of the sheet."""
+
+    @property
+    def code(self) -> str:
+        """The code of the paper."""
+
+    @property
+    def kept(self) -> bool:
+        """Whether the total is one from an earlier marking."""
+
+    @property
+    def guesses(self) -> bool:
+        """Whether some remark is a guess."""
+
+    @property
+    def questions(self) -> Sequence[Question]:
+        """In the order of the paper."""
+
+
+class FeedbackPress(TypstPress):
+    """A press for feedback sheets; keep one for a class."""
+
+    def feedback(self, sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:
+        """The sheet as PDF, the pages of `solution`, itself a PDF, behind it.
+
+        Characters that no font has are printed as code points in what a student typed and in names. Raises
+        TypesetError with all faults of the exam's own texts.
+        """
+        plain = [text for text in _plain_texts(sheet) if not text.isascii()]
+        pdf = self._explaining(feedback_source(sheet, self.unprintable(plain), self._size), f"feedback {sheet.code}")
+        return pdf if solution is None else joined([pdf, solution])
+
+
+def feedback_source(sheet: FeedbackSheet, missing: frozenset[str] = frozenset(), size: PaperSize = "a4") -> str:
+    """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with all faults."""
+    words = sheet.words
+    language = LANGUAGES.get(words.language, words.language)
+    parts = gathered(questions=lambda: each(lambda question: _question(question, words, missing), sheet.questions))
+    fixed: Mapping[str, object] = {**_texts(words, WORDS, frozenset()), "page": words.page.split("{}")}
+    said = {"guesses": sheet.guesses, "kept": sheet.kept, "words": fixed, "language": language, "size": size}
+    return layout_call("feedback", {**parts, **_texts(sheet, SHEET_TEXTS, missing), **said})
+
+
+def _question(question: Question, words: Words, missing: frozenset[str]) -> Sheet:
+    parts = gathered(
+        title=lambda: line(question.title, f"{question.heading}, title"),
+        rows=lambda: each(lambda row: _row(row, question.heading, words, missing), question.rows),
+    )
+    return parts | {"heading": question.heading, "points": question.points}
+
+
+def _row(row: Row, where: str, words: Words, missing: frozenset[str]) -> Sheet:
+    parts = gathered(
+        symbol=lambda: f"${formula(row.symbol, f'{where}, symbol')}$",
+        meaning=lambda: line(row.meaning, f"{where}, meaning"),
+        remark=lambda: line(row.remark, f"{where}, remark") if row.remark else None,
+    )
+    texts = _texts(row, ROW_TEXTS, missing)
+    return parts | texts | {"read_as": words.read_as.format(texts["read_as"]) if texts["read_as"] else ""}
+
+
+def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dict[str, str]:
+    return {name: legible(getattr(holder, name), missing) for name in names}
+
+
+def _plain_texts(sheet: FeedbackSheet) -> list[str]:
+    rows = [row for question in sheet.questions for row in question.rows]
+    return [*_texts(sheet, SHEET_TEXTS, frozenset()).values(),
+            *(text for row in rows for text in _texts(row, ROW_TEXTS, frozenset()).values())]

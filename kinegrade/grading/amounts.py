@@ -1,0 +1,30 @@
+"""How points are written: the shortest decimal with at most four places."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+PLACES = 4
+
+
+@lru_cache(maxsize=4096)
+def amount_text(amount: Fraction, places: int = PLACES) -> str:
+    """The shortest decimal with at most that many places, halves rounded up; amounts are not negative.
+
+    >>> amount_text(Fraction(7, 2)), amount_text(Fraction(2, 3))
+    ('3.5', '0.6667')
+    """
+    whole, decimals = divmod((2 * amount * 10**places + 1) // 2, 10**places)
+    digits = f"{decimals:0{places}d}".rstrip("0")
+    return f"{whole}.{digits}" if digits else str(whole)
+
+
+def change_text(change: Fraction, places: int = PLACES) -> str:
+    """A change with its sign: "+1.5", "-2", "0".
+
+    >>> change_text(Fraction(-1, 3))
+    '-0.3333'
+    """
+    size = amount_text(abs(change), places)
+    return size if size == "0" else f"{'-' if change < 0 else '+'}{size}"

@@ -1,0 +1,151 @@
+"""A marked class as arrays: who got how many points where, and for what reasons points were lost.
+
+One pass over marks.csv and key.jsonl; the class report is made of this.
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import nan
+from pathlib import Path
+
+import numpy as np
+
+from kinegrade.errors import TableError
+from kinegrade.grading.exam_record import ExamRecord, PaperRecord, PaperRecords
+from kinegrade.grading.hints import Hint, hint
+from kinegrade.grading.item_statistics import Points
+from kinegrade.grading.marked_class import MarkedAnswer, StudentTotal, answers_by_student, student_totals
+
+RIGHT, BLANK = "right", "blank"
+UNEXPLAINED = "unexplained"
+_MISTAKE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*(?=:|$)")
+
+
+@dataclass(frozen=True)
+class ClassTally:
+    """The students who answered anything: a row each in `points`, and in the order of `columns` their asks.
+
+    `answered` are these students, `silent` those who answered nothing. `verdicts` counts by ask, `losses` counts by
+    ask why points were lost: an identifier of a mistake, a kind of hint, a verdict, or `UNEXPLAINED`.
+    """
+
+    columns: tuple[str, ...]
+    out_of: Points
+    answered: tuple[StudentTotal, ...]
+    silent: tuple[StudentTotal, ...]
+    points: Points
+    verdicts: Mapping[str, Counter[str]]
+    losses: Mapping[str, Counter[str]]
+    versions: tuple[str, ...]
+    parameters: Mapping[tuple[str, str], Points]
+
+    def share(self, question: str) -> Points:
+        """Each student's share of the points of a question; NaN where it has none."""
+        places = [place for place, column in enumerate(self.columns) if column.split(".")[0] == question]
+        out_of = float(self.out_of[places].sum())
+        shares: Points = self.points[:, places].sum(axis=1) / (out_of or np.nan)
+        return shares
+
+    @property
+    def percents(self) -> list[float]:
+        """The totals in per cent, as grades.csv has them; of nothing, 0."""
+        return [float(100 * each.total / each.out_of) if each.out_of else 0.0 for each in self.answered]
+
+
+@dataclass
+class _Count:
+    """What grows while the class goes by."""
+
+    answered: list[StudentTotal] = field(default_factory=list)
+    silent: list[StudentTotal] = field(default_factory=list)
+    columns: tuple[str, ...] = ()
+    out_of: list[float] = field(default_factory=list)
+    points: list[array[float]] = field(default_factory=list)
+    verdicts: dict[str, Counter[str]] = field(default_factory=dict)
+    losses: dict[str, Counter[str]] = field(default_factory=dict)
+    versions: list[str] = field(default_factory=list)
+    parameters: list[array[float]] = field(default_factory=list)
+    names: tuple[tuple[str, str], ...] = ()  # of the parameters, as the first paper has them
+
+    def include(self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str) -> None:
+        """One more student who answered something."""
+        self.answered.append(total)
+        self.points.append(array("d", (float(answer.points) for answer in answers)))
+        self.versions.append(version)
+        self.names = self.names or tuple(paper.parameters)
+        self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
+        for answer in answers:
+            self.verdicts[answer.column][answer.verdict] += 1
+            if answer.points < answer.out_of:
+                self.losses[answer.column][loss(answer, paper)] += 1
+
+
+def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
+    """Counts a marks folder by the exam folder it was made from. Raises TableError, ExamError."""
+    papers, totals, count = PaperRecords(exam), student_totals(marks), _Count()
+    for student, answers in answers_by_student(marks):
+        columns = tuple(answer.column for answer in answers)
+        _open(count, columns, [float(answer.out_of) for answer in answers])
+        if columns != count.columns or student not in totals:
+            raise TableError(f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or the '
+                             "others - expected the same asks for everybody - grade again")
+        if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
+            sitter = record.students.get(student)
+            count.include(totals[student], answers, papers.paper(student), sitter.version if sitter else "")
+        else:
+            count.silent.append(totals[student])
+    return _closed(count)
+
+
+def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
+    """The asks are those of the first student."""
+    if not count.columns:
+        count.columns, count.out_of = columns, out_of
+        count.verdicts = {column: Counter() for column in columns}
+        count.losses = {column: Counter() for column in columns}
+
+
+def _closed(count: _Count) -> ClassTally:
+    points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
+    numbers = np.array(count.parameters, dtype=np.float64).reshape(len(count.parameters), len(count.names))
+    parameters = {name: numbers[:, place] for place, name in enumerate(count.names)}
+    return ClassTally(count.columns, np.array(count.out_of), tuple(count.answered), tuple(count.silent), points,
+                      count.verdicts, count.losses, tuple(count.versions), parameters)
+
+
+def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
+    """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the verdict."""
+    mistake = mistake_of(answer)
+    if mistake:
+        return mistake
+    if answer.verdict != "wrong":
+        return answer.verdict
+    found = hint_of(answer, paper)
+    return found.kind if found else UNEXPLAINED
+
+
+def mistake_of(answer: MarkedAnswer) -> str:
+    """The identifier of the known mistake that the marks name, or ""."""
+    found = _MISTAKE.match(answer.reason) if answer.verdict == "mistake" else None
+    return found[0] if found else ""
+
+
+def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
+    """What the number of a wrong answer tells."""
+    right = paper.answers.get(answer.column)
+    if right is None or not answer.read_as:
+        return None
+    others = dict(_others(answer, paper))
+    return hint(Fraction(answer.read_as), right.value, right.allowed, right.unit, others)
+
+
+def _others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:
+    for column, right in paper.answers.items():
+        if column != answer.column and column.startswith(f"{answer.question}."):
+            yield column, right.value

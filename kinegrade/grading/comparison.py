@@ -1,0 +1,177 @@
+"""Two folders of marks held against each other: who changes, by how much, and why.
+
+`compare` is called by `kinegrade diff`; `comparison_csv` gives its file, `comparison_text` what it tells a person.
+A student goes up or down by the share of the points, which is by the points where both markings are out of the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.errors import one_line
+from kinegrade.grading.amounts import amount_text, change_text
+from kinegrade.grading.marks_folder import Line, Lines, Total, read_lines, read_totals
+from kinegrade.grading.text_table import aligned, cut
+from kinegrade.tables import csv_text, neutralised
+
+HEADER = (
+    "student", "name", "what", "before", "after", "change", "out_of_before", "out_of_after",
+    "verdict_before", "verdict_after", "response_before", "response_after", "reason_before", "reason_after",
+)  # fmt: skip
+_WIDEST_NAME = 24
+_NOTHING = Line("", "", "", Fraction(0), Fraction(0))
+
+
+@dataclass(frozen=True, slots=True)
+class AskChange:
+    """One answer that is judged otherwise; a side is None where that marking has no such ask."""
+
+    column: str
+    before: Line | None
+    after: Line | None
+
+    @property
+    def change(self) -> Fraction:
+        """Points gained; negative where they are lost."""
+        return (self.after or _NOTHING).points - (self.before or _NOTHING).points
+
+    @property
+    def why(self) -> str:
+        """In words: what the answer was and is, and the reason of the new verdict."""
+        before, after = self.before or _NOTHING, self.after or _NOTHING
+        parts = []
+        if before.typed != after.typed:
+            parts.append(f'"{before.typed}" -> "{after.typed}"')
+        parts.append(before.verdict if before.verdict == after.verdict else f"{before.verdict} -> {after.verdict}")
+        if before.out_of != after.out_of:
+            parts.append(f"worth {amount_text(before.out_of)} -> {amount_text(after.out_of)}")
+        return ": ".join(filter(None, (", ".join(parts), after.reason)))
+
+
+@dataclass(frozen=True, slots=True)
+class StudentChange:
+    """One student of whom something changes; a side is None where that marking has no such student."""
+
+    student: str
+    before: Total | None
+    after: Total | None
+    asks: tuple[AskChange, ...]
+
+    @property
+    def name(self) -> str:
+        """As in the newer marking, if there."""
+        total = self.after or self.before
+        return total.name if total else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Everybody of whom something changes, in the order of the markings, and how many students both have.
+
+    `up` and `down` count shares of the points; the means are over the students of both, in points and in percentage
+    points.
+    """
+
+    changes: tuple[StudentChange, ...]
+    students: int
+    up: int
+    down: int
+    mean_points: Fraction
+    mean_percent: Fraction
+
+
+def compare(first: Path, second: Path) -> Comparison:
+    """Holds two folders of marks against each other. Raises TableError."""
+    before, after = read_totals(first), read_totals(second)
+    asks = _ask_changes(read_lines(first), read_lines(second))
+    found = (StudentChange(student, before.get(student), after.get(student), tuple(asks.get(student, ())))
+             for student in {**before, **after})
+    both = [(before[student], after[student]) for student in before if student in after]
+    return Comparison(
+        tuple(change for change in found if change.asks or _worth(change.before) != _worth(change.after)), len(both),
+        sum(new.share > old.share for old, new in both), sum(new.share < old.share for old, new in both),
+        _mean([new.points - old.points for old, new in both]),
+        _mean([100 * (new.share - old.share) for old, new in both]),
+    )
+
+
+def comparison_csv(comparison: Comparison) -> bytes:
+    """A CSV file: for each student the total, and under it the answers that are judged otherwise."""
+    return csv_text(HEADER, _rows(comparison)).encode("utf-8", "backslashreplace")
+
+
+def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
+    for each in comparison.changes:
+        person = each.student, neutralised(each.name)
+        old, new = each.before, each.after
+        reasons = ("" if old else "only in the second"), (new.kept if new else "only in the first")
+        yield (*person, "total", *_amounts(old, new), "", "", "", "", *map(neutralised, reasons))
+        for ask in each.asks:
+            sides = ask.before or _NOTHING, ask.after or _NOTHING
+            texts = (getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides)
+            yield (*person, ask.column, *_amounts(ask.before, ask.after), *map(neutralised, texts))
+
+
+def comparison_text(comparison: Comparison) -> str:
+    """The same for a person: an aligned table, and a line that sums it up."""
+    rows: list[tuple[str, ...]] = []
+    for each in comparison.changes:
+        person = one_line(each.student), cut(one_line(each.name), _WIDEST_NAME)
+        rows.append((*person, "total", *_amounts(each.before, each.after)[:3], _presence(each)))
+        rows += [("", "", ask.column, *_amounts(ask.before, ask.after)[:3], one_line(ask.why)) for ask in each.asks]
+    table = aligned((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
+    return f"{table}{_summary(comparison)}"
+
+
+def _ask_changes(before: Lines, after: Lines) -> Mapping[str, list[AskChange]]:
+    found: dict[str, list[AskChange]] = {}
+    for place in {**before, **after}:
+        student, column = place
+        change = AskChange(column, before.get(place), after.get(place))
+        if _said(change.before) != _said(change.after):
+            found.setdefault(student, []).append(change)
+    return found
+
+
+def _said(line: Line | None) -> tuple[object, ...] | None:
+    """What matters of a verdict; the wording of its reason does not."""
+    return (line.verdict, line.points, line.out_of) if line else None
+
+
+def _worth(total: Total | None) -> tuple[Fraction, Fraction] | None:
+    return (total.points, total.out_of) if total else None
+
+
+def _mean(amounts: Sequence[Fraction]) -> Fraction:
+    return sum(amounts, Fraction(0)) / len(amounts) if amounts else Fraction(0)
+
+
+def _amounts(before: Line | Total | None, after: Line | Total | None) -> tuple[str, ...]:
+    """Points before, after and their change, then what they are out of before and after; blank on a side that is not.
+    """
+    points = [amount_text(side.points) if side else "" for side in (before, after)]
+    change = change_text(after.points - before.points) if before and after else ""
+    return (*points, change, *(amount_text(side.out_of) if side else "" for side in (before, after)))
+
+
+def _presence(change: StudentChange) -> str:
+    if change.before is None:
+        return "only in the second"
+    if change.after is None:
+        return "only in the first"
+    if change.after.kept:
+        return change.after.kept
+    worth = change.before.out_of, change.after.out_of
+    return "" if worth[0] == worth[1] else f"out of {amount_text(worth[0])} -> {amount_text(worth[1])}"
+
+
+def _summary(comparison: Comparison) -> str:
+    unchanged = comparison.students - comparison.up - comparison.down
+    alone = [change for change in comparison.changes if change.before is None or change.after is None]
+    lone = f"; {len(alone)} in one of the two only" if alone else ""
+    points, percent = change_text(comparison.mean_points), change_text(comparison.mean_percent, places=2)
+    return (f"{comparison.up} up, {comparison.down} down, {unchanged} unchanged{lone}; "
+            f"mean change {points} points, {percent} percentage points")

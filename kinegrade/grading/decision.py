@@ -1,0 +1,99 @@
+"""What one answer is worth: held against the key, and against all else that a policy gives credit for.
+
+`decide` is pure and is called by `marks` for every answer; `judge` compares, this chooses. The best credit counts; of
+equal ones the first of: the key, the accepted answers in their order, the mistakes, the right number in a wrong unit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from kinegrade.grading.accepted import Alternative
+from kinegrade.grading.answers import Reading
+from kinegrade.grading.judge import Verdict, judge
+from kinegrade.grading.key import Key, Rule
+from kinegrade.grading.policy import NO_ROOM, Ruling
+
+Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the ask's points
+_FULL, _NONE = Fraction(1), Fraction(0)
+
+
+def decide(
+    reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative], reread: Callable[[str], Reading]
+) -> Decision:
+    """The verdict and the share of the points, as if nothing was void. Never raises.
+
+    `reread` reads a part of what was typed, in the same way as the whole was read.
+    """
+    now = ruling.key(key)
+    verdict = judge(reading, now)
+    if verdict.kind == "right":
+        return _said(verdict, ruling), _FULL
+    if reading.kind == "number":
+        found = [*_accepted(reading, now, ruling, others), *_mistaken(reading, now, ruling)]
+    else:
+        found = list(_bare_number(reading, now, ruling, reread))
+    return max(found, key=lambda decision: decision[1], default=(_said(verdict, ruling), _NONE))
+
+
+def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
+    """What becomes of a decision where the ask is void: full points to whoever handed in, or nothing of nothing."""
+    verdict, _ = decision
+    by_key = f"; by the key: {verdict.kind}" + (f" ({verdict.reason})" if verdict.reason else "")
+    if ruling.void == "drop":
+        return Verdict("void", f"no part of the total{by_key}"), _NONE
+    if handed_in:
+        return Verdict("void", f"full points to everybody who handed in{by_key}"), _FULL
+    return Verdict("void", "full points to everybody who handed in; nothing was handed in"), _NONE
+
+
+def _said(verdict: Verdict, ruling: Ruling) -> Verdict:
+    """With a word on the rule where it is not the one printed on the paper."""
+    if ruling.room == NO_ROOM or verdict.kind not in ("right", "wrong"):
+        return verdict
+    return replace(verdict, reason=f"{verdict.reason} by the policy")
+
+
+def _accepted(reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative]) -> Iterable[Decision]:
+    for other in others:
+        margin = replace(reading, error=reading.error + other.error)
+        verdict = judge(margin, ruling.beside(key, other.value))
+        if verdict.kind == "right":
+            compared = verdict.reason.removeprefix("key ")
+            reason = f"accepted answer {other.accepted.number} of the policy, {other.accepted.text} = {compared}"
+            yield Verdict("accepted", reason), other.accepted.credit
+
+
+def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
+    """The mistakes that lead to this answer, the nearest first."""
+    value = reading.value or Fraction(0)
+    likely = [(abs(wrong - value), name) for name, wrong in key.mistakes.items() if _may_agree(value, wrong, key)]
+    for _, name in sorted(likely):
+        verdict = judge(reading, ruling.beside(key, key.mistakes[name]))
+        if verdict.kind == "right":
+            compared = verdict.reason.removeprefix("key ")
+            yield Verdict("mistake", f"{name}: leads to {compared}"), ruling.mistakes.get(name, _NONE)
+
+
+def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
+    """False only where `judge` would certainly find no agreement; it costs a twentieth of asking."""
+    if key.period:
+        return True
+    size, stated = abs(float(wrong)), key.rule or Rule(absolute=key.tolerance)
+    share = float(stated.relative) + (11 / 10**stated.figures if stated.figures else 0)
+    return abs(float(value) - float(wrong)) <= 1.01 * (share * size + float(stated.absolute)) + 1e-9 * size
+
+
+def _bare_number(
+    reading: Reading, key: Key, ruling: Ruling, reread: Callable[[str], Reading]
+) -> Iterable[Decision]:
+    """The number alone, where its unit is wrong and a policy gives credit for it: the longest beginning that is one."""
+    if reading.kind != "wrong unit" or not ruling.wrong_unit:
+        return
+    ends = range(len(reading.typed) - 1, 0, -1)
+    bare = (reread(reading.typed[:end]) for end in ends)
+    number = next((each for each in bare if each.kind == "number"), None)
+    if number is not None and judge(number, key).kind == "right":
+        yield Verdict("wrong unit", f"{reading.reason}; the number is right, credit by the policy"), ruling.wrong_unit

@@ -1,0 +1,147 @@
+"""Whether papers were equally hard: versions held against each other, drawn numbers held against points.
+
+Two rank tests, their p-values by permutations that are always the same: no assumption on the distribution, and the
+same marks give the same report. `PCG64` promises its stream; a permutation is the order of its numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from kinegrade.grading.item_statistics import Points, correlation
+
+MOST_PERMUTATIONS, FEWEST_PERMUTATIONS = 9999, 199
+WORK = 10_000_000  # numbers shuffled at most: a class of 60 gets 9,999 permutations, one of 100,000 only 199
+ENOUGH = 30  # students: with fewer, nothing can be said
+AT_ONCE = 1_000_000  # numbers in memory
+SEED = 20_260_501
+
+Orders = npt.NDArray[np.intp]  # a permutation in each row
+
+
+@dataclass(frozen=True)
+class Test:
+    """`p` is how often chance alone does at least as much, in `permutations` shuffles of the students."""
+
+    statistic: float
+    p: float
+    permutations: int
+
+
+@dataclass(frozen=True)
+class Third:
+    """The students with the lowest, middle or highest numbers: the range of these and the mean share of points."""
+
+    lowest: float
+    highest: float
+    count: int
+    share: float
+
+
+@dataclass(frozen=True)
+class ParameterTrend:
+    """How the share of a question's points goes with a number drawn for it; `adjusted` is p by Holm's method."""
+
+    question: str
+    parameter: str
+    correlation: float
+    test: Test
+    adjusted: float
+    thirds: tuple[Third, ...]
+
+
+def ranks(values: Points) -> Points:
+    """Ranks from 1; equal values share the mean of their ranks.
+
+    >>> ranks(np.array([7.0, 5.0, 7.0])).tolist()
+    [2.5, 1.0, 2.5]
+    """
+    _, place, counts = np.unique(values, return_inverse=True, return_counts=True)
+    highest = np.cumsum(counts)
+    means: Points = highest - (counts - 1) / 2
+    return means[place]
+
+
+def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
+    """Whether groups differ in location: H with its correction for ties. None for one group, or where all are equal."""
+    names, place = np.unique(np.asarray(groups), return_inverse=True)
+    count = len(values)
+    if len(names) < 2 or count < 3 or np.ptp(values) == 0:
+        return None
+    ranked, members = ranks(values), np.equal.outer(place, np.arange(len(names))).astype(np.float64)
+    _, ties = np.unique(values, return_counts=True)
+    tied = 1 - float((ties.astype(float) ** 3 - ties).sum()) / (count**3 - count)
+    scale, shift = 12 / (count * (count + 1)) / tied, 3 * (count + 1) / tied
+
+    def statistic(order: Points) -> Points:
+        """H for each row of ranks."""
+        heights: Points = scale * ((order @ members) ** 2 / members.sum(axis=0)).sum(axis=-1) - shift
+        return heights
+
+    observed = float(statistic(ranked))
+    return _tested(observed, count, lambda orders: statistic(ranked[orders]) >= observed - 1e-9)
+
+
+def spearman(first: Points, second: Points) -> Test | None:
+    """Rank correlation, tested on both sides; None where one of the two does not vary."""
+    one, other = ranks(first), ranks(second)
+    observed = correlation(one, other)
+    if observed is None:
+        return None
+    one, other = one - one.mean(), other - other.mean()
+    reached = abs(float(one @ other)) - 1e-9
+    return _tested(observed, len(one), lambda orders: np.abs(one[orders] @ other) >= reached)
+
+
+def parameter_trends(parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
+                     ) -> tuple[ParameterTrend, ...]:
+    """For each drawn number that varies its trend, the clearest first; NaN stands for a student without one."""
+    found = []
+    for (question, name), numbers in parameters.items():
+        known = np.isfinite(numbers) & np.isfinite(shares[question])
+        test = spearman(numbers[known], shares[question][known]) if known.sum() >= 3 else None
+        if test is not None:
+            found.append((question, name, test, thirds(numbers[known], shares[question][known])))
+    found.sort(key=lambda trend: (trend[2].p, -abs(trend[2].statistic)))
+    adjusted = holm([test.p for _, _, test, _ in found])
+    return tuple(ParameterTrend(question, name, test.statistic, test, p, groups)
+                 for (question, name, test, groups), p in zip(found, adjusted, strict=True))
+
+
+def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
+    """Students in up to three groups by a drawn number, equal numbers together; the shares are means."""
+    lower, upper = np.quantile(numbers, (1 / 3, 2 / 3))
+    masks = (numbers <= lower, (numbers > lower) & (numbers <= upper), numbers > upper)
+    return tuple(Third(float(numbers[mask].min()), float(numbers[mask].max()), int(mask.sum()),
+                       float(shares[mask].mean())) for mask in masks if mask.any())
+
+
+def holm(ascending: Sequence[float]) -> tuple[float, ...]:
+    """p-values, given in ascending order, adjusted for their number.
+
+    >>> holm([0.01, 0.02, 0.5])
+    (0.03, 0.04, 0.5)
+    """
+    adjusted, highest = [], 0.0
+    for place, p in enumerate(ascending):
+        highest = max(highest, min(1.0, p * (len(ascending) - place)))
+        adjusted.append(highest)
+    return tuple(adjusted)
+
+
+def _tested(observed: float, count: int, reaches: Callable[[Orders], Any]) -> Test:
+    """The test of a statistic of `count` students; `reaches` tells of each order whether it gives as much."""
+    permutations = min(MOST_PERMUTATIONS, max(FEWEST_PERMUTATIONS, WORK // count))
+    generator = np.random.PCG64(SEED)
+    at_once = max(1, AT_ONCE // count)
+    as_much = 0
+    for start in range(0, permutations, at_once):
+        rows = min(at_once, permutations - start)
+        orders = np.argsort(generator.random_raw(rows * count).reshape(rows, count), axis=1, kind="stable")
+        as_much += int(np.count_nonzero(reaches(orders)))
+    return Test(observed, (1 + as_much) / (1 + permutations), permutations)

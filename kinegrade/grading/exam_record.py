@@ -1,0 +1,143 @@
+"""What reports and feedback tell about an exam: its title, who had which paper, and what was right on it.
+
+`read_exam_record` reads exam.json; `PaperRecords` finds single lines of key.jsonl, so that a class of any size needs
+memory for one paper. Marks are not decided here: that is `exam_folder` and `judge`.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.roster import file_names
+from kinegrade.grading.key import rule
+
+_MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
+_BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
+
+
+@dataclass(frozen=True, slots=True)
+class Sitter:
+    """A student of the exam: the paper's code, the version where there are versions, the stem of all own files."""
+
+    student: str
+    name: str
+    email: str
+    code: str
+    version: str
+    stem: str
+
+
+@dataclass(frozen=True)
+class ExamRecord:
+    """The head of an exam; `language` is that of its papers, `students` in the order of the roster."""
+
+    title: str
+    course: str
+    date: str
+    language: str
+    questions: tuple[str, ...]
+    versions: tuple[str, ...]
+    students: Mapping[str, Sitter]
+
+
+@dataclass(frozen=True, slots=True)
+class RightAnswer:
+    """What was right: `exact` as an expression where it has one; `allowed` is how far off was right by the paper."""
+
+    value: Fraction
+    exact: str | None
+    unit: str
+    allowed: Fraction
+
+
+@dataclass(frozen=True)
+class PaperRecord:
+    """One paper: the questions as printed, right answers by column, drawn numbers by question and parameter."""
+
+    printed: tuple[str, ...]
+    answers: Mapping[str, RightAnswer]
+    parameters: Mapping[tuple[str, str], float]
+
+
+def read_exam_record(folder: Path) -> ExamRecord:
+    """The head of an exam folder. Raises ExamError."""
+    path = folder / "exam.json"
+    try:
+        exam = json.loads(path.read_text(encoding="utf-8"))
+        stems = file_names(entry["student"] for entry in exam["students"])
+        students = {entry["student"]: _sitter(entry, stems[entry["student"]]) for entry in exam["students"]}
+        questions = tuple(str(question["question"]) for question in exam["questions"])
+    except OSError as fault:
+        raise _missing(path, fault) from fault
+    except _BROKEN as fault:
+        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}") from fault
+    texts = {name: str(exam.get(name, "")) for name in ("title", "course", "date", "language")}
+    return ExamRecord(**texts, questions=questions, versions=tuple(exam.get("versions", ())), students=students)
+
+
+def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
+    return Sitter(entry["student"], entry["name"], entry.get("email", ""), entry.get("paper", ""),
+                  entry.get("version", ""), stem)
+
+
+class PaperRecords:
+    """The lines of key.jsonl by student, each read when it is wanted."""
+
+    def __init__(self, folder: Path) -> None:
+        """Finds where the line of each student begins. Raises ExamError."""
+        self._path = folder / "key.jsonl"
+        self._places: dict[str, int] = {}
+        try:
+            with self._path.open("rb") as stream:
+                place = 0
+                for line in stream:
+                    if line.strip():
+                        self._places[json.loads(line)["student"]] = place
+                    place += len(line)
+        except OSError as fault:
+            raise _missing(self._path, fault) from fault
+        except _BROKEN as fault:
+            raise ExamError(f"{self._path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}") from fault
+
+    def paper(self, student: str) -> PaperRecord:
+        """The paper of a student. Raises ExamError where the exam has none of that student's."""
+        if student not in self._places:
+            raise ExamError(f'{self._path}: no paper of student "{student}" - expected one for everybody who is marked '
+                            "- name the exam folder by which these marks were made")
+        with self._path.open("rb") as stream:
+            stream.seek(self._places[student])
+            line = stream.readline()
+        try:
+            return _paper(json.loads(line, parse_float=Fraction))
+        except _BROKEN as fault:
+            raise ExamError(f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
+                            f"{fault}) - {_MENDING}") from fault
+
+
+def _paper(record: Mapping[str, Any]) -> PaperRecord:
+    questions = record["questions"]
+    identifiers = tuple(question["question"] for question in questions)
+    answers = {f"{question['question']}.{name}": _right_answer(entry)
+               for question in questions for name, entry in question["asks"].items()}
+    parameters = {(question["question"], name): float(entry["value"])
+                  for question in questions for name, entry in question.get("parameters", {}).items()}
+    return PaperRecord(tuple(record.get("printed", identifiers)), answers, parameters)
+
+
+def _right_answer(entry: Mapping[str, Any]) -> RightAnswer:
+    value = Fraction(entry["decimal"] if "decimal" in entry else entry["value"])
+    tolerance = entry["tolerance"]
+    stated = rule(Fraction(tolerance["relative"]), Fraction(tolerance["absolute"]), tolerance.get("figures"))
+    low, high = stated.key(value).interval
+    return RightAnswer(value, entry.get("exact"), entry["unit"], max(value - low, high - value))
+
+
+def _missing(path: Path, fault: OSError) -> ExamError:
+    return ExamError(f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate "
+                     "- check the name")

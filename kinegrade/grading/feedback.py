@@ -1,0 +1,215 @@
+"""What one student gets to read: own answers, right answers, what probably went wrong, and the points.
+
+`feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown` and
+`kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain, prose (Markdown with
+`$...$` LaTeX math), math (LaTeX).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from itertools import groupby
+from pathlib import Path
+from typing import Literal
+
+from kinegrade.errors import ExamError
+from kinegrade.grading.amounts import amount_text
+from kinegrade.grading.class_tally import hint_of, mistake_of
+from kinegrade.grading.exam_record import (
+    PaperRecord,
+    PaperRecords,
+    RightAnswer,
+    Sitter,
+    read_exam_record,
+)
+from kinegrade.grading.feedback_words import FeedbackWords, feedback_words_of
+from kinegrade.grading.hints import Hint
+from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
+from kinegrade.grading.math_html import unit_text
+from kinegrade.grading.wording import Wording
+
+LONGEST_TYPED = 80  # characters: more of a cell says nothing more
+LONGEST_EXACT = 32
+POLICY = "policy"  # named in the reason of a verdict by another tolerance than the paper's
+_CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
+
+
+@dataclass(frozen=True)
+class FeedbackRow:
+    """One ask. `remark` is prose for the student, `guess` whether it is one; `reason` is what the reading said."""
+
+    symbol: str  # math
+    meaning: str  # prose
+    typed: str  # plain, as are the next four
+    read_as: str  # "" where nothing was read, or exactly what was typed
+    right: str
+    verdict: str
+    points: str
+    remark: str  # prose
+    guess: bool
+    reason: str  # plain
+
+
+@dataclass(frozen=True)
+class FeedbackQuestion:
+    """One question, in the place where it stood on the paper."""
+
+    heading: str  # plain
+    title: str  # prose
+    points: str  # plain, "4 / 7"
+    rows: tuple[FeedbackRow, ...]
+
+
+@dataclass(frozen=True)
+class FeedbackSheet:
+    """One student's sheet, plain but for its questions; `solution` names a file beside it, or is ""."""
+
+    words: FeedbackWords
+    course: str
+    title: str
+    date: str
+    student: str
+    name: str
+    code: str
+    total: str
+    kept: bool  # whether the total is a higher one from an earlier marking
+    questions: tuple[FeedbackQuestion, ...]
+    solution: str = ""
+
+    @property
+    def guesses(self) -> bool:
+        """Whether any remark is a guess."""
+        return any(row.guess for question in self.questions for row in question.rows)
+
+
+def feedback_sheets(marks: Path, exam: Path, wording: Wording, language: Literal["en", "zh"]
+                    ) -> Iterator[tuple[Sitter, FeedbackSheet]]:
+    """The sheets in the order of the roster, each with whose it is. Raises TableError, ExamError."""
+    record, papers, totals = read_exam_record(exam), PaperRecords(exam), student_totals(marks)
+    words = feedback_words_of(language)
+    for student, answers in answers_by_student(marks):
+        if student not in record.students or student not in totals:
+            raise ExamError(f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the marks of '
+                            f"this exam - grade again with {exam}")
+        sitter, total = record.students[student], totals[student]
+        kept = total.total > sum(answer.points for answer in answers)
+        yield sitter, FeedbackSheet(words, record.course, record.title, record.date, student, sitter.name, sitter.code,
+                                    share_of(total.total, total.out_of), kept,
+                                    tuple(_questions(answers, papers.paper(student), wording, words)))
+
+
+def _questions(answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
+               ) -> Iterator[FeedbackQuestion]:
+    """The questions as they followed on the paper."""
+    by_question = {question: tuple(group) for question, group in groupby(answers, lambda answer: answer.question)}
+    for number, question in enumerate(paper.printed, start=1):
+        own = by_question.get(question, ())
+        known = question == f"q{number}"
+        heading = words.question.format(number) if known else words.question_known.format(number, question)
+        points = sum((answer.points for answer in own), Fraction(0))
+        out_of = sum((answer.out_of for answer in own), Fraction(0))
+        rows = tuple(feedback_row(answer, paper, wording, words) for answer in own)
+        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share_of(points, out_of), rows)
+
+
+def feedback_row(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords) -> FeedbackRow:
+    """What is said of one answer."""
+    right = paper.answers.get(answer.column)
+    typed = answer.typed if len(answer.typed) <= LONGEST_TYPED else f"{answer.typed[:LONGEST_TYPED]}…"
+    read = with_unit(answer.read_as, answer.unit) if answer.read_as not in ("", answer.typed.strip()) else ""
+    remark, reason = _remark(answer, paper, wording, words)
+    return FeedbackRow(
+        wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
+        wording.meanings.get(answer.column, ""), typed, read.replace("-", "−"), right_text(right) if right else "",
+        words.verdicts.get(answer.verdict, answer.verdict), share_of(answer.points, answer.out_of), remark,
+        bool(remark) and answer.verdict == "wrong", reason)
+
+
+def _remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords) -> tuple[str, str]:
+    """(prose, plain): what is said of why, and what the reading said of the cell."""
+    if answer.verdict == "mistake":
+        return wording.mistakes.get(mistake_of(answer), ""), ""
+    if answer.verdict == "wrong":
+        found, right = hint_of(answer, paper), paper.answers.get(answer.column)
+        return (hint_text(found, answer, right, wording, words) if found and right else ""), ""
+    if answer.verdict in ("right", "blank"):
+        return "", ""
+    if answer.verdict in words.explained:
+        told = words.reasons_are_told and answer.verdict in ("wrong unit", "unreadable")
+        return words.explained[answer.verdict], answer.reason if told else ""
+    return "", answer.reason
+
+
+def hint_text(found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords) -> str:
+    """A hint in a student's words, as prose."""
+    match found.kind:
+        case "power of ten":
+            factor = f"{10 ** abs(found.power):,}"
+            text = (words.too_large if found.power > 0 else words.too_small).format(factor)
+        case "another ask":
+            symbol = wording.symbols.get(found.column, "")
+            text = words.other_ask.format(symbol) if symbol else ""
+        case "close":
+            difference = abs(Fraction(answer.read_as) - right.value) / abs(right.value)
+            allowed = words.by_policy if POLICY in answer.reason else percent_text(right.allowed / abs(right.value))
+            text = words.close.format(percent_text(difference), allowed)
+        case _:
+            text = words.hints[found.kind]
+    return f"{text} {words.turned}" if found.reversed_sign and text else text
+
+
+def percent_text(share: Fraction) -> str:
+    """Two significant figures, and more where these would say 1 %.
+
+    >>> percent_text(Fraction("0.0134")), percent_text(Fraction("0.01004"))
+    ('1.3 %', '1.004 %')
+    """
+    places = 2 if abs(share - Fraction(1, 100)) >= Fraction(1, 2000) or share == Fraction(1, 100) else 4
+    return f"{float(100 * share):.{places}g} %"
+
+
+def right_text(right: RightAnswer) -> str:
+    """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is rounded.
+
+    >>> right_text(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
+    '2√3/3 ≈ 1.1547\u202fm/s'
+    """
+    value = Context(prec=6).divide(Decimal(right.value.numerator), Decimal(right.value.denominator)).normalize()
+    decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
+    same = Fraction(decimal) == right.value
+    exact = exact_text(right.exact or "")
+    whole = with_unit(decimal.replace("-", "−"), right.unit)
+    if same or not exact:
+        return whole if same else f"≈ {whole}"
+    return f"{exact} ≈ {whole}"
+
+
+def exact_text(expression: str) -> str:
+    """A closed form as it is written by hand; "" for a long one.
+
+    >>> exact_text("-3*sqrt(2)/40 + 2*pi"), exact_text("sqrt(2 - sqrt(3))")
+    ('−3√2/40 + 2π', '√(2 − √3)')
+    """
+    if len(expression) > LONGEST_EXACT or not _CLOSED_FORM.fullmatch(expression):
+        return ""
+    rooted = re.sub(r"sqrt\(([0-9]+)\)", r"√\1", expression).replace("sqrt", "√").replace("pi", "π")
+    return re.sub(r"\*(?=[√π(])", "", rooted).replace("*", "·").replace("-", "−")
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit.
+
+    >>> with_unit("30", "deg"), with_unit("2", "m/s^2"), with_unit("2", "1")
+    ('30°', '2\u202fm/s²', '2')
+    """
+    shown = unit_text(unit)
+    return f"{number}{shown}" if shown in ("", "°") else f"{number}\u202f{shown}"
+
+
+def share_of(points: Fraction, out_of: Fraction) -> str:
+    """Points out of points."""
+    return f"{amount_text(points)} / {amount_text(out_of)}"

@@ -1,0 +1,68 @@
+"""`kinegrade feedback`: a folder with a sheet for every student, written whole or not at all.
+
+`sheets/` holds one file for each student; `feedback.csv` says which is whose, for programs that send them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Literal
+
+from kinegrade.errors import ExamError
+from kinegrade.files import output_folder
+from kinegrade.grading.exam_record import Sitter
+from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
+from kinegrade.grading.feedback_html import feedback_html
+from kinegrade.grading.feedback_markdown import feedback_markdown
+from kinegrade.grading.wording import Wording
+from kinegrade.tables import neutralised, write_csv
+
+Text = Literal["html", "md"]
+Press = Callable[[FeedbackSheet, bytes | None], bytes]  # the sheet as PDF, a solution behind it where there is one
+MARKER, SHEETS = "feedback.csv", "sheets"
+
+
+def write_feedback(exam: Path, marks: Path, output: Path, wording: Wording, form: Text | Press, *,
+                   language: Literal["en", "zh"], solutions: bool = False, force: bool = False) -> int:
+    """Writes the folder `output` and gives the number of sheets; `form` is a kind of text, or what prints a PDF.
+
+    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as a file beside.
+    Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
+    """
+    with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
+        (folder / SHEETS).mkdir()
+        rows = []
+        for sitter, sheet in feedback_sheets(marks, exam, wording, language):
+            solution = _solution(exam, sitter) if solutions else None
+            files = dict(_files(sitter, sheet, solution, form))
+            for name, content in files.items():
+                (folder / SHEETS / name).write_bytes(content)
+            rows.append((sitter.student, neutralised(sitter.name), neutralised(sitter.email),
+                         f"{SHEETS}/{next(iter(files))}"))
+        write_csv(folder / MARKER, ("student", "name", "email", "file"), rows)
+    return len(rows)
+
+
+def _files(sitter: Sitter, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
+           ) -> Iterator[tuple[str, bytes]]:
+    """The names and contents of one student's files, the sheet first."""
+    if callable(form):
+        yield f"{sitter.stem}.pdf", form(sheet, solution)
+        return
+    beside = f"{sitter.stem}-solution.pdf" if solution is not None else ""
+    sheet = replace(sheet, solution=beside)
+    text = feedback_markdown(sheet) if form == "md" else feedback_html(sheet)
+    yield f"{sitter.stem}.{form}", text.encode("utf-8", "backslashreplace")
+    if solution is not None:
+        yield beside, solution
+
+
+def _solution(exam: Path, sitter: Sitter) -> bytes:
+    path = exam / "solutions" / f"{sitter.stem}.pdf"
+    try:
+        return path.read_bytes()
+    except OSError as fault:
+        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions - "
+                        "generate the exam with --solutions, or leave them out") from fault

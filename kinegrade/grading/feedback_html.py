@@ -1,0 +1,11 @@
+"""A feedback sheet as one HTML page that stands by itself."""
+
+from __future__ import annotations
+
+from kinegrade.grading.feedback import FeedbackSheet
+from kinegrade.grading.html_layout import layout
+
+
+def feedback_html(sheet: FeedbackSheet) -> str:
+    """The page; every text of it is escaped, so that nothing a student typed becomes a tag."""
+    return str(layout("feedback.html").render(sheet=sheet, words=sheet.words))

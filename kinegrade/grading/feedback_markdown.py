@@ -1,0 +1,66 @@
+"""A feedback sheet as Markdown (GitHub's tables, `$...$` math), for systems that take text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from urllib.parse import quote
+
+from kinegrade.grading.feedback import FeedbackQuestion, FeedbackRow, FeedbackSheet
+from kinegrade.grading.feedback_words import FeedbackWords
+
+_SPECIAL = re.compile(r"([\\`*_\[\]<>#|$&~^@]|(?<=[A-Za-z]):(?=//)|(?<=www)\.|!(?=\[)|^[-+=])", re.IGNORECASE)
+_NUMBERED = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
+_CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
+
+
+def feedback_markdown(sheet: FeedbackSheet) -> str:
+    """The sheet as text; nothing a student typed is taken for Markdown or HTML."""
+    words = sheet.words
+    fields = ((words.name, sheet.name), (words.student, sheet.student), (words.paper, sheet.code))
+    course = f"{sheet.course} · {sheet.date}" if sheet.date else sheet.course
+    lines = [f"# {plain(sheet.title)}: {words.feedback}", "", plain(course), "",
+             " · ".join(f"{label}: **{plain(value)}**" for label, value in fields), "",
+             f"**{words.total}: {sheet.total}**", ""]
+    for question in sheet.questions:
+        lines += _question(question, words)
+    if sheet.kept:
+        lines += [words.kept, ""]
+    if sheet.guesses:
+        lines += [words.about_hints, ""]
+    if sheet.solution:
+        lines += [f"[{words.solution}]({quote(sheet.solution)})", ""]
+    return "\n".join(lines)
+
+
+def plain(text: str) -> str:
+    r"""Text that Markdown prints as it is, in one line.
+
+    >>> print(plain("<b>|_x_$"))
+    \<b\>\|\_x\_\$
+    """
+    line = _SPECIAL.sub(r"\\\1", _CONTROLS.sub(" ", text).strip())
+    return _NUMBERED.sub(r"\1\\\2", line)
+
+
+def _question(question: FeedbackQuestion, words: FeedbackWords) -> Iterator[str]:
+    title = f" · {question.title}" if question.title else ""
+    yield f"## {plain(question.heading)}{title} ({question.points})"
+    yield ""
+    yield _cells((words.asked, words.yours, words.right, words.verdict, words.points))
+    yield "|---|---|---|---|---:|"
+    yield from (_cells(_row(row, words)) for row in question.rows)
+    yield ""
+
+
+def _row(row: FeedbackRow, words: FeedbackWords) -> Sequence[str]:
+    typed = plain(row.typed) or f"*{words.none}*"
+    read = f" ({words.read_as.format(plain(row.read_as))})" if row.read_as else ""
+    remarks = [row.remark.replace("|", r"\|"), plain(row.reason)]
+    verdict = ". ".join((f"**{plain(row.verdict)}**", " ".join(filter(None, remarks)))) if any(remarks) else (
+        f"**{plain(row.verdict)}**")
+    return (f"${row.symbol}$ {row.meaning}".rstrip(), f"{typed}{read}", plain(row.right), verdict, row.points)
+
+
+def _cells(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"

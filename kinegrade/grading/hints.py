@@ -1,0 +1,71 @@
+"""What probably went wrong with a number, seen from the number alone: a sign, a power of ten, degrees for radians.
+
+Only ratios that hardly come about by chance are named, and feedback words them as a "perhaps". Mistakes that follow
+from the mechanism are told by the marks; this is for all other wrong answers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import pi
+from typing import Literal
+
+Kind = Literal["opposite", "power of ten", "twice", "half", "degrees for radians", "radians for degrees",
+               "revolutions per minute", "revolutions per second", "another ask", "close"]
+LARGEST_POWER = 6
+WIDEST = 0.02  # of the right answer: a wider interval would be hit by chance
+CLOSE = 0.05  # of the right answer
+_DOUBLED: tuple[tuple[Kind, float], ...] = (("twice", 2.0), ("half", 0.5))
+
+
+@dataclass(frozen=True, slots=True)
+class Hint:
+    """`reversed_sign` where the sign is opposite besides; `power` of ten; `column` of the ask whose answer it is."""
+
+    kind: Kind
+    reversed_sign: bool = False
+    power: int = 0
+    column: str = ""
+
+
+def hint(value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]) -> Hint | None:
+    """What a wrong value tells, or None; `others` are the right answers of the question's other asks by column.
+
+    A value fits where it lies within the tolerance, and within 2 %, of a multiple of the right answer.
+
+    >>> hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
+    Hint(kind='opposite', reversed_sign=False, power=0, column='')
+    """
+    if not right or not value:
+        return None
+    ratio, room = float(value / right), min(float(allowed / abs(right)), WIDEST)  # for a guess floats will do
+    for candidate, factor in _candidates(unit):
+        if abs(ratio - factor) <= room * abs(factor):
+            return candidate
+    for column, other in others.items():
+        if other and abs(float(value / other) - 1) <= room:
+            return Hint("another ask", column=column)
+    return Hint("close") if abs(ratio - 1) <= CLOSE else None
+
+
+@lru_cache(maxsize=256)
+def _candidates(unit: str) -> tuple[tuple[Hint, float], ...]:
+    """Hints with the ratio of the value to the right answer, the likeliest first."""
+    powers = [power for power in sorted(range(-LARGEST_POWER, LARGEST_POWER + 1), key=abs) if power]
+    found = [(Hint("opposite"), -1.0)]
+    for sign in (1.0, -1.0):
+        turned = sign < 0
+        found += [(Hint("power of ten", turned, power), sign * 10.0**power) for power in powers]
+        found += [(Hint(kind, turned), sign * factor) for kind, factor in (*_DOUBLED, *_angular(unit))]
+    return tuple(found)
+
+
+def _angular(unit: str) -> Sequence[tuple[Kind, float]]:
+    """Factors between measures of angles; none for lengths and speeds."""
+    forgotten: list[tuple[Kind, float]] = [("degrees for radians", 180 / pi), ("radians for degrees", pi / 180)]
+    if unit == "rad/s":
+        return [*forgotten, ("revolutions per minute", 30 / pi), ("revolutions per second", 1 / (2 * pi))]
+    return forgotten if unit.startswith(("rad", "deg")) else []

@@ -1,0 +1,22 @@
+"""The layouts of HTML pages: every text is escaped, and a text that is missing is an error."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
+from markupsafe import Markup
+
+from kinegrade.grading.math_html import prose_html, symbol_html
+
+
+@cache
+def layout(name: str) -> Template:
+    """A layout of this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
+    folder = files("kinegrade.grading") / "layouts"
+    environment = Environment(loader=FileSystemLoader(str(folder)), autoescape=True, undefined=StrictUndefined,
+                              trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
+    environment.filters |= {"prose": prose_html, "symbol": symbol_html}
+    environment.globals["css"] = lambda file: Markup((folder / file).read_text(encoding="utf-8"))
+    return environment.get_template(name)

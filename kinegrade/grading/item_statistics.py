@@ -1,0 +1,106 @@
+"""What a class's points tell about the asks: how hard each was, and whether it parts good papers from weak ones.
+
+Arrays have a row for each student and a column for each ask. Whatever too few students cannot tell is None.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Points = npt.NDArray[np.float64]
+FEWEST = 3  # students: a correlation of two is always 1 or -1
+FINE, COARSE = 10, 20  # per cent: the width of a class of the histogram
+FEW = 25  # students: fewer are shown in coarse classes
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A distribution in figures; `sd` divides by n - 1 and is None for one value. Quartiles interpolate linearly."""
+
+    count: int
+    mean: float
+    sd: float | None
+    minimum: float
+    lower: float
+    median: float
+    upper: float
+    maximum: float
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """Counts between edges; a value on an edge counts to the right, the last edge to the last class."""
+
+    edges: tuple[float, ...]
+    counts: tuple[int, ...]
+
+
+def summary(values: Sequence[float] | Points) -> Summary | None:
+    """Of one value or more.
+
+    >>> summary([1, 2, 4]).median
+    2.0
+    """
+    if not len(values):
+        return None
+    array = np.asarray(values, dtype=np.float64)
+    lower, median, upper = map(float, np.quantile(array, (0.25, 0.5, 0.75)))
+    sd = float(array.std(ddof=1)) if len(array) > 1 else None
+    return Summary(len(array), float(array.mean()), sd, float(array.min()), lower, median, upper, float(array.max()))
+
+
+def histogram(percents: Sequence[float] | Points) -> Histogram:
+    """Per cents from 0 to 100 in classes of ten, of twenty where there are few; what lies above counts as 100.
+
+    >>> histogram([0, 20, 39.9, 100]).counts
+    (1, 2, 0, 0, 1)
+    """
+    width = COARSE if len(percents) < FEW else FINE
+    edges = np.arange(0, 100 + width, width)
+    counts, _ = np.histogram(np.clip(np.round(percents, 6), 0, 100), edges)
+    return Histogram(tuple(map(float, edges)), tuple(map(int, counts)))
+
+
+def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
+    """For each ask the mean share of its points; None where nobody or nothing counts."""
+    if not len(points):
+        return (None,) * len(out_of)
+    means = points.mean(axis=0).tolist()
+    return tuple(mean / most if most else None for mean, most in zip(means, out_of.tolist(), strict=True))
+
+
+def discriminations(points: Points) -> tuple[float | None, ...]:
+    """For each ask the correlation (Pearson) of its points with the total of all other asks.
+
+    None for fewer than three students, and where all have the same points in the ask or in the others.
+    """
+    students, asks = len(points), range(points.shape[1])
+    if students < FEWEST:
+        return tuple(None for _ in asks)
+    totals = points.sum(axis=1)
+    return tuple(correlation(points[:, ask], totals - points[:, ask]) for ask in asks)
+
+
+def correlation(first: Points, second: Points) -> float | None:
+    """Pearson's coefficient; None where one of the two does not vary."""
+    one, other = first - first.mean(), second - second.mean()
+    scale = float(np.sqrt((one**2).sum() * (other**2).sum()))
+    smallest = 1e-9 * float(np.abs(first).max(initial=0) * np.abs(second).max(initial=0)) * len(first)
+    return float((one * other).sum() / scale) if scale > smallest else None
+
+
+def reliability(points: Points) -> float | None:
+    """Cronbach's alpha: how much of the totals' variance the asks share; None for too few students or asks."""
+    students, asks = points.shape
+    if students < FEWEST or asks < 2:
+        return None
+    totals = points.sum(axis=1)
+    if np.ptp(totals) <= 1e-9 * float(np.abs(totals).max()):
+        return None
+    parts = float(points.var(axis=0, ddof=1).sum())
+    whole = float(totals.var(ddof=1))
+    return float(asks / (asks - 1) * (1 - parts / whole))

@@ -1,0 +1,49 @@
+"""Tables for a terminal, in which Chinese characters are two columns wide."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from unicodedata import combining, east_asian_width
+
+
+def aligned(header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()) -> str:
+    """Lines of columns that stand under each other; those whose index is in `numbers` are flush right.
+
+    >>> print(aligned(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
+    who   points
+    Ann        7
+    王伟      12
+    """
+    lines = [header, *rows]
+    widths = [max(map(width, column)) for column in zip(*lines, strict=True)]
+    return "".join(f"{_line(line, widths, numbers)}\n" for line in lines)
+
+
+def width(text: str) -> int:
+    """How many columns a text takes.
+
+    >>> width("a王")
+    3
+    """
+    return sum(0 if combining(letter) else 2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def cut(text: str, columns: int) -> str:
+    """A text of at most so many columns; what is left out is shown by an ellipsis.
+
+    >>> cut("欧阳文清", 6), cut("Ann", 6)
+    ('欧阳…', 'Ann')
+    """
+    if width(text) <= columns:
+        return text
+    while width(text) >= columns:
+        text = text[:-1]
+    return f"{text}…"
+
+
+def _line(cells: Sequence[str], widths: Sequence[int], numbers: Collection[int]) -> str:
+    padded = []
+    for index, (cell, wide) in enumerate(zip(cells, widths, strict=True)):
+        blanks = " " * (wide - width(cell))
+        padded.append(f"{blanks}{cell}" if index in numbers else f"{cell}{blanks}")
+    return "  ".join(padded).rstrip()

@@ -1,0 +1,33 @@
+"""How an exam's questions and asks are called where people read of them.
+
+`kinegrade.exam.exam_wording` reads it from the exam folder; where it is silent, identifiers stand for themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+
+class Wording(Protocol):
+    """Texts in one language: prose is Markdown with `$...$` LaTeX math, a symbol is LaTeX math."""
+
+    @property
+    def titles(self) -> Mapping[str, str]:
+        """Prose by question."""
+
+    @property
+    def meanings(self) -> Mapping[str, str]:
+        """Prose by column of the answer sheet: what is asked for."""
+
+    @property
+    def symbols(self) -> Mapping[str, str]:
+        """Math by column of the answer sheet."""
+
+    @property
+    def parameters(self) -> Mapping[tuple[str, str], str]:
+        """Math by question and name of a drawn number."""
+
+    @property
+    def mistakes(self) -> Mapping[str, str]:
+        """A sentence, plain text, by identifier of a known mistake."""

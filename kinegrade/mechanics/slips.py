@@ -1,0 +1,184 @@
+"""Slips: how the relations of a mechanism read to somebody who makes a known mistake.
+
+A slip is a transformation of terms: each number of a `Slips` is the share that remains of something, 1 where all is
+right and 0 where it is forgotten. Shares may be arrays, one entry for each way to go wrong, so that one run of the
+plan gives what many mistakes lead to. `mistaken` runs the plan on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinegrade.mechanics.drivers import Rotation
+from kinegrade.mechanics.frames import Frames
+from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Roll
+from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, omega_of
+from kinegrade.mechanics.vector import Vector
+
+Arms = Mapping[tuple[str, str], Any]  # (centre carried, centre of the circle it runs about): share of the distance
+
+
+@dataclass(frozen=True)
+class Slips:
+    """What remains of a mechanism's terms: 1 is right, 0 forgotten, -1 reversed.
+
+    coriolis:        each Coriolis acceleration.
+    relative_normal: the normal part of the acceleration of a point relative to a base point.
+    path_normal:     the normal part on a circular path, about a fixed pin or along an arc.
+    meshing:         the sense of a meshing or rolling on a circle: -1 takes inside for outside.
+    carried:         the carrier's turning within a relative angular velocity; 0 takes relative for absolute.
+    asked_relative:  the second body's turning where a relative angular velocity is asked for.
+    arm:             the carried wheel's own radius within the arm r1 + r2.
+    pole:            0 takes a fixed pivot for the velocity pole.
+    centre:          the centre's velocity within that of other points of a rolling body.
+    relative:        the relative velocity within an absolute one; 0 takes the transport velocity for it.
+    """
+
+    coriolis: Any = 1
+    relative_normal: Any = 1
+    path_normal: Any = 1
+    meshing: Any = 1
+    carried: Any = 1
+    asked_relative: Any = 1
+    arm: Any = 1
+    pole: Any = 1
+    centre: Any = 1
+    relative: Any = 1
+
+
+@dataclass(frozen=True)
+class MistakenTerm(Term):
+    """A term of whose acceleration only a share of the normal and of the Coriolis part is taken."""
+
+    normal_share: Any = 1
+    coriolis_share: Any = 1
+
+    def normal(self, rates: Rates) -> Vector:
+        """What is taken of the centripetal part, m/s^2."""
+        taken: Vector = super().normal(rates) * self.normal_share
+        return taken
+
+    def coriolis(self, rates: Rates) -> Vector:
+        """What is taken of the Coriolis part, m/s^2."""
+        taken: Vector = super().coriolis(rates) * self.coriolis_share
+        return taken
+
+
+@dataclass(frozen=True)
+class MistakenRelation(Relation):
+    """A relation of whose own Coriolis acceleration, that of an imposed relative motion, only a share is taken."""
+
+    coriolis_share: Any = 1
+
+    def imposed_coriolis(self, rates: Rates) -> Vector:
+        """What is taken of the Coriolis acceleration of the imposed relative motion, m/s^2."""
+        taken: Vector = super().imposed_coriolis(rates) * self.coriolis_share
+        return taken
+
+
+@dataclass(frozen=True)
+class MistakenFrames(Frames):
+    """The chains and relations as they read to somebody who makes the slips."""
+
+    slips: Slips
+    arms: Arms
+
+    def chain(self, body: str, point: str) -> Chain:
+        """The terms of a point's motion, with the slips made."""
+        return mistaken_chain(super().chain(body, point), self.slips, self.arms)
+
+
+def mistaken_frames(frames: Frames, slips: Slips) -> MistakenFrames:
+    """The frames with the slips made in every term and every relation."""
+    arms = dict(carried_arms(frames, slips))
+    relations = tuple(mistaken_relation(relation, slips, arms) for relation in frames.relations)
+    return MistakenFrames(frames.mechanism, frames.bases, relations, slips, arms)
+
+
+def mistaken_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
+    """The terms with the slips made; the first rotation of a chain is about a fixed pin."""
+    return tuple(mistaken_term(term, slips, slips.relative_normal if place and term.kind == "rotation"
+                               else slips.path_normal, arms) for place, term in enumerate(chain))
+
+
+def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Term:
+    """A term with the slips made."""
+    share = arms.get((term.point, term.base))
+    vector = term.vector if share is None else term.vector * share
+    return MistakenTerm(term.kind, term.rate, vector, term.point, term.base, term.frame, normal_share, slips.coriolis)
+
+
+def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
+    """For each wheel that runs on a circle what is taken of the distance of the two centres: r1 of r1 + r2."""
+    for joint in frames.mechanism.joints:
+        if isinstance(joint, (Roll, Mesh)) and isinstance(joint.on, Circle):
+            own = -joint.circle.radius if joint.inside else joint.circle.radius
+            share = (joint.on.radius + slips.arm * own) / (joint.on.radius + own)
+            yield (joint.circle.centre, joint.on.centre), share
+
+
+def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
+    """A relation with the slips made in its chains and in what it says of turning."""
+    return MistakenRelation(
+        relation.origin, mistaken_chain(relation.left, slips, arms), mistaken_chain(relation.right, slips, arms),
+        relation.along, mistaken_turning(relation, slips), relation.velocity, relation.acceleration, relation.frame,
+        relation.source, slips.coriolis)
+
+
+def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
+    """The factors of the turning rates with the slips made."""
+    match relation.source:
+        case Roll(_, _, of, Line()) | Rotation(_, _, _, of) if of != GROUND:
+            return tuple((rate, factor * slips.carried if rate == omega_of(of) else factor)
+                         for rate, factor in relation.turning)
+        case Roll(_, _, _, Circle()):
+            return tuple(mistaken_rolling(relation, relation.source, slips))
+        case Mesh():
+            return mistaken_meshing(relation.source, slips)
+    return relation.turning
+
+
+def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:
+    """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r leaves -r/R."""
+    sense = -slips.meshing if roll.inside else slips.meshing
+    own = roll.circle.radius * sense
+    slip = -own / (roll.on.radius + slips.arm * slips.carried * own)  # type: ignore[union-attr]
+    for rate, factor in relation.turning:
+        yield rate, {omega_of(roll.body): slip, omega_of(roll.of): -slip}.get(rate, factor)
+
+
+def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
+    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's turning that is thought of."""
+    sense = -slips.meshing if mesh.inside else slips.meshing
+    own, other = mesh.circle.radius, mesh.on.radius * sense
+    thought = (slips.carried, 1) if mesh.body != GROUND else (1, slips.carried)
+    factors = [(mesh.body, own), (mesh.of, other), (mesh.carrier, -own * thought[0] - other * thought[1])]
+    rates: dict[str, Any] = {}
+    for body, factor in factors:
+        if body != GROUND:
+            rates[omega_of(body)] = rates[omega_of(body)] + factor if omega_of(body) in rates else factor
+    return tuple(rates.items())
+
+
+def velocity_chain(chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False) -> Chain:
+    """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without the centre's.
+
+    `whole` leaves out relative motions as well: the velocity of the point of the moving body there.
+    """
+    last = chain[-1] if chain else None
+    about_centre = last is not None and len(chain) > 1 and last.kind == "rotation" \
+        and rolling.get(last.rate) == last.base
+    terms = []
+    for term in chain:
+        share = slips.centre if about_centre and term is not last else 1
+        if whole and term.frame != GROUND:
+            share = share * slips.relative
+        terms.append(term if isinstance(share, int) and share == 1 else replace(term, vector=term.vector * share))
+    return tuple(terms)
+
+
+def rolling_centres(frames: Frames) -> dict[str, str]:
+    """For each rolling body the point that is its centre, by the body's turning rate."""
+    return {omega_of(joint.body): joint.circle.centre for joint in frames.mechanism.joints if isinstance(joint, Roll)}

@@ -1,0 +1,185 @@
+"""How far an honest student can be off who works rightly and writes every intermediate value down rounded.
+
+Three ways of working are followed, because none is the sternest everywhere:
+
+by coordinates, where each constructed point is written down and used for the next;
+by arms, where positions stay in the calculator, and lengths, directions and every term of a vector equation are written
+down;
+sparingly, where the solved rates alone are written down.
+
+Given lengths and angles are used as the paper states them; rates are written down, given ones too. The answer counts as
+it comes out, and rounded like everything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees, tau
+from typing import Any
+
+from kinegrade.errors import KinegradeError
+from kinegrade.exact.angle import Angle
+from kinegrade.exact.elimination import Singular
+from kinegrade.exact.rounding import Rounded, Sparing
+from kinegrade.expression import Call, Expression, Operation, elementary, evaluate
+from kinegrade.mechanics.by_hand import solve_by_hand, write
+from kinegrade.mechanics.doubles import double, in_doubles
+from kinegrade.mechanics.frames import build
+from kinegrade.mechanics.geometry import constructions
+from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.assemble import assemble
+from kinegrade.problem.quantities import body_names, quantities
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Ask
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
+
+LOST = (KinegradeError, Singular, ValueError, ZeroDivisionError)  # rounded circles that do not meet, a dead point
+
+
+@dataclass(frozen=True)
+class Stray:
+    """An answer that honest work leaves too far off: what came out with so many significant figures, in the ask's
+    unit; None where rounding leaves nothing to be worked out."""
+
+    ask: str
+    figures: int
+    answer: float | None
+
+    def __str__(self) -> str:
+        outcome = "cannot be found" if self.answer is None else f"comes out as {self.answer:.6g}"
+        return f"{self.ask}: {outcome} when {self.figures} significant figures are carried"
+
+
+@dataclass(frozen=True)
+class Target:
+    """What is right for one ask: the smallest and the largest right answer, the exact one, a full turn where turns do
+    not matter (else 0), and the significant figures to be carried."""
+
+    low: float
+    high: float
+    exact: float
+    turn: float
+    figures: int
+
+    def met(self, worked: float | None, figures: int) -> bool:
+        """Whether an answer is right, both as it came out and written to so many significant figures."""
+        if worked is None:
+            return False
+        near = (nearest_turn(number, self.exact, self.turn) for number in (worked, Rounded(figures).written(worked)))
+        return all(self.low <= number <= self.high for number in near)
+
+
+def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
+    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if there is one.
+
+    Three figures are carried, or as many as the tolerance takes to be met at all, and one more.
+    """
+    motion = in_doubles(solution.motion)
+    targets = {name: target(solution.template.asks[name], answer, tolerances.get(name, ONE_PER_CENT), motion)
+               for name, answer in solution.answers.items()}
+    least = {aim.figures for aim in targets.values()}
+    for figures in sorted(least | {count + 1 for count in least}):
+        concerned = {name: aim for name, aim in targets.items() if aim.figures in (figures, figures - 1)}
+        for worked in workings(solution, motion, figures, every=figures in least):
+            for name, aim in concerned.items():
+                if not aim.met(worked.get(name), figures):
+                    return Stray(name, figures, worked.get(name))
+    return None
+
+
+def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: Motion) -> Target:
+    """What is right for one ask of an instance; `motion` gives the scale next to zero."""
+    exact = plain(answer.number)
+    if isinstance(answer.number, Angle) and ask.unit.degrees:
+        exact = degrees(exact)
+    allowed = effective(tolerance, exact, ask.unit, motion)
+    low, high = allowed.interval(Fraction(exact))
+    return Target(float(low), float(high), exact, turn_of(ask), allowed.carried(Fraction(exact)))
+
+
+def workings(solution: Solution, motion: Motion, figures: int, *, every: bool) -> Iterator[dict[str, float]]:
+    """The answers of honest students who carry so many significant figures, in the asks' units; what cannot be found
+    is left out. `motion` is the solution's in doubles. All three ways where `every` is true, else the quickest one."""
+    yield by_arms(solution, motion, Rounded(figures))
+    if every:
+        yield by_arms(solution, motion, Sparing(figures))
+        yield by_coordinates(solution, Rounded(figures))
+
+
+def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
+    """The answers of one who writes every constructed point down and goes on from there."""
+    template = solution.template
+    givens = {name: plain(solution.assembly.values[name]) for name in template.parameters}
+    try:
+        assembly = assemble(template, givens, rounded, lambda point: write(point, rounded))
+        motion = Motion(build(assembly.mechanism, rounded), solution.motion.plan, {}, {})
+        return answers(solution, assembly.values, assembly.functions, solve_by_hand(motion, rounded), rounded)
+    except LOST:
+        return {}
+
+
+def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
+    """The answers of one who keeps positions in the calculator; `rounded` says what else is written down."""
+    values = {name: in_double(value) for name, value in solution.assembly.values.items() if name not in motion.points}
+    functions = {**elementary(rounded), **constructions(rounded, motion.points)}
+    try:
+        return answers(solution, {**values, **motion.points}, functions, solve_by_hand(motion, rounded), rounded)
+    except LOST:
+        return {}
+
+
+def answers(solution: Solution, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]], motion: Motion,
+            rounded: Rounded) -> dict[str, float]:
+    """The answers that a motion worked out by hand gives, without those that cannot be found."""
+    known = {**body_names(motion.frames.mechanism), **values}
+    may_call = {**functions, **quantities(motion, rounded)}
+    found = {name: worked_answer(solution.template.asks[name], answer, known, may_call, rounded)
+             for name, answer in solution.answers.items()}
+    return {name: number for name, number in found.items() if number is not None}
+
+
+def worked_answer(ask: Ask, answer: Quantity, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]],
+                  rounded: Rounded) -> float | None:
+    """One answer in its unit; a centrode is not worked out by numbers but known in closed form."""
+    if calls(ask.quantity, "circle_of_poles"):
+        return answer.value
+    try:
+        number = float(evaluate(ask.quantity, values, functions, rounded))
+    except LOST:
+        return None
+    return degrees(number) if ask.unit.degrees else number / plain(ask.unit.factor)
+
+
+def turn_of(ask: Ask) -> float:
+    """A full turn in the unit of an angle that is right with any number of turns; 0 for everything else."""
+    if not ask.cyclic:
+        return 0.0
+    return 360.0 if ask.unit.degrees else tau
+
+
+def nearest_turn(number: float, exact: float, turn: float) -> float:
+    """The angle, with the number of full turns that brings it next to the exact one."""
+    return number - round((number - exact) / turn) * turn if turn else number
+
+
+def calls(tree: Expression, function: str) -> bool:
+    """Whether an expression calls a function."""
+    if isinstance(tree, Call):
+        return tree.function == function or any(calls(argument, function) for argument in tree.arguments)
+    return isinstance(tree, Operation) and (calls(tree.left, function) or calls(tree.right, function))
+
+
+def in_double(value: Any) -> Any:
+    """A value that expressions may name, in doubles: a number, a point or a word."""
+    if isinstance(value, str):
+        return value
+    return double(value) if isinstance(value, Vector) else plain(value)
+
+
+def plain(number: Any) -> float:
+    """A number of any arithmetic as a double, angles in radians."""
+    return float(number.ball() if isinstance(number, Angle) else number)

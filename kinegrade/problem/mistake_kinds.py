@@ -1,0 +1,174 @@
+"""The mistakes that are known: what each does to the givens, to the mechanism's terms, or to the answer.
+
+A mistake is data: shares of terms (`kinegrade.mechanics.slips`), a change of the givens, or a factor of the answer.
+Its identifier is stable: banks set credits by it, and marks tell it. Its sentence stands in `mistake_words.toml`.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from flint import arb, fmpq
+
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.problem.signs import CONVENTIONS
+from kinegrade.problem.template import Ask, Language, Template
+
+Givens = Mapping[str, Any]  # parameters in SI
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """One way to go wrong on the way to all answers of an instance.
+
+    `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are mistaken; `other_branch`
+    takes the other common point of circles and lines; `plain_lengths` works with the numbers of lengths as they stand.
+    """
+
+    identifier: str
+    shares: Mapping[str, Any] = field(default_factory=dict)
+    givens: Callable[[Template, Givens, Any], Givens] = lambda template, values, arithmetic: values
+    other_branch: bool = False
+    plain_lengths: bool = False
+
+
+def complements(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every given angle counted from the other axis, which swaps its sine and its cosine."""
+    quarter = arithmetic.turns(fmpq(1, 2))
+    return {**values, **{name: quarter - values[name] for name in template.angles}}
+
+
+def degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every angle given in degrees with its number taken for radians."""
+    names = [name for name, parameter in template.parameters.items() if parameter.unit.degrees]
+    return {**values, **{name: number_of_degrees(values[name], arithmetic) for name in names}}
+
+
+def number_of_degrees(angle: Any, arithmetic: Any) -> Any:
+    """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians is no angle."""
+    if isinstance(angle, Angle):
+        raise Inexact("a number of radians")
+    return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
+
+
+def diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Every given radius of a circle doubled."""
+    return {**values, **{name: values[name] * 2 for name in radii(template)}}
+
+
+def plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Angular rates given in revolutions or radians per minute with their number taken for radians per second."""
+    return {**values, **{name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
+                         for name in unconverted_rates(template)}}
+
+
+def plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
+    """Lengths, velocities and accelerations with the number that is given, whatever its unit."""
+    return {**values, **{name: value / arithmetic.number(template.parameters[name].unit.factor)
+                         for name, value in values.items() if template.parameters[name].unit.length}}
+
+
+MISTAKES = (
+    Mistake("coriolis-dropped", {"coriolis": fmpq(0)}),
+    Mistake("coriolis-halved", {"coriolis": fmpq(1, 2)}),
+    Mistake("coriolis-reversed", {"coriolis": fmpq(-1)}),
+    Mistake("relative-normal-dropped", {"relative_normal": fmpq(0)}),
+    Mistake("path-normal-dropped", {"path_normal": fmpq(0)}),
+    Mistake("relative-for-absolute", {"carried": fmpq(0)}),
+    Mistake("absolute-for-relative", {"asked_relative": fmpq(0)}),
+    Mistake("meshing-reversed", {"meshing": fmpq(-1)}),
+    Mistake("arm-for-sum", {"arm": fmpq(0)}),
+    Mistake("wrong-pole", {"pole": fmpq(0)}),
+    Mistake("centre-for-pole", {"centre": fmpq(0)}),
+    Mistake("transport-for-absolute", {"relative": fmpq(0)}),
+    Mistake("other-branch", other_branch=True),
+    Mistake("sine-for-cosine", givens=complements),
+    Mistake("degrees-for-radians", givens=degrees_as_radians),
+    Mistake("diameter-for-radius", givens=diameters),
+    Mistake("rpm-not-converted", givens=plain_rates),
+    Mistake("millimetres-for-metres", givens=plain_lengths, plain_lengths=True),
+)
+IN_THE_ANSWER: Mapping[str, Any] = {
+    "sense-reversed": fmpq(-1), "power-of-ten-up": fmpq(10), "power-of-ten-down": fmpq(1, 10),
+}
+IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *IN_THE_ANSWER)
+UNSIGNED = frozenset(CONVENTIONS[keyword][0] for keyword in ("magnitude", "unsigned"))
+
+
+def factors(ask: Ask) -> dict[str, Any]:
+    """By what the answer itself is wrong after each mistake in writing it; only a signed one can be reversed."""
+    return {name: factor for name, factor in IN_THE_ANSWER.items() if factor > 0 or ask.sign.en not in UNSIGNED}
+
+
+def radii(template: Template) -> set[str]:
+    """The parameters that are the radius of a circle which joints speak of."""
+    circles = [shape for joint in template.joints for shape in (joint.circle, joint.on)
+               if shape is not None and shape.function == "circle"]
+    named = {tree.name for tree in (circle.arguments[1] for circle in circles) if isinstance(tree, Name)}
+    return {name for name in named & set(template.parameters) if template.parameters[name].unit.length == 1}
+
+
+def unconverted_rates(template: Template) -> list[str]:
+    """The parameters that are angular rates in other units than rad/s and rad/s^2."""
+    return [name for name, parameter in template.parameters.items()
+            if parameter.unit.angle and parameter.unit.time < 0 and parameter.unit.factor != 1]
+
+
+def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
+    """The mistakes that the template gives an occasion for, where these asks are put."""
+    kinds = {joint.kind for joint in template.joints}
+    relative = any(joint.of != GROUND for joint in template.joints) \
+        or any(driver.of != GROUND for driver in template.drivers)
+    accelerations = any(ask.unit.time == -2 for ask in asks.values())
+    wheels = bool(kinds & {"roll", "mesh"})
+    units = {unit for unit in [*(parameter.unit for parameter in template.parameters.values()),
+                               *(ask.unit for ask in asks.values())] if unit.length}
+    occasions = {
+        "coriolis": accelerations and relative, "relative_normal": accelerations, "path_normal": accelerations,
+        "carried": wheels or any(driver.of != GROUND for driver in template.drivers),
+        "asked_relative": any(calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
+        "meshing": wheels, "arm": wheels, "centre": wheels, "relative": relative, "pole": "pin" in kinds,
+    }
+    others = {
+        "other-branch": any(calls(tree, ("meet",), 3) for tree in template.points.values()),
+        "sine-for-cosine": bool(template.angles),
+        "degrees-for-radians": any(parameter.unit.degrees for parameter in template.parameters.values()),
+        "diameter-for-radius": bool(radii(template)), "rpm-not-converted": bool(unconverted_rates(template)),
+        "millimetres-for-metres": len({unit.text.split("/")[0] for unit in units}) > 1,
+    }
+    for mistake in MISTAKES:
+        if others.get(mistake.identifier, template.drivers and any(occasions[share] for share in mistake.shares)):
+            yield mistake
+
+
+def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
+    """Whether one of the functions is called with `count` arguments in an expression."""
+    if isinstance(tree, Operation):
+        return calls(tree.left, functions, count) or calls(tree.right, functions, count)
+    if not isinstance(tree, Call):
+        return False
+    here = tree.function in functions and len(tree.arguments) == count
+    return here or any(calls(part, functions, count) for part in tree.arguments)
+
+
+@cache
+def sentences() -> dict[str, dict[Language, str]]:
+    """The sentence of every mistake in both languages, by its identifier."""
+    table: dict[str, Any] = tomllib.loads(files("kinegrade.problem").joinpath("mistake_words.toml").read_text("utf-8"))
+    return table
+
+
+def mistake_sentence(identifier: str, language: Language) -> str:
+    """What a mistake is, in one sentence for whoever made it.
+
+    >>> mistake_sentence("coriolis-halved", "en")
+    'The factor 2 of the Coriolis acceleration was forgotten.'
+    """
+    return sentences()[identifier][language]

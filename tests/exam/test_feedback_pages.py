@@ -1,0 +1,105 @@
+"""Feedback sheets as PDF, and the words they are made with, from an exam as `generate` writes it."""
+
+from __future__ import annotations
+
+import json
+from io import BytesIO
+from pathlib import Path
+
+import pikepdf
+import pytest
+from pypdf import PdfReader
+
+from kinegrade.errors import ExamError, TypesetError
+from kinegrade.exam.exam_wording import ExamWording, exam_language, exam_wording
+from kinegrade.exam.feedback_pages import FeedbackPress
+from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
+from kinegrade.grading.feedback_folder import write_feedback
+from tests.grading.marked_folder import RIGHT, mark_class
+
+WORDING = ExamWording({"q1": "Crank $OA$"}, {"q1.v_B": "speed of $B$"}, {"q1.v_B": "v_{B}"})
+
+
+@pytest.fixture(scope="module")
+def press() -> FeedbackPress:
+    return FeedbackPress()
+
+
+def sheet_of(folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
+             ) -> FeedbackSheet:
+    exam, marks = mark_class(folder, {"7": cells})
+    (_, sheet), = feedback_sheets(marks, exam, wording, language)  # type: ignore[arg-type]
+    return sheet
+
+
+def text_of(pdf: bytes) -> str:
+    return " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages).replace("\u200b", "")
+
+
+def test_a_sheet_is_printed_with_what_was_typed_and_what_is_right(tmp_path: Path, press: FeedbackPress) -> None:
+    text = text_of(press.feedback(sheet_of(tmp_path, ("-1.732", '#read("/etc/passwd")', "$x$"))))
+    for part in ("Student 7", "−1.732", "√3 ≈ 1.73205", "0 / 9.5", "the sign is opposite", "$x$", "not readable"):
+        assert part.replace("−1.732", "-1.732") in text
+    assert '#read("/etc/passwd")' in text
+
+
+def test_a_long_answer_stays_inside_its_column(tmp_path: Path, press: FeedbackPress) -> None:
+    pdf = press.feedback(sheet_of(tmp_path, ("9" * 500, "张" * 79, "😀\U000e0001")))
+    assert len(PdfReader(BytesIO(pdf)).pages) == 1
+    assert "[U+1F600]" in text_of(pdf)
+
+
+def test_chinese_sheets_are_printed(tmp_path: Path, press: FeedbackPress) -> None:
+    text = text_of(press.feedback(sheet_of(tmp_path, ("3.4641", "0", "?"), language="zh")))
+    assert "等于正确值的两倍" in text
+    assert "无法识别" in text
+
+
+def test_the_worked_solution_follows(tmp_path: Path, press: FeedbackPress) -> None:
+    sheet = sheet_of(tmp_path, RIGHT)
+    alone = press.feedback(sheet)
+    both = press.feedback(sheet, press.feedback(sheet))
+    assert len(pikepdf.open(BytesIO(both)).pages) == 2 * len(pikepdf.open(BytesIO(alone)).pages)
+    assert press.feedback(sheet) == alone
+
+
+def test_words_that_cannot_be_typeset_are_told(tmp_path: Path, press: FeedbackPress) -> None:
+    bad = ExamWording(titles={"q1": "# $\\nosuch$"}, meanings={"q2.a_B": "$\\neither$"})
+    with pytest.raises(TypesetError) as raised:
+        press.feedback(sheet_of(tmp_path, RIGHT, bad))
+    first, second = raised.value.problems
+    assert first.startswith("Question 1, title: formula $\\nosuch$: unknown command")
+    assert second.startswith("Question 2, meaning: formula $\\neither$: unknown command")
+
+
+def test_the_words_come_from_the_templates_of_the_exam(small_class: Path) -> None:
+    wording = exam_wording(small_class / "EXAM", "zh")
+    assert wording.titles["q1"] == "曲柄滑块机构"
+    assert wording.symbols["q3.omega_AB"] == r"\omega_{AB}"
+    assert wording.meanings["q1.v_B"] == "滑块 $B$ 的速度大小"
+    assert wording.parameters["q1", "phi"] == r"\varphi"
+    assert wording.mistakes["coriolis-dropped"] == "漏掉了科氏加速度。"
+    assert exam_language(small_class / "EXAM") == "en"
+
+
+def test_a_template_that_cannot_be_read_any_more_costs_its_words_only(tmp_path: Path) -> None:
+    head = {"language": "zh", "questions": [{"question": "q1", "template": "gone"}, {"question": "q2"}]}
+    (tmp_path / "exam.json").write_text(json.dumps(head), encoding="utf-8")
+    wording = exam_wording(tmp_path, "en")
+    assert (wording.titles, wording.symbols) == ({}, {})
+    assert exam_language(tmp_path) == "zh"
+    (tmp_path / "exam.json").write_text("[]", encoding="utf-8")
+    with pytest.raises(ExamError, match=r"exam.json: cannot be read \(TypeError\) - expected an exam folder made by"):
+        exam_wording(tmp_path, "en")
+
+
+def test_a_whole_class_gets_its_sheets(small_class: Path, tmp_path: Path, press: FeedbackPress) -> None:
+    from kinegrade.grading.grade import grade
+
+    exam = small_class / "EXAM"
+    grade(exam, exam / "answers.csv", tmp_path / "MARKS")
+    count = write_feedback(exam, tmp_path / "MARKS", tmp_path / "OUT", exam_wording(exam, "en"), press.feedback,
+                           language="en")
+    sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())
+    assert (count, sheets) == (4, sorted(path.name for path in (exam / "papers").iterdir()))
+    assert "no answer" in text_of((tmp_path / "OUT" / "sheets" / sheets[0]).read_bytes())

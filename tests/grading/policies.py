@@ -1,0 +1,78 @@
+"""A class in memory, marked by a policy that is given as text: for tests of policies and what follows from them."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.grading.accepted import alternatives
+from kinegrade.grading.givens import Givens
+from kinegrade.grading.grade import grade
+from kinegrade.grading.key import Ask, Exam, Examinee, rule
+from kinegrade.grading.marks import Mark, Marks, mark
+from kinegrade.grading.policy import AS_PRINTED, Policy
+from kinegrade.grading.policy_reading import read_policy
+from kinegrade.grading.sheet import read_sheet
+from kinegrade.tables import parse_table
+from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
+
+ONE_PER_CENT = rule(Fraction(1, 100), Fraction(0))
+ZERO = rule(Fraction(1, 100), Fraction(1, 500))
+ASKS = (
+    Ask("q1", "v_B", "m/s", Fraction(4)), Ask("q1", "omega_AB", "rad/s", Fraction(3), "counter-clockwise positive"),
+    Ask("q2", "phi", "deg", Fraction(5, 2)),
+)  # fmt: skip
+KEYS = {
+    "q1.v_B": ONE_PER_CENT.key(Fraction(2), None, {"transport-for-absolute": Fraction(3),
+                                                   "sense-reversed": Fraction(-2)}),
+    "q1.omega_AB": ZERO.key(Fraction(0), None, {"sense-reversed": Fraction(5)}),
+    "q2.phi": ONE_PER_CENT.key(Fraction(30), Fraction(360)),
+}  # fmt: skip
+CLASS = Exam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
+
+
+def policy_of(text: str, folder: Path, exam: Exam = CLASS) -> Policy:
+    """The policy in a text; `folder` is where it is written, and the exam's folder."""
+    file = folder / "policy.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_policy(file, exam, Givens(folder))
+
+
+def marked(rows: str, policy: Policy = AS_PRINTED, exam: Exam = CLASS, givens: Path = Path()) -> Marks:
+    """The marks of CLASS for rows of: student, q1.v_B, q1.omega_AB, q2.phi."""
+    header = ",".join(("student", *(ask.column for ask in exam.asks)))
+    sheet = read_sheet(parse_table(f"{header}\n{rows}".encode(), "answers.csv"), exam)
+    return mark(exam, sheet, None, policy, alternatives(exam, policy, Givens(givens)))
+
+
+def marks_of(marks: Marks, student: str) -> list[Mark]:
+    """A student's marks in the order of the asks."""
+    return [each for each in marks.marks if each.student == student]
+
+
+def told(marks: Marks, student: str, index: int = 0) -> tuple[str, Fraction, str]:
+    """Verdict, points and reason of one answer."""
+    mark = marks_of(marks, student)[index]
+    return mark.verdict.kind, mark.points, mark.verdict.reason
+
+
+def drawn_exam(folder: Path) -> Path:
+    """An exam folder whose papers have parameters: r = 1 m, 2 m ..., omega = 30 rpm, phi = 30 degrees."""
+    papers = [paper(student) for student in STUDENTS]
+    for number, each in enumerate(papers, 1):
+        given = {"r": (str(number), "m"), "omega": ("30", "rpm"), "phi": ("30", "deg"), "h": ("sqrt(3)", "mm")}
+        for question in each["questions"]:
+            question["parameters"] = {
+                name: {"exact": text, "value": 0.0, "unit": unit} for name, (text, unit) in given.items()
+            }
+    return write_exam(folder, exam(), papers)
+
+
+def regraded(exam: Path, name: str, policy: str | None = None, before: Path | None = None) -> Path:
+    """The folder of marks `name` beside an exam folder and its answers.csv."""
+    file = exam.parent / f"{name}.toml"
+    if policy is not None:
+        file.write_text(policy, encoding="utf-8")
+    marks = exam.parent / name
+    grade(exam, exam.parent / "answers.csv", marks, policy=None if policy is None else file, never_lower=before)
+    return marks

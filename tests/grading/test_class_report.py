@@ -1,0 +1,182 @@
+"""The class report: right figures, any number of students, one file that needs nothing else."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import pytest
+
+from kinegrade.errors import TableError
+from kinegrade.exam.exam_wording import ExamWording
+from kinegrade.grading.class_report import class_report
+from kinegrade.grading.class_tally import ClassTally, tally
+from kinegrade.grading.exam_record import read_exam_record
+from kinegrade.grading.marked_class import marked_answers
+from kinegrade.grading.math_html import prose_html, symbol_html
+from kinegrade.grading.report_words import CHINESE, ENGLISH
+from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
+
+WRONG = ("99", "99", "99")
+HALF = ("1.732", "99", "-0.125")
+PLAIN = ExamWording()
+WORDING = ExamWording({"q1": "Crank $OA$"}, {"q1.v_B": "speed of $B$"}, {"q1.v_B": "v_{B}"}, {("q1", "r"): "r_{1}"},
+                      {"wrong-pole": "The pole lies elsewhere."})
+
+
+def report(folder: Path, answers: Answers, language: Literal["en", "zh"] = "en", **more: object) -> str:
+    exam, marks = mark_class(folder, answers, **more)  # type: ignore[arg-type]
+    return class_report(marks, exam, WORDING, language)
+
+
+def tallied(exam: Path, marks: Path) -> ClassTally:
+    return tally(marks, exam, read_exam_record(exam))
+
+
+def in_turns(count: int, *rows: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+    return {str(place): rows[place % len(rows)] for place in range(count)}
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("count", [0, 1, 2, 3])
+def test_a_report_of_hardly_anybody_is_a_page(tmp_path: Path, count: int, language: Literal["en", "zh"]) -> None:
+    html = report(tmp_path, in_turns(count, RIGHT, WRONG) | {"absent": ()}, language)
+    page = Page(html)
+    words = ENGLISH if language == "en" else CHINESE
+    assert words.counted.format(count, count + 1) in page.text
+    assert ("lang", words.language) in page.attributes
+    assert (words.nobody in page.text) == (count == 0)
+    assert (words.few in page.text) == (count > 0)
+    assert (words.too_few.format(30) in page.text) == (count > 0)
+    assert not re.search(r"\b(?:nan|inf|None)\b", html)
+
+
+def test_a_page_stands_by_itself(tmp_path: Path) -> None:
+    text = report(tmp_path, in_turns(40, RIGHT, WRONG, HALF), parameters=lambda student: {"r": float(student)})
+    page = Page(text)
+    assert page.tags.isdisjoint({"script", "link", "img", "iframe", "a", "object"})
+    assert not [name for name, _ in page.attributes if name in ("src", "href") or name.startswith("on")]
+    assert not re.search(r"https?:|url\(|@import", text)
+
+
+def test_the_same_marks_give_the_same_page(tmp_path: Path) -> None:
+    exam, marks = mark_class(tmp_path, in_turns(31, RIGHT, WRONG), parameters=lambda student: {"r": float(student)})
+    assert class_report(marks, exam, WORDING, "zh") == class_report(marks, exam, WORDING, "zh")
+
+
+def test_who_answered_nothing_is_named_and_not_counted(tmp_path: Path) -> None:
+    counts = tallied(*mark_class(tmp_path, {"1": RIGHT, "2": (), "3": ("", " - ", ""), "4": WRONG}))
+    assert [each.student for each in counts.answered] == ["1", "4"]
+    assert [each.student for each in counts.silent] == ["2", "3"]
+    assert counts.percents == [100, 0]
+    assert np.array_equal(counts.points, [[4, 3, 2.5], [0, 0, 0]])
+    assert counts.share("q1").tolist() == [1, 0]
+
+
+def test_every_answer_that_lost_points_has_one_reason(tmp_path: Path) -> None:
+    rows = [("-1.732", "5", "oops"), ("17.32", "1 m/s", ""), ("0", "0", "-0.25"), ("1.8", "0", "1"), RIGHT]
+    exam, marks = mark_class(tmp_path, in_turns(len(rows), *rows))
+    counts = tallied(exam, marks)
+    assert counts.losses["q1.v_B"] == {"opposite": 1, "power of ten": 1, "unexplained": 1, "close": 1}
+    assert counts.losses["q1.omega_AB"] == {"unexplained": 1, "wrong unit": 1}
+    assert counts.losses["q2.a_B"] == {"unreadable": 1, "blank": 1, "twice": 1, "unexplained": 1}
+    short = [answer for answer in marked_answers(marks) if answer.points < answer.out_of]
+    assert sum(reasons.total() for reasons in counts.losses.values()) == len(short)
+    assert sum(verdicts.total() for verdicts in counts.verdicts.values()) == 3 * len(rows)
+
+
+def test_mistakes_that_the_marks_name_are_counted_by_their_sentences(tmp_path: Path) -> None:
+    exam, marks = mark_class(tmp_path, in_turns(3, WRONG))
+    text = (marks / "marks.csv").read_text(encoding="utf-8")
+    named = re.sub(r"(q1,v_B,.*),wrong,0,4,.*", r"\1,mistake,1,4,wrong-pole: leads to 99", text)
+    (marks / "marks.csv").write_text(named.replace("wrong-pole", "brand-new", 1), encoding="utf-8")
+    assert tallied(exam, marks).losses["q1.v_B"] == {"wrong-pole": 2, "brand-new": 1}
+    page = Page(class_report(marks, exam, WORDING, "en"))
+    assert "The pole lies elsewhere." in page.text
+    assert "brand-new" in page.text
+    assert "known mistake\u00a03" in page.text
+
+
+def test_an_ask_in_which_strong_papers_do_worse_is_pointed_out(tmp_path: Path) -> None:
+    against = {"1": ("1.732", "0", "9"), "2": ("9", "9", "-0.125")}
+    page = Page(report(tmp_path, in_turns(40, *against.values())))
+    assert ENGLISH.negative in page.text
+    assert ENGLISH.few not in page.text
+
+
+def test_an_ask_that_everybody_got_is_easy_and_one_that_nobody_got_is_hard(tmp_path: Path) -> None:
+    page = Page(report(tmp_path, in_turns(5, ("1.732", "9", "-0.125"), ("1.732", "9", "9"))))
+    assert (page.text.count("easy"), page.text.count(" hard")) == (1 + ENGLISH_EASY, 1 + ENGLISH_HARD)
+
+
+ENGLISH_EASY = " ".join(ENGLISH.small_print).count("easy")
+ENGLISH_HARD = ENGLISH.hardness.count(" hard")
+
+
+def test_a_harder_version_is_told_from_chance(tmp_path: Path) -> None:
+    def version(student: str) -> str:
+        return "AB"[int(student) % 2]
+
+    unfair = Page(report(tmp_path / "1", in_turns(40, RIGHT, HALF), version=version))
+    assert ENGLISH.versions_differ in unfair.text
+    assert "p = < 0.001" in unfair.text or "p = 0.00" in unfair.text
+    fair = Page(report(tmp_path / "2", in_turns(40, RIGHT, RIGHT, HALF, HALF), version=version))
+    assert ENGLISH.versions_alike in fair.text
+    few = Page(report(tmp_path / "3", in_turns(12, RIGHT, HALF), version=version))
+    assert ENGLISH.too_few.format(30) in few.text
+    assert "Kruskal-Wallis: H" not in few.text
+
+
+def test_drawn_numbers_are_a_hint_only_where_they_stand_out(tmp_path: Path) -> None:
+    cells = {str(place): RIGHT if place < 20 else WRONG for place in range(40)}
+    clear = Page(report(tmp_path / "1", cells, parameters=lambda student: {"r": float(student), "k": 2.0}))
+    assert ENGLISH.trends.format(1) in clear.text
+    assert ENGLISH.trend_found in clear.text
+    random = Page(report(tmp_path / "2", cells, parameters=lambda student: {"r": int(student) * 7 % 5}))
+    assert ENGLISH.no_trend in random.text
+    same = Page(report(tmp_path / "3", cells))
+    assert ENGLISH.same_papers in same.text
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_nothing_from_a_file_becomes_a_tag(tmp_path: Path, language: Literal["en", "zh"]) -> None:
+    hostile = ("<script>alert(1)</script>", "<img src=x onerror=alert(1)>", '"><svg onload=alert(1)>')
+    answers = in_turns(3, RIGHT, hostile) | {"<b>absent</b>": ()}
+    page = Page(report(tmp_path, answers, language))
+    assert page.tags.isdisjoint({"script", "img", "b"})
+    assert not [name for name, _ in page.attributes if name.startswith("on")]
+    assert all(typed in page.text for typed in hostile)
+
+
+def test_complaints_are_listed_up_to_a_limit(tmp_path: Path) -> None:
+    page = Page(report(tmp_path, in_turns(201, ("?", "", ""))))
+    assert ENGLISH.more_complaints.format(200, 201) in page.text
+    none = Page(report(tmp_path / "2", in_turns(3, RIGHT)))
+    assert ENGLISH.no_complaints in none.text
+    assert ENGLISH.no_losses in none.text
+
+
+def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> None:
+    exam, marks = mark_class(tmp_path, in_turns(3, RIGHT))
+    lines = (marks / "marks.csv").read_text(encoding="utf-8").splitlines()
+    (marks / "marks.csv").write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
+    with pytest.raises(TableError, match='the lines of student "2" do not fit grades.csv or the others - expected'):
+        class_report(marks, exam, PLAIN, "en")
+
+
+@pytest.mark.parametrize(("latex", "html"), [
+    (r"a_{BA}^{\mathrm{n}}", "<i>a</i><sub><i>BA</i></sub><sup>n</sup>"),
+    (r"\angle OAB", "∠ <i>OAB</i>"),
+    (r"45^\circ", "45°"),
+    (r"\frac{a}{<b>", "frac<i>a</i>&lt;<i>b</i>&gt;"),
+    ("a_", "<i>a</i><sub></sub>"),
+    ("}}a", "<i>a</i>"),
+])
+def test_symbols_become_letters_with_indices(latex: str, html: str) -> None:
+    assert symbol_html(latex) == f'<span class="math">{html}</span>'
+
+
+def test_prose_with_an_odd_dollar_sign_is_left_as_it_is() -> None:
+    assert prose_html("costs $5 <b>") == "costs 5 &lt;b&gt;"

@@ -1,0 +1,237 @@
+"""What known mistakes lead to is known, told apart from the truth in every draw, and told in both languages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from math import cos, isfinite, nan, pi, radians, sin
+from typing import Any
+
+import numpy as np
+import pytest
+
+import kinegrade
+from kinegrade.exact.angle import Angle, Inexact
+from kinegrade.mechanics.doubles import in_doubles
+from kinegrade.problem.checking import check
+from kinegrade.problem.drawing import Deck, Refused
+from kinegrade.problem.foresight import Foresight, columns
+from kinegrade.problem.library import load_template
+from kinegrade.problem.mistake_kinds import (
+    IDENTIFIERS,
+    candidates,
+    degrees_as_radians,
+    mistake_sentence,
+    sentences,
+)
+from kinegrade.problem.mistakes import RIGHT, as_float, in_floats, known_mistakes, outcomes, way_of, work_out
+from kinegrade.problem.reading import read_template
+from kinegrade.problem.reporting import report_lines
+from kinegrade.problem.separation import apart
+from kinegrade.problem.solving import certified, parameter_values, read_values, solve_template
+from kinegrade.problem.template import Template
+from kinegrade.problem.tolerance import ONE_PER_CENT, effective
+from tests.problem.crank import crank, crank_text
+
+TURNING = crank_text(  # a crank in millimetres that turns at an angle
+    ('h     = { unit = "m", draw = [0, "1/2", 3], means = { en = "height of A", zh = "A 的高度" } }',
+     'h     = { unit = "deg", draw = [30, 45, 60], means = { en = "angle", zh = "角" } }'),
+    ('r     = { unit = "m", draw = [1, 2]', 'r     = { unit = "mm", draw = [100, 200]'),
+    ('omega = { unit = "rad/s", draw = [2, 1000000, 20000000]', 'omega = { unit = "rad/min", draw = [60, 120]'),
+    ('P = "(0, h)"\n', ""), ('A = "meet(circle(O, r), line(P, 0), right)"', 'A = "polar(O, r, h)"'),
+    ("-omega*h", "-omega/60*r/1000*sin(h)"),
+)
+
+
+def turning(**values: str) -> Mapping[str, float]:
+    given = {"r": "200", "h": "30", "omega": "120", **values}
+    return solve_template(read_template("crank", TURNING), given)["v_x"].mistakes
+
+
+def test_every_mistake_has_a_sentence_in_both_languages_and_a_plain_name() -> None:
+    assert set(sentences()) == set(IDENTIFIERS)
+    for name in IDENTIFIERS:
+        assert re.fullmatch("[a-z]+(-[a-z]+)*", name)
+        assert mistake_sentence(name, "en").endswith(".")
+        assert re.search(r"[\u4e00-\u9fff].*。$", mistake_sentence(name, "zh"))
+
+
+def test_identifiers_are_a_promise_to_banks() -> None:
+    assert IDENTIFIERS == (
+        "coriolis-dropped", "coriolis-halved", "coriolis-reversed", "relative-normal-dropped", "path-normal-dropped",
+        "relative-for-absolute", "absolute-for-relative", "meshing-reversed", "arm-for-sum", "wrong-pole",
+        "centre-for-pole", "transport-for-absolute", "other-branch", "sine-for-cosine", "degrees-for-radians",
+        "diameter-for-radius", "rpm-not-converted", "millimetres-for-metres", "sense-reversed", "power-of-ten-up",
+        "power-of-ten-down")
+
+
+def test_mistakes_with_units_angles_and_writing() -> None:
+    # r = 0.2 m, omega = 2 rad/s, h = 30 degrees: v_x = -0.4 sin h = -0.2
+    assert turning() == pytest.approx({
+        "sine-for-cosine": -0.4 * cos(pi / 6), "degrees-for-radians": -0.4 * sin(30), "rpm-not-converted": -12.0,
+        "millimetres-for-metres": -200.0, "sense-reversed": 0.2, "power-of-ten-up": -2.0, "power-of-ten-down": -0.02})
+
+
+def test_a_mistake_that_changes_nothing_is_not_listed() -> None:
+    assert "sine-for-cosine" not in turning(h="45")
+    answers = kinegrade.template("slotted-bar-between-two-rods").solve()
+    assert "coriolis-dropped" in answers["alpha_AE"].mistakes
+    assert not [name for name in answers["omega_AE"].mistakes if "coriolis" in name or "normal" in name]
+    assert answers["alpha_AE"].mistakes["coriolis-halved"] == pytest.approx(answers["alpha_AE"].value / 2)
+
+
+def test_magnitudes_have_no_sense_givens_no_mistakes_and_zero_no_decimal_point() -> None:
+    answers = kinegrade.template("slider-crank").solve(phi=90, k="sqrt(3)")
+    assert "sense-reversed" not in answers["v_B"].mistakes
+    assert "sense-reversed" in answers["a_B"].mistakes
+    assert answers.parameters["phi"].mistakes == {}
+    assert not {"sense-reversed", "power-of-ten-up", "power-of-ten-down"} & set(answers["omega_AB"].mistakes)
+
+
+def test_a_slider_crank_worked_out_by_hand() -> None:
+    # r = 1, OA turns clockwise with 1 at 60 degrees, AB at a right angle to it: B at 2 from O
+    answers = kinegrade.template("slider-crank").solve()
+    v_B, omega_AB = answers["v_B"].mistakes, answers["omega_AB"].mistakes
+    assert v_B["wrong-pole"] == pytest.approx(2)
+    assert omega_AB["wrong-pole"] == pytest.approx(-1)
+    assert omega_AB["other-branch"] == pytest.approx(-1 / 3)
+    assert v_B["sine-for-cosine"] == pytest.approx(sin(pi / 6) + cos(pi / 6) * sin(pi / 6) / (3 - 0.25) ** 0.5)
+
+
+def answers_in(template: Template, values: Mapping[str, str], kind: Any, plan: Any,
+               arithmetic: Any) -> dict[str, float]:
+    asks = {name: template.asks[name] for name in template.asked()}
+    given = parameter_values(template, read_values(template, values), arithmetic)
+    found = work_out(template, asks, way_of(kind, template, given, arithmetic), plan, arithmetic)
+    return {name: as_float(value) * (180 / pi if isinstance(value, Angle) and asks[name].unit.degrees else 1)
+            for name, value in found.items()}
+
+
+@pytest.mark.parametrize("name", [
+    "slider-crank", "rod-sliding-on-driven-wheel", "planetary-gear-external-rim-accelerations",
+    "two-wheels-on-cylinder", "rod-ground-incline-fixed-centrode", "extended-rod-driving-rocker",
+    "pose-four-bar-coupler",
+])
+def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
+    template = load_template(name)
+    deck = Deck(template, template.asked(), "mistakes", "q1")
+    drawn = deck.draw("1")
+    plan = drawn.solution.motion.plan
+    asks = {ask: template.asks[ask] for ask in template.asked()}
+    kinds = (RIGHT, *candidates(template, asks))
+    numbers = {given: as_float(drawn.solution.assembly.values[given]) for given in template.parameters}
+    doubles = outcomes(template, asks, kinds[1:], numbers, plan).answers
+    for row, kind in enumerate(kinds):
+        exact = certified(lambda arithmetic, kind=kind: answers_in(template, drawn.values, kind, plan, arithmetic))
+        assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(exact, rel=1e-9, abs=1e-9), kind
+
+
+def test_a_class_at_once_gives_what_each_instance_gives() -> None:
+    template = load_template("bar-through-swivelling-sleeve")
+    deck = Deck(template, template.asked(), "mistakes", "q1")
+    drawn = [deck.draw(str(number)) for number in range(5)]
+    asks = {name: template.asks[name] for name in template.asked()}
+    table = known_mistakes(template, asks, columns([one.values for one in drawn]), drawn[0].solution.motion.plan)
+    for place, one in enumerate(drawn):
+        for ask in asks:
+            listed = one.solution[ask].mistakes
+            assert listed == pytest.approx({name: table[ask][name][place] for name in listed})
+
+
+def test_an_angle_of_radians_is_no_exact_angle() -> None:
+    template = read_template("crank", TURNING)
+    with pytest.raises(Inexact, match="a number of radians"):
+        degrees_as_radians(template, {"h": Angle(1)}, None)
+
+
+DECKS = ["slider-crank", "bar-through-swivelling-sleeve", "ring-gear-planet-relative-spin", "pin-in-two-rings",
+         "flat-faced-follower-curvature-radius", "rod-ground-incline-fixed-centrode", "wheel-on-circular-track"]
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None:
+    template = load_template(name)
+    deck = Deck(template, template.asked(), "spring", "q1")
+    students = [str(number) for number in range(8)]
+    deck.foresee(students)
+    inseparable = deck.sight.separation.inseparable() if deck.sight.separation else {}
+    for student in students:
+        solution = deck.draw(student).solution
+        for ask in template.asked():
+            answer = solution[ask]
+            allowed = effective(ONE_PER_CENT, answer.value, answer.measure, in_doubles(solution.motion))
+            low, high = allowed.interval(Fraction(answer.value))
+            for mistake, value in answer.mistakes.items():
+                typed = Fraction(f"{value:.3g}") if isfinite(value) else Fraction(0)
+                assert mistake in inseparable[ask] or not low <= typed <= high or answer.value == value == 0
+
+
+def slider_crank(**fixed: tuple[str, ...]) -> Deck:
+    return Deck(load_template("slider-crank"), ("v_B", "omega_AB"), "spring", "q1", fixed)
+
+
+def test_a_draw_that_hides_a_mistake_is_refused_for_that() -> None:
+    deck = slider_crank(phi=("30", "45", "60"))
+    angles = {deck.draw(str(number)).values["phi"] for number in range(20)}
+    assert angles == {"30", "60"}
+    assert deck.refused["mistake"] > 0
+    hidden = {"r": "0.1", "k": "2", "phi": "45", "omega": "2", "alpha": "0"}
+    deck.sight.look([hidden])
+    with pytest.raises(Refused, match="a known mistake leads to an answer within tolerance") as caught:
+        deck.require_apart("1", 0, hidden)
+    assert caught.value.reason == "mistake"
+
+
+def test_what_no_draw_can_tell_apart_is_not_asked_of_any() -> None:
+    deck = slider_crank(phi=("45",))
+    assert deck.draw("1").values["phi"] == "45"
+    assert deck.refused["mistake"] == 0
+
+
+def test_looking_ahead_changes_no_draw() -> None:
+    students = [str(number) for number in range(10)]
+    ahead, alone = slider_crank(), slider_crank()
+    ahead.foresee(students)
+    assert [ahead.draw(one).values for one in students] == [alone.draw(one).values for one in students]
+    assert ahead.refused == alone.refused
+
+
+def test_a_question_without_any_solvable_draw_is_left_to_other_reasons() -> None:
+    deck = Deck(crank(), ("v_x",), "spring", "q1", {"h": ("3",)})
+    assert deck.sight == Foresight(None)
+    deck.sight.look([{"r": "2", "h": "3", "omega": "2"}])
+    assert deck.sight.seen == {("2", "3", "2"): False}
+
+
+def test_terms_that_vanish_identically_are_told() -> None:
+    template = load_template("parallelogram-with-sliding-rod")  # its coupler translates, whatever is drawn
+    separation = Deck(template, template.asked(), "spring", "q1").sight.separation
+    assert separation is not None
+    told = separation.inseparable()
+    assert "coriolis-dropped" in told["alpha_AB"]
+    assert told["omega_AB"] == told["v_rel"] == ()
+
+
+def test_the_report_of_a_check_tells_them() -> None:
+    lines = list(report_lines(check(load_template("parallelogram-with-sliding-rod"), sample=20)))
+    told = "cannot be told from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
+    assert f"  a_rel: {told}" in lines
+    assert not [line for line in lines if line.startswith("  omega_AB: cannot")]
+    assert re.search(r"refused: .*mistake \d+", "".join(lines))
+
+
+@pytest.mark.parametrize(("text", "value"), [("30", pi / 6), ("atan(3/4)", 0.6435011), ("sqrt(-1)", nan), ("r", nan)])
+def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> None:
+    template = load_template("slider-crank")
+    assert in_floats(template, {"phi": [text]})["phi"] == pytest.approx([value], nan_ok=True)
+    deck = slider_crank()
+    assert deck.sight.separation is not None
+    values = {**{name: ["1"] for name in template.parameters}, "k": ["2"], "phi": [text]}
+    assert deck.sight.separation.confuses(values).tolist() == [False]
+
+
+def test_angles_that_turn_round_are_compared_without_full_turns() -> None:
+    ask = load_template("triangle-pose-three-frames").asks["theta_2"]
+    assert ask.cyclic
+    assert apart(np.array([radians(359)]), np.array([0.0]), ask) == pytest.approx([radians(1)])
