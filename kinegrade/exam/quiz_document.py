@@ -1,0 +1,89 @@
+"""A quiz as a learning management system puts it: texts, figures, right numbers and how far from them is right.
+
+`kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose, math and plain text
+are those of `kinegrade.exam.document`. Numbers are exact fractions in the unit of the ask.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+Language = Literal["en", "zh"]
+
+
+@dataclass(frozen=True)
+class QuizMistake:
+    """A wrong answer that a known mistake leads to, its share of the points and what it was."""
+
+    identifier: str
+    value: Fraction
+    credit: Fraction
+    sentence: str  # plain
+
+
+@dataclass(frozen=True)
+class QuizAsk:
+    """One number to be found. Right is what lies from `low` to `high`, both included."""
+
+    identifier: str  # "v_B", as in the answer sheet's columns
+    symbol: str  # math
+    meaning: str  # prose
+    unit: str  # plain: "m/s^2", "deg"; "1" for a pure number
+    sign: str  # prose; "" where no sign is to be agreed on
+    points: Fraction
+    value: Fraction  # of 40 correct digits where the answer is irrational
+    low: Fraction
+    high: Fraction
+    period: Fraction | None = None  # a full turn, of an angle that is right with any number of turns
+    mistakes: tuple[QuizMistake, ...] = ()
+
+
+@dataclass(frozen=True)
+class QuizFigure:
+    """A figure to scale as a picture; its size is on paper, in millimetres."""
+
+    svg: bytes
+    width: float
+    height: float
+    description: str  # plain, for those who cannot see it
+
+
+@dataclass(frozen=True)
+class QuizQuestion:
+    """A mechanism with one student's numbers, and all that is asked of it."""
+
+    identifier: str  # stable and without blanks: of the exam, the paper and the question
+    question: str  # "q1"
+    title: str  # prose, one line
+    statement: str  # prose
+    figure: QuizFigure | None
+    asks: tuple[QuizAsk, ...]
+    solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
+
+    @property
+    def points(self) -> Fraction:
+        """The total of all asks."""
+        return sum((ask.points for ask in self.asks), Fraction(0))
+
+
+@dataclass(frozen=True)
+class QuizPaper:
+    """The questions of one student's paper; student and name are "" where questions are pooled for everybody."""
+
+    code: str  # plain, as are student and name
+    student: str
+    name: str
+    questions: tuple[QuizQuestion, ...]
+
+
+@dataclass(frozen=True)
+class Quiz:
+    """All papers of an exam, which may come one after another so that a large class needs no more memory."""
+
+    language: Language
+    course: str  # plain, as is title
+    title: str
+    papers: Iterable[QuizPaper]
