@@ -6,6 +6,8 @@
     shuffle = true                           # optional: every paper has its own order of the questions
     versions = 3                             # optional: versions A, B, C instead of a paper for each student
     engine = "latex"                         # optional: what typesets the exam (typst)
+    credit = { follow-through = "1/2" }      # optional: see bank_credit
+    solutions = true                         # optional: feedback holds the worked solutions
 
     [[questions]]
     template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
@@ -29,6 +31,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from kinegrade.errors import BankError, did_you_mean
+from kinegrade.exam.bank_credit import read_credit
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
 from kinegrade.exam.bank_values import Values, written
 from kinegrade.exam.blueprint import Bank, Blueprint, Slot, matched, wishes
@@ -38,7 +41,7 @@ from kinegrade.problem.library import shipped
 from kinegrade.problem.reading import TOO_LARGE, short_line, too_large
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 
-KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "engine", "questions")
+KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "engine", "credit", "solutions", "questions")
 MAX_BYTES = 200_000
 
 
@@ -91,7 +94,9 @@ def blueprint(values: Values, table: Mapping[str, Any], text: str, folder: Path)
         values.date("date", table.get("date", "")), tolerance, (), text,
         values.flag("shuffle", table.get("shuffle", False)),
         values.whole("versions", table["versions"], 1, len(LETTERS)) if "versions" in table else 0,
-        read_engine(values, table.get("engine", "typst")))
+        read_engine(values, table.get("engine", "typst")),
+        read_credit(values, table.get("credit")),
+        values.flag("solutions", table.get("solutions", False)))
     if values.faults:
         raise BankError(*values.faults)
     return Blueprint(frame, slots)

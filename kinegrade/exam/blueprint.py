@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from kinegrade.exam.bank_credit import NO_CREDIT, Credit
 from kinegrade.exam.press import Engine
 from kinegrade.problem.drawing import address
 from kinegrade.problem.template import Template, Translated
@@ -45,7 +46,8 @@ class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept with the exam.
 
     `shuffle` lets every paper have its own order of the questions; `versions` is how many different papers there are,
-    0 for one of each student's own; `engine` is what typesets it unless an instructor asks for another.
+    0 for one of each student's own; `engine` is what typesets it unless an instructor asks for another; `credit` is for
+    answers that are not right; with `solutions` feedback holds the worked solutions unless somebody says otherwise.
     """
 
     title: Translated
@@ -57,6 +59,8 @@ class Bank:
     shuffle: bool = False
     versions: int = 0
     engine: Engine = "typst"
+    credit: Credit = NO_CREDIT
+    solutions: bool = False
 
 
 @dataclass(frozen=True)

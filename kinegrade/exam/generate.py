@@ -161,6 +161,8 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
         "format": FORMAT, "kinegrade": __version__, "warning": WARNING, "title": bank.title.in_language(language),
         "course": bank.course.in_language(language), "date": bank.date, "language": language, "seed": setting.secret,
         **({"versions": list(version_letters(bank.versions))} if bank.versions else {}),
+        **({"credit": bank.credit.record()} if bank.credit.record() else {}),
+        **({"solutions": True} if bank.solutions else {}),
         "questions": [
             {"question": question.identifier, "template": question.template.name, "points": amount(question.points),
              "combinations": setting.decks[question.identifier].combinations(),

@@ -158,8 +158,8 @@ points = 3
 number = 2
 """)
     assert found == [
-        'unknown key "titel": did you mean "title"? (known here: course, date, engine, questions, shuffle, '
-        'title, tolerance, versions)',
+        'unknown key "titel": did you mean "title"? (known here: course, credit, date, engine, questions, shuffle, '
+        'solutions, title, tolerance, versions)',
         'tolerance: unknown key "size": known here: absolute, figures, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
         'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
@@ -281,3 +281,29 @@ def test_a_bank_is_found_by_path_or_by_name(tmp_path: Path, monkeypatch: pytest.
     with pytest.raises(BankError, match='no bank "fnial": did you mean "final"') as caught:
         bank_path(Path("fnial"))
     assert caught.value.problems[0].endswith("; or give a bank file")
+
+
+def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
+    credit = 'credit = { follow-through = "1/3", wrong-unit = "50 %", mistakes = { coriolis-halved = 0.25 } }\n'
+    found = bank(tmp_path, HEAD + credit + "solutions = true\n" + QUESTION)
+    assert found.credit.alone == {"follow-through": Fraction(1, 3), "wrong-unit": Fraction(1, 2)}
+    assert found.credit.record() == {"follow-through": "1/3", "wrong-unit": "1/2",
+                                     "mistakes": {"coriolis-halved": "1/4"}}
+    assert found.solutions
+    plain = bank(tmp_path, HEAD + QUESTION)
+    assert (plain.credit.record(), plain.solutions) == ({}, False)
+
+
+@pytest.mark.parametrize(("written", "fault"), [
+    ('"half"', 'credit: expected a table like { follow-through = "1/2" }'),
+    ('{ follow-trough = 1 }', 'credit: unknown key "follow-trough": did you mean "follow-through"?'),
+    ('{ wrong-unit = 2 }', 'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not \'2\''),
+    ('{ wrong-unit = "1/0" }', 'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
+                               "not '1/0'"),
+    ('{ mistakes = 1 }', 'credit.mistakes: expected a table like { coriolis-halved = "1/2" }'),
+    ('{ mistakes = { coriolis-halfed = 1 } }', 'credit.mistakes: unknown mistake "coriolis-halfed": did you mean '
+                                               '"coriolis-halved"?'),
+])
+def test_faults_of_credit_are_told(tmp_path: Path, written: str, fault: str) -> None:
+    (found,) = faults(tmp_path, f"{HEAD}credit = {written}\n{QUESTION}")
+    assert found.startswith(fault)
