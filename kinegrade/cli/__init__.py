@@ -10,7 +10,9 @@ import click
 
 from kinegrade import __version__
 from kinegrade.cli.exams import generate
-from kinegrade.cli.marks import class_report, diff, export, feedback, grade
+from kinegrade.cli.export import export
+from kinegrade.cli.marks import class_report, diff, feedback, grade
+from kinegrade.cli.sharing import sharing
 from kinegrade.cli.templates import check, gallery, list_templates, new, show, solve
 
 
@@ -26,5 +28,5 @@ def main() -> None:
 
 
 for command in (list_templates, show, solve, check, new, gallery, generate,
-                grade, diff, class_report, feedback, export):
+                grade, diff, class_report, feedback, sharing, export):
     main.add_command(command)

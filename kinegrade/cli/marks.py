@@ -1,4 +1,4 @@
-"""The commands about answers and marks: grade, diff, report, feedback, export."""
+"""The commands about answers and marks: grade, diff, report, feedback."""
 
 from __future__ import annotations
 
@@ -121,22 +121,3 @@ def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solut
     count = write_feedback(exam, marks, output, exam_wording(exam, chosen), printed, language=chosen,
                            solutions=solutions, force=force)
     click.echo(f"{output}: {count} sheets; {output / 'feedback.csv'} says which is whose", err=True)
-
-
-@click.command()
-@click.argument("marks", type=FILE)
-@click.option("--to", "system", type=click.Choice(["moodle"]), required=True, help="The learning management system.")
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
-@FORCE
-@refusing
-def export(marks: Path, system: str, output: Path, force: bool) -> None:
-    """Write the grades of MARKS in the form that a learning management system imports.
-
-    \b
-    Example: kinegrade export MARKS --to moodle -o moodle.csv
-    """
-    from kinegrade.files import write_file
-    from kinegrade.lms import moodle
-
-    writers = {"moodle": moodle.export}
-    write_file(output, writers[system](marks).encode("utf-8"), force=force)

@@ -1,13 +1,18 @@
-"""moodle.csv from a folder of marks: exact ids, dot decimals, nothing that Moodle would refuse."""
+"""Moodle: exact ids, dot decimals, nothing that stops its all-or-nothing import; its downloads in three languages."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from kinegrade.errors import TableError
-from kinegrade.lms.moodle import export
+from kinegrade.lms.dialect import ExportOptions
+from kinegrade.lms.moodle import MOODLE, export
+from kinegrade.tables import parse_table
+from tests.golden_files import Hold
+from tests.lms.marked_folder import changed, filled, fresh, write_marks
 
 GRADES = '''student,name,q1,q2,total,out_of,percent
 0012345,王伟,4,3,7,10,70
@@ -22,12 +27,24 @@ lines"
 =9,q1,omega_AB,,,rad/s,blank,0,3,
 =9,q2,a_B,1,1,m/s^2,right,0.3333,3,
 """
+SAMPLES = Path(__file__).parent / "samples"
+LANGUAGES = {"en": ("Real", "Feedback"), "de": ("Punkte", "Rückmeldung"), "zh_cn": ("分数", "反馈")}
+WORKSHEET = (
+    "\ufeffIdentifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed,"
+    "Last modified (submission),Last modified (grade),Feedback comments\r\n"
+    '"Participant 12",王伟,w1@example.invalid,"Submitted",,10.00,Yes,"Friday, 1 May 2026","-",\r\n'
+    '"Participant 13","O\'Neil, Zoë",w2@example.invalid,"Submitted",3.00,10.00,Yes,-,-,"old, and ""long"""\r\n'
+)
 
 
 def folder(tmp_path: Path, grades: str = GRADES, marks: str = MARKS) -> Path:
     (tmp_path / "grades.csv").write_text(grades, encoding="utf-8")
     (tmp_path / "marks.csv").write_text(marks, encoding="utf-8")
     return tmp_path
+
+
+def sample(language: str) -> bytes:
+    return (SAMPLES / f"moodle-gradebook-{language}.csv").read_bytes()
 
 
 def test_the_file_is_what_moodle_imports(tmp_path: Path) -> None:
@@ -38,9 +55,119 @@ def test_the_file_is_what_moodle_imports(tmp_path: Path) -> None:
     )
 
 
+def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
+    hold("lms/moodle.csv", export(write_marks(tmp_path)))
+
+
 def test_feedback_holds_no_html(tmp_path: Path) -> None:
-    changed = folder(tmp_path, GRADES.replace("q1", "<b>"), MARKS.replace("q1", "<b>"))
-    assert "&lt;b&gt;: 4/7" in export(changed)
+    marked = folder(tmp_path, GRADES.replace("q1", "<b>"), MARKS.replace("q1", "<b>"))
+    assert "&lt;b&gt;: 4/7" in export(marked)
+
+
+def test_who_handed_in_nothing_is_left_out_because_an_empty_grade_erases_one(tmp_path: Path) -> None:
+    assert "0012347" not in export(write_marks(tmp_path))
+    everybody = fresh(tmp_path, MOODLE, ExportOptions(ungraded=True))
+    assert "0012347,'=HYPERLINK(1),0,q1: 0/7; q2: 0/3\n" in everybody.text
+    assert (everybody.students, fresh(tmp_path, MOODLE).students) == (4, 3)
+
+
+def test_lines_are_of_one_length_not_blank_and_without_the_export_time(tmp_path: Path) -> None:
+    table = parse_table(export(write_marks(tmp_path)).encode(), "moodle.csv")
+    assert table.complaints == ()
+    assert {len(row.cells) for row in table.rows} == {len(table.header)} == {4}
+    assert not any("downloaded" in title.lower() for title in table.header)
+    assert all(row.cells[2] not in ("", "-") for row in table.rows)
+
+
+def test_a_grade_above_the_maximum_would_stop_the_whole_import(tmp_path: Path) -> None:
+    more = folder(tmp_path, GRADES.replace("4,3,7,10", "4,3,11,10"))
+    with pytest.raises(TableError, match='student "0012345": 11 points of 10 - expected no more than there are'):
+        export(more)
+
+
+def test_questions_in_columns_of_their_own(tmp_path: Path) -> None:
+    assert fresh(tmp_path, MOODLE, ExportOptions(per_question=True)).text.splitlines()[:2] == [
+        "ID number,Full name,Grade q1,Grade q2", "0012345,王伟,7,1.25"]
+
+
+def test_by_email_those_without_one_are_told(tmp_path: Path) -> None:
+    made = fresh(tmp_path, MOODLE, ExportOptions(by=("email",), feedback=False))
+    assert made.text.splitlines()[:2] == ["Email address,Full name,Grade", "w1@example.invalid,王伟,8.25"]
+    assert [str(each) for each in made.complaints] == [
+        'exam.json: student "0012348" has no e-mail - not exported; give it in the roster, or match by id']
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("by", ["id", "email"])
+def test_a_downloaded_gradebook_keeps_every_byte_but_grades_and_feedback(
+    tmp_path: Path, language: str, by: str
+) -> None:
+    result = filled(tmp_path, MOODLE, sample(language), ExportOptions(by=(by,)))  # type: ignore[arg-type]
+    title = {"en": "Quiz: ", "de": "Test:\u00a0", "zh_cn": "测验："}[language] + "Kinematics quiz"
+    grade, feedback = (f"{title} ({word})" for word in LANGUAGES[language])
+    expected = {(3, grade): "4", (3, feedback): "q1: 4/7; q2: 0/3", (5, grade): "8.25",
+                (5, feedback): "q1: 7/7; q2: 1.25/3"}
+    if by == "id":
+        expected |= {(4, grade): "9.6667", (4, feedback): "q1: 6.6667/7; q2: 3/3"}
+    assert changed(tmp_path) == expected
+    assert result.students == len(expected) // 2
+    told = [str(each) for each in result.complaints]
+    assert len(told) == (0 if by == "id" else 2), told
+
+
+def test_an_encoding_that_moodle_can_be_told_is_kept(tmp_path: Path) -> None:
+    result = filled(tmp_path, MOODLE, sample("zh_cn").decode().encode("gb18030"), ExportOptions(by=("id",)))
+    assert len(changed(tmp_path)) == 6
+    assert "测验：Kinematics quiz (反馈)".encode("gb18030") in result.content
+
+
+def test_without_feedback_only_grades_change(tmp_path: Path) -> None:
+    filled(tmp_path, MOODLE, sample("en"), ExportOptions(feedback=False))
+    assert {header for _, header in changed(tmp_path)} == {"Quiz: Kinematics quiz (Real)"}
+
+
+def test_ids_are_exact_texts_and_lost_zeros_are_only_suggested(tmp_path: Path) -> None:
+    eaten = sample("en").replace(b"0012345", b"12345")
+    result = filled(tmp_path, MOODLE, eaten, ExportOptions(by=("id",)))
+    assert all(line != 5 for line, _ in changed(tmp_path))
+    assert [str(each) for each in result.complaints] == [
+        'download.csv: no row for student "0012345" by ID number - not exported; line 5 has ID number "12345", '
+        "probably the same: correct one of the two and export again",
+        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not changed']
+
+
+def test_a_column_in_a_language_that_is_not_known_can_be_named(tmp_path: Path) -> None:
+    other = sample("en").replace(b"(Real)", b"(Brut)")
+    with pytest.raises(TableError, match="no grade columns to fill in - expected one - name it by --column HEADER"):
+        filled(tmp_path, MOODLE, other)
+    filled(tmp_path, MOODLE, other, ExportOptions(columns={"": "Quiz: Kinematics quiz (Brut)"}))
+    assert changed(tmp_path)[5, "Quiz: Kinematics quiz (Brut)"] == "8.25"
+    with pytest.raises(TableError, match='"ID number" is no column from which Moodle takes grades'):
+        filled(tmp_path, MOODLE, other, ExportOptions(columns={"": "ID number"}))
+
+
+def test_the_assignment_worksheet_is_filled_by_email_and_keeps_its_marks(tmp_path: Path) -> None:
+    result = filled(tmp_path, MOODLE, WORKSHEET)
+    assert changed(tmp_path) == {
+        (2, "Grade"): "8.25", (2, "Feedback comments"): "q1: 7/7; q2: 1.25/3",
+        (3, "Grade"): "4", (3, "Feedback comments"): "q1: 4/7; q2: 0/3"}
+    assert result.content.startswith(b"\xef\xbb\xbfIdentifier")
+    assert '3.00,10.00,Yes,-,-,"old, and ""long"""'.replace("3.00", "4").replace(
+        'old, and ""long""', "q1: 4/7; q2: 0/3").encode() in result.content
+    assert [str(each) for each in result.complaints] == [
+        'download.csv: no row for student "0012348" by Email address - not exported']
+
+
+def test_a_worksheet_states_its_maximum(tmp_path: Path) -> None:
+    with pytest.raises(TableError, match='"Grade": counts 20 there, 10 in the exam - expected the same - add --scale'):
+        filled(tmp_path, MOODLE, WORKSHEET.replace("10.00", "20.00"))
+    filled(tmp_path, MOODLE, WORKSHEET.replace("10.00", "20.00"), ExportOptions(scale=True))
+    assert changed(tmp_path)[2, "Grade"] == "16.5"
+
+
+def test_moodle_keeps_five_decimals(tmp_path: Path) -> None:
+    text = fresh(tmp_path, MOODLE, ExportOptions(maximum=Fraction(7), feedback=False)).text
+    assert text.splitlines()[3] == "0012348,Some Blank,6.76669"
 
 
 def test_a_damaged_folder_is_refused(tmp_path: Path) -> None:

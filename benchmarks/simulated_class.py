@@ -1,0 +1,113 @@
+"""A simulated class: papers drawn as for an exam, their exam folder, and answers to them marked by the real marking.
+
+`classes` draws; `SimulatedClass.marked` goes from typed texts through the answer sheet to the marks.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import floor, log10
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.generate import exam_record
+from kinegrade.exam.key_mistakes import mistaken_answers
+from kinegrade.exam.key_record import key_record
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.sample import sample_bank
+from kinegrade.exam.setting import SetPaper, Setting, set_exam
+from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.key import Exam
+from kinegrade.grading.marks import Mark, mark
+from kinegrade.grading.sheet import read_sheet
+from kinegrade.problem.honest import nearest_turn, turn_of
+from kinegrade.problem.separation import Separation
+from kinegrade.problem.template import Template
+from kinegrade.tables import csv_text, parse_table
+
+CLASS = 50  # students of one exam: no template is short of instances for so few
+FIGURES = 4  # that mistaken students type in
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a student types into one box; `value` is the number meant, in the ask's unit, `mistake` what led to it."""
+
+    typed: str
+    value: float
+    mistake: str = ""
+
+
+@dataclass(frozen=True)
+class SimulatedClass:
+    """Papers of one template, the exam as grading sees it, and by ask the mistakes that its draws do not keep apart."""
+
+    template: Template
+    number: int
+    papers: tuple[SetPaper, ...]
+    exam: Exam
+    inseparable: Mapping[str, frozenset[str]]
+
+    def marked(self, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark]]:
+        """The mark of every ask of every paper, with the paper's place; `answers` are each student's, by ask."""
+        header = ["student", *(ask.column for ask in self.exam.asks)]
+        rows = [[paper.student.student, *(given[ask.ask].typed if ask.ask in given else "" for ask in self.exam.asks)]
+                for paper, given in zip(self.papers, answers, strict=True)]
+        sheet = read_sheet(parse_table(csv_text(header, rows).encode(), "answers.csv"), self.exam)
+        for number, each in enumerate(mark(self.exam, sheet).marks):
+            yield number // len(self.exam.asks), each
+
+    def alike(self, place: int, ask: str, name: str, answer: Answer) -> bool:
+        """Whether a mistake leads to the number that was meant, within a unit of the last figure typed in."""
+        led = self.papers[place].questions[0].drawn.solution[ask].mistakes.get(name)
+        if led is None:
+            return False
+        led = nearest_turn(led, answer.value, turn_of(self.template.asks[ask]))
+        unit = 10.0 ** (floor(log10(abs(answer.value))) + 1 - FIGURES) if answer.value else 0.0
+        return abs(led - answer.value) <= unit
+
+    @staticmethod
+    def named(each: Mark) -> str:
+        """The mistake that the marks name, or ""."""
+        return each.verdict.reason.partition(":")[0] if each.verdict.kind == "mistake" else ""
+
+
+def answered(simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark, Answer]]:
+    """The marks of what was answered."""
+    for place, each in simulated.marked(answers):
+        if each.ask.ask in answers[place]:
+            yield place, each, answers[place][each.ask.ask]
+
+
+def classes(template: Template, draws: int) -> Iterator[SimulatedClass]:
+    """So many papers of what a template asks by default, in classes of CLASS students."""
+    for number, first in enumerate(range(0, draws, CLASS)):
+        names = [f"s{place}" for place in range(min(CLASS, draws - first))]
+        roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
+        setting = set_exam(sample_bank(template), roster, f"fairness {number}")
+        (deck,) = setting.decks.values()
+        papers = tuple(setting.papers())
+        yield SimulatedClass(template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation))
+
+
+def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
+    """By ask the mistakes that draws do not keep apart from the right answer."""
+    if separation is None:
+        return {}
+    identifiers = separation.compare(separation.sample).identifiers
+    return {ask: frozenset(name for name, kept in zip(identifiers[ask], separation.kept[ask], strict=True) if not kept)
+            for ask in separation.asks}
+
+
+def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
+    """The exam, written into a folder as generate writes it and read again as grade reads it."""
+    keys = [KeyPaper(paper.student.student, paper.student.name, paper.code, ()) for paper in papers]
+    lines = (key_record(paper, mistakes) for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True))
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "exam.json").write_text(json.dumps(exam_record(setting, keys, "en")), encoding="utf-8")
+        (folder / "key.jsonl").write_text("".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8")
+        return read_exam(folder)

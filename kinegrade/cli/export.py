@@ -1,0 +1,130 @@
+"""The command that takes marks out: into the grade files of learning management systems, or into one spreadsheet."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from kinegrade.cli.options import FILE, FORCE, finish, refusing
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from kinegrade.lms.dialect import Dialect, ExportOptions, Field
+    from kinegrade.lms.grades import ClassGrades
+
+SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic", "xlsx")
+
+
+@click.command()
+@click.argument("marks", type=FILE)
+@click.option("--to", "system", type=click.Choice(SYSTEMS), required=True,
+              help="The learning management system; generic is a plain sheet, xlsx everything for people.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
+@click.option("--into", type=FILE, metavar="DOWNLOAD", help="The system's own file, to be filled in.")
+@click.option("--column", "columns", multiple=True, metavar="[QUESTION=]HEADER",
+              help="The column meant, by its header; once for each question with --per-question.")
+@click.option("--title", default="", help="The item's title in the system.")
+@click.option("--per-question", is_flag=True, help="A column for each question in place of the total.")
+@click.option("--feedback/--no-feedback", default=None, help="Points by question as a comment.  "
+                                                             "[default: where the system has a place for it]")
+@click.option("--ungraded", is_flag=True, help="Also grade those who handed in nothing; they are left alone otherwise.")
+@click.option("--by", type=click.Choice(["id", "login", "email"]), multiple=True,
+              help="What the roster's ids are in the system, or email to go by addresses (with --exam).  "
+                   "[default: any that fits]")
+@click.option("--exam", type=FILE, metavar="EXAM", help="The exam folder, for its title and the e-mail addresses.")
+@click.option("--scale", is_flag=True, help="Scale to the maximum that the file states.")
+@click.option("--maximum", metavar="NUMBER", help="What the item counts in the system; grades are scaled to it.")
+@FORCE
+@refusing
+def export(*, marks: Path, system: str, output: Path, into: Path | None, columns: tuple[str, ...], title: str,
+           per_question: bool, feedback: bool | None, ungraded: bool, by: tuple[Field, ...], exam: Path | None,
+           scale: bool, maximum: str | None, force: bool) -> None:
+    """Write the grades of MARKS as a learning management system takes them.
+
+    \b
+    Example: kinegrade export MARKS --to moodle -o moodle.csv
+    Filled:  kinegrade export MARKS --to canvas --into download.csv --column "Midterm (1234)" -o canvas.csv
+    """
+    if system == "xlsx":
+        if into is not None:
+            raise click.UsageError("--into: a spreadsheet is written anew - leave it out, or choose a system")
+        _write_workbook(marks, output, force=force)
+        return
+    from kinegrade.lms.dialect import ExportOptions
+    from kinegrade.lms.grades import read_grades
+
+    grades = read_grades(marks, exam)
+    named = _columns(columns, grades, per_question=per_question)
+    _write(_dialect(system), grades, into, output, ExportOptions(
+        by, named, title.strip(), per_question, feedback, ungraded, scale, _maximum(maximum)), force=force)
+
+
+def _write_workbook(marks: Path, output: Path, *, force: bool) -> None:
+    from kinegrade.files import write_file
+    from kinegrade.lms.workbook import workbook
+
+    write_file(output, workbook(marks), force=force)
+
+
+def _write(
+    dialect: Dialect, grades: ClassGrades, into: Path | None, output: Path, options: ExportOptions, *, force: bool
+) -> None:
+    from kinegrade.files import write_file
+    from kinegrade.lms.fill_in import fill_in
+    from kinegrade.lms.from_scratch import new_file
+
+    if into is None:
+        fresh = new_file(dialect, grades, options)
+        content, students, complaints = fresh.text.encode(), fresh.students, fresh.complaints
+    else:
+        filled = fill_in(dialect, grades, into, options)
+        content, students, complaints = filled.content, filled.students, filled.complaints
+    write_file(output, content, force=force)
+    absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
+    left = f"; {absent} handed in nothing and are left alone" if absent else ""
+    click.echo(f"{output}: grades of {students} students for {dialect.name}{left}", err=True)
+    finish(tuple(map(str, complaints)))
+
+
+def _dialect(system: str) -> Dialect:
+    from kinegrade.lms.blackboard import BLACKBOARD
+    from kinegrade.lms.brightspace import BRIGHTSPACE
+    from kinegrade.lms.canvas import CANVAS
+    from kinegrade.lms.edx import EDX
+    from kinegrade.lms.generic import GENERIC
+    from kinegrade.lms.moodle import MOODLE
+    from kinegrade.lms.sakai import SAKAI
+
+    return {"moodle": MOODLE, "canvas": CANVAS, "blackboard": BLACKBOARD, "brightspace": BRIGHTSPACE, "sakai": SAKAI,
+            "edx": EDX, "generic": GENERIC}[system]
+
+
+def _columns(columns: tuple[str, ...], grades: ClassGrades, *, per_question: bool) -> Mapping[str, str]:
+    """Headers by question, or that of the total under "". Raises BadParameter."""
+    if not per_question:
+        if len(columns) > 1:
+            raise click.BadParameter("expected one for the total; several need --per-question", param_hint="--column")
+        return {"": columns[0]} if columns else {}
+    found: dict[str, str] = {}
+    for text in columns:
+        question, sign, header = text.partition("=")
+        if not sign or question not in grades.questions or question in found:
+            known = ", ".join(grades.questions)
+            raise click.BadParameter(f'"{text}": expected QUESTION=HEADER, once for each of {known}',
+                                     param_hint="--column")
+        found[question] = header
+    return found
+
+
+def _maximum(text: str | None) -> Fraction | None:
+    """A number above zero. Raises BadParameter."""
+    from kinegrade.lms.item_columns import number
+
+    value = None if text is None else number(text)
+    if text is not None and not value:
+        raise click.BadParameter(f'"{text}": expected a number above zero, like 10 or 12.5', param_hint="--maximum")
+    return value

@@ -1,0 +1,274 @@
+"""Answers that fit another student's paper and not the own one, beside the number to be expected by chance.
+
+`find_sharing` is called by `kinegrade sharing` and by nothing else: it is off unless an instructor asks. What it gives
+is a hint where to look, never a verdict.
+
+Counted are wrong answers that no known mistake explains. One fits another paper where it would be right there, or what
+a known mistake leads to there. By chance it fits a paper as often as it fits the other papers of the class: the share
+of them that it fits, added up over a student's wrong answers, is how many are expected to fit any one paper. A pair is
+told where the Poisson distribution with that mean makes so many fits rarer than the level, for the whole class: times
+the number of pairs, and times two, because right answers and right answers or mistakes are counted.
+
+Answers to one question hang together: a misread number gives all the answers of a paper that has that number. So a pair
+is told only where answers to two questions or more fit.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import exp, isfinite, lgamma, log
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.errors import ExamError
+from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.key import Exam, Examinee
+from kinegrade.grading.marked_class import MarkedAnswer, marked_answers
+from kinegrade.grading.sharing_fits import Numbers, Windows, windows
+
+LEVEL = 0.01
+MOST = 1000  # pairs told; the most striking ones
+QUESTIONS = 2
+CELLS = 4_000_000  # pairs of students looked at together, for bounded memory
+COUNTS = 2  # of right answers, and of right answers or mistakes
+
+
+@dataclass(frozen=True, slots=True)
+class SharedAnswer:
+    """An answer in `column` that fits another paper: `as_key` where it would be right there, else as a mistake."""
+
+    column: str
+    typed: str
+    as_key: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A student whose wrong answers fit the paper of another, and how many of them are expected to by chance.
+
+    `as_key_expected` is the same for what would be right there alone. `chance` is how often a class of this size has
+    such a pair by chance, at most 1.
+    """
+
+    student: Examinee
+    other: Examinee
+    answers: tuple[SharedAnswer, ...]
+    wrong: int
+    expected: float
+    as_key_expected: float
+    chance: float
+
+
+@dataclass(frozen=True)
+class Sharing:
+    """The pairs worth a look, most striking first, at most MOST of `found`; out of how many `pairs` in all.
+
+    `papers` is how many different papers the `students` had, `questions` how many they were asked.
+    """
+
+    pairs: int
+    found: int
+    told: tuple[Pair, ...]
+    students: int
+    papers: int
+    questions: int
+    level: float
+
+
+def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
+    """Looks through a folder of marks by its exam folder. Raises ExamError, TableError."""
+    return sharing(read_exam(exam), marked_answers(marks), level)
+
+
+def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
+    """The pairs of a class whose chance is below `level`. Raises ExamError where an answer is none of the exam's."""
+    wrong = _wrong_answers(exam, answers)
+    papers = [tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees]
+    alike = Counter(papers)
+    unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)
+    search = _Search(exam, wrong, unlike, level)
+    found = sorted(search.found(), key=lambda each: (each.chance, each.student, each.other))
+    told = tuple(search.pair(each) for each in found[:MOST])
+    return Sharing(search.pairs, len(found), told, len(papers), len(alike), len(exam.questions), level)
+
+
+def tail(count: int, mean: float) -> float:
+    """How likely a Poisson variable of that mean is `count` or more; a mean of zero allows nothing.
+
+    >>> round(tail(2, 0.1), 6), tail(0, 0.1), tail(1, 0.0)
+    (0.004679, 1.0, 0.0)
+    """
+    if count <= mean or not count:
+        return 1.0
+    if not mean:
+        return 0.0
+    term = chance = exp(count * log(mean) - mean - lgamma(count + 1))
+    while term > 1e-12 * chance:
+        count += 1
+        term *= mean / count
+        chance += term
+    return chance
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A pair by the places of its students."""
+
+    student: int
+    other: int
+    chance: float
+
+
+@dataclass(frozen=True)
+class _Wrong:
+    """Unexplained wrong answers, an array for each ask: numbers by the students' places, NaN for all other answers.
+
+    `typed` has by student and ask what was typed.
+    """
+
+    numbers: Sequence[Numbers]
+    typed: dict[tuple[int, int], str]
+
+
+def _wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
+    students = {examinee.student: place for place, examinee in enumerate(exam.examinees)}
+    columns = {ask.column: place for place, ask in enumerate(exam.asks)}
+    numbers = [np.full(len(students), np.nan) for _ in columns]
+    typed: dict[tuple[int, int], str] = {}
+    faults: dict[str, None] = {}
+    for answer in answers:
+        student, ask = students.get(answer.student), columns.get(answer.column)
+        number = _number(answer)
+        if student is None or ask is None or number is None:
+            faults[_fault(answer, student, ask)] = None
+        elif answer.verdict == "wrong" and number and isfinite(number):
+            numbers[ask][student] = number
+            typed[student, ask] = answer.typed
+    if faults:
+        raise ExamError(*faults)
+    return _Wrong(numbers, typed)
+
+
+def _number(answer: MarkedAnswer) -> float | None:
+    """The number that was read, NaN where there is none; None for what is no number at all."""
+    try:
+        return float(answer.read_as or "nan")
+    except ValueError:
+        return None
+
+
+def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
+    if student is None or ask is None:
+        who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
+        return (f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - name the folder by "
+                "which they were made")
+    return (f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands where a number '
+            "should - expected the file as kinegrade grade wrote it - grade again")
+
+
+@dataclass(frozen=True)
+class _Search:
+    """The search through a class; `unlike` has for each student how many others have another paper."""
+
+    exam: Exam
+    wrong: _Wrong
+    unlike: Numbers
+    level: float
+
+    @property
+    def pairs(self) -> int:
+        """The ordered pairs of students, each of which might be told."""
+        return len(self.exam.examinees) * (len(self.exam.examinees) - 1)
+
+    @cached_property
+    def windows(self) -> tuple[tuple[Windows, Windows], ...]:
+        """For each ask what would be right on each paper, and that with what mistakes lead to."""
+        keys = [[examinee.keys[ask.column] for examinee in self.exam.examinees] for ask in self.exam.asks]
+        return tuple((windows(each, mistakes=False), windows(each, mistakes=True)) for each in keys)
+
+    def found(self) -> Iterator[_Found]:
+        """The pairs below the level."""
+        students = self.suspects()
+        size = max(1, CELLS // len(self.exam.examinees))
+        for first in range(0, len(students), size):
+            yield from self.among(students[first:first + size])
+
+    def suspects(self) -> NDArray[np.intp]:
+        """The students with unexplained wrong answers to enough questions."""
+        wrong = {question: np.zeros(len(self.exam.examinees), dtype=bool) for question in self.exam.questions}
+        for ask, numbers in zip(self.exam.asks, self.wrong.numbers, strict=True):
+            wrong[ask.question] |= ~np.isnan(numbers)
+        return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS)
+
+    def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
+        """The pairs of these students with anybody."""
+        counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(COUNTS)]
+        for question in self.exam.questions:
+            asks = [place for place, ask in enumerate(self.exam.asks) if ask.question == question]
+            for kind, count in enumerate(counts):
+                count.add([self.fitting(students, ask, kind) for ask in asks])
+        chance = np.ones(counts[0].fits.shape)
+        for count in counts:
+            np.minimum(chance, self.chances(count, count.expected / self.unlike[students]), out=chance)
+        for row, other in np.argwhere(chance <= self.level):
+            yield _Found(int(students[row]), int(other), float(chance[row, other]))
+
+    def fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
+        """Whose answer to one ask fits which paper: a row for each of these students, a column for each paper."""
+        numbers = self.wrong.numbers[ask][students]
+        given = np.flatnonzero(~np.isnan(numbers))
+        answer, paper = self.windows[ask][kind].fits(numbers[given])
+        fits = np.zeros((len(students), len(self.exam.examinees)), dtype=bool)
+        fits[given[answer], paper] = True
+        fits[np.arange(len(students)), students] = False
+        return fits
+
+    def chances(self, count: _Count, expected: Numbers) -> Numbers:
+        """For each pair how often a class has so many fits by chance; 1 where too few questions are concerned."""
+        most = int(count.fits.max(initial=0))
+        tests = COUNTS * self.pairs
+        table = np.array([[min(1.0, tests * tail(fits, mean)) for fits in range(most + 1)] for mean in expected])
+        chance: Numbers = np.take_along_axis(table, count.fits.astype(np.intp), axis=1)
+        return np.where(count.questions >= QUESTIONS, chance, 1.0)
+
+    def pair(self, found: _Found) -> Pair:
+        """A pair with all that is told of it."""
+        student, other = found.student, found.other
+        given = {ask: float(numbers[student]) for ask, numbers in enumerate(self.wrong.numbers)
+                 if not np.isnan(numbers[student])}
+        fits = [{ask: self.windows[ask][kind].papers(answer) - {student} for ask, answer in given.items()}
+                for kind in range(COUNTS)]
+        as_key, any_way = fits
+        answers = tuple(SharedAnswer(self.exam.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask])
+                        for ask in given if other in any_way[ask])
+        expected = [sum(map(len, each.values())) / float(self.unlike[student]) for each in fits]
+        return Pair(self.exam.examinees[student], self.exam.examinees[other], answers, len(given), expected[1],
+                    expected[0], found.chance)
+
+
+@dataclass
+class _Count:
+    """For each student and paper how many answers fit, to how many questions; how many papers a student's answers
+    fit in all."""
+
+    fits: NDArray[np.uint16]
+    questions: NDArray[np.uint16]
+    expected: Numbers
+
+    @classmethod
+    def of(cls, students: int, papers: int) -> _Count:
+        """Nothing counted yet."""
+        fits, questions = (np.zeros((students, papers), dtype=np.uint16) for _ in range(2))
+        return cls(fits, questions, np.zeros(students))
+
+    def add(self, fitting: Sequence[NDArray[np.bool_]]) -> None:
+        """The asks of one question."""
+        for fits in fitting:
+            self.fits += fits
+            self.expected += fits.sum(axis=1)
+        self.questions += np.any(fitting, axis=0)

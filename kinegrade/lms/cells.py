@@ -1,0 +1,123 @@
+"""A downloaded CSV file, cell by cell with the place of each, so that single cells can be changed and nothing else.
+
+`read_cells` is called by `fill_in`. What is not changed is written back byte for byte: header, order, encoding,
+byte-order mark, separator, quotation marks and line ends.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.tables import read_table, trimmed
+
+BYTE_ORDER_MARK = "\ufeff"
+_UNTOLD = "UTF-8 with the strange bytes written out"
+_NEEDS_QUOTES = re.compile(r'["\r\n]')
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """The content of a cell, and where it stands in the file's text, its quotation marks included."""
+
+    text: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """The cells of one row; `line` is the physical line, counted from 1, at which it begins."""
+
+    line: int
+    cells: tuple[Cell, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CellTable:
+    """A file of a header and rows that all have as many cells; lines without any character are not among the rows."""
+
+    file: str
+    text: str
+    encoding: str
+    separator: str
+    header: Record
+    rows: tuple[Record, ...]
+
+    @property
+    def titles(self) -> tuple[str, ...]:
+        """The header's texts without surrounding blanks."""
+        return tuple(trimmed(cell.text) for cell in self.header.cells)
+
+    def with_cells(self, changes: Mapping[Cell, str]) -> bytes:
+        """The bytes of the file with new texts in these cells; quotation marks are kept, and added where needed."""
+        parts, place = [], 0
+        for cell in sorted(changes, key=lambda cell: cell.start):
+            parts += [self.text[place : cell.start], self._written(cell, changes[cell])]
+            place = cell.end
+        return "".join((*parts, self.text[place:])).encode(self.encoding)
+
+    def _written(self, cell: Cell, text: str) -> str:
+        quoted = self.text.startswith('"', cell.start) and cell.end > cell.start
+        if quoted or self.separator in text or _NEEDS_QUOTES.search(text):
+            return '"' + text.replace('"', '""') + '"'
+        return text
+
+
+def read_cells(path: Path) -> CellTable:
+    """Reads a file to change single cells of it; raises TableError for one that could not be written back as it is."""
+    told = read_table(path)  # finds encoding and separator, refuses what is no table
+    if told.encoding == _UNTOLD:
+        raise TableError(f"{path.name}: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030 - "
+                         "download it again")
+    content = path.read_bytes()
+    text = content.decode(told.encoding)
+    if text.encode(told.encoding) != content:
+        raise TableError(f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - expected "
+                         "the file as it was downloaded - download it again")
+    header, *rows = _records(path.name, text, told.separator)
+    faults = list(_ragged(path.name, header, rows))
+    if faults:
+        raise TableError(*faults)
+    return CellTable(path.name, text, told.encoding, told.separator, header, tuple(rows))
+
+
+def _records(file: str, text: str, separator: str) -> Iterator[Record]:
+    """All lines that hold a character, with their cells."""
+    for line, cells in _lines(file, text, separator):
+        if len(cells) > 1 or cells[0].end > cells[0].start:
+            yield Record(line, tuple(cells))
+
+
+def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cell]]]:
+    sign = re.escape(separator)
+    shape = re.compile(
+        rf'(?:"(?P<quoted>[^"]*+(?:""[^"]*+)*+)"|(?P<plain>(?!")[^{sign}\r\n]*+))(?P<end>{sign}|\r\n|\r|\n|\Z)'
+    )
+    place, line = len(BYTE_ORDER_MARK) if text.startswith(BYTE_ORDER_MARK) else 0, 1
+    cells: list[Cell] = []
+    begins = line
+    while place < len(text) or cells:
+        found = shape.match(text, place)
+        if not found:
+            shown = one_line(text[place : place + 30])
+            raise TableError(f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - expected "
+                             "the file as it was downloaded - download it again")
+        content = found["plain"] if found["quoted"] is None else found["quoted"].replace('""', '"')
+        cells.append(Cell(content, place, found.start("end")))
+        line += len(re.findall(r"\r\n|\r|\n", found[0]))
+        place = found.end()
+        if found["end"] != separator:
+            yield begins, cells
+            cells, begins = [], line
+
+
+def _ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
+    width = len(header.cells)
+    for row in rows:
+        if len(row.cells) != width:
+            yield (f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected the same number on "
+                   "every line - download the file again and leave it as it is")

@@ -1,0 +1,133 @@
+"""What the grade files of a learning management system look like: one frozen table for each system, no code.
+
+The tables stand in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`; `fill_in` reads and
+`from_scratch` writes by them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Literal
+
+Field = Literal["id", "login", "email"]
+Role = Literal["id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"]
+FIELDS: tuple[Field, ...] = ("id", "login", "email")
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A column by which the system knows people: by any of these headers, or always at one position.
+
+    `prefix` stands before the value in the file and is not part of it.
+    """
+
+    field: Field
+    headers: tuple[str, ...] = ()
+    position: int | None = None
+    ignores_case: bool = False
+    prefix: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """Where a comment for the student goes: headers with {title}, and a column that names its format."""
+
+    headers: tuple[str, ...]
+    html: bool = False
+    format_header: str = ""
+    format_text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Download:
+    """A file that the system hands out to be filled in and taken back.
+
+    `item` recognises the header of a grade column (groups title and maybe maximum), from position `first_item` on.
+    `any_item` lets another column be named, where a person maps columns in the system anyway. `required` are the
+    headers by which this kind of file is known. Patterns of rows look at the first cell; `closed` says of which cells a
+    grade is not written, and why. `beginning` is what the header, joined by commas, has to begin with;
+    `broken_beginning` is a beginning of the text that the system cannot read; `misread` is a cell that it
+    takes for another number.
+    """
+
+    keys: tuple[Key, ...]
+    item: re.Pattern[str]
+    first_item: int = 0
+    any_item: bool = False
+    not_item: re.Pattern[str] | None = None
+    required: tuple[str, ...] = ()
+    maximum_row: re.Pattern[str] | None = None
+    maximum_column: str = ""
+    read_only: re.Pattern[str] | None = None
+    skipped_row: re.Pattern[str] | None = None
+    closed: Mapping[str, str] = field(default_factory=dict)
+    channel: Channel | None = None
+    encodings: tuple[str, ...] = ()
+    beginning: re.Pattern[str] | None = None
+    broken_beginning: re.Pattern[str] | None = None
+    misread: re.Pattern[str] | None = None
+    decimal_comma_with_semicolon: bool = False
+    most_bytes: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or what is fixed.
+
+    The text of a feedback column is "html" where the system shows feedback as a web page.
+    """
+
+    header: str
+    role: Role
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class NewFile:
+    """A file written from nothing; `title` is the item's where none is given, empty where one is needed.
+
+    A key column that is not chosen is left out, or left empty with `keeps_keys`. `header_needed` is set where a grade
+    column is known by a number that only the system gives, so that its header has to be told. Titles that `unfit`
+    finds are refused for the reason beside it.
+    """
+
+    columns: tuple[Column, ...]
+    key: Field
+    title: str = ""
+    keeps_keys: bool = False
+    quotes_all: bool = False
+    mark: bool = False
+    header_needed: bool = False
+    unfit: tuple[tuple[re.Pattern[str], str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """One system: the downloads it takes back, the new file it takes, and how many decimals of a grade it keeps."""
+
+    name: str
+    places: int
+    downloads: tuple[Download, ...] = ()
+    new_file: NewFile | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ExportOptions:
+    """What the instructor wants.
+
+    `by` are the fields matched or written, empty for the system's own; `columns` the headers by item, the total's
+    by ""; `feedback` None where the system has a channel; `maximum` what the item counts in the system, to which grades
+    are scaled; `scale` scales to the maximum that the file states.
+    """
+
+    by: tuple[Field, ...] = ()
+    columns: Mapping[str, str] = field(default_factory=dict)
+    title: str = ""
+    per_question: bool = False
+    feedback: bool | None = None
+    ungraded: bool = False
+    scale: bool = False
+    maximum: Fraction | None = None

@@ -1,0 +1,206 @@
+"""The system's own file filled in: only the grade cells of matched students change, every other byte stays.
+
+`fill_in` is called by `export --into`. A cell that says more than a grade (excused, not assigned) is left, with a
+complaint; so is everybody who handed in nothing, because an empty or zero grade would replace what stands there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
+from kinegrade.lms.dialect import Dialect, Download, ExportOptions
+from kinegrade.lms.grades import ClassGrades, StudentGrade, decimal_text, feedback_text
+from kinegrade.lms.item_columns import ItemColumn, feedback_places, item_columns
+from kinegrade.lms.matching import KeyColumn, Matching, match
+from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
+from kinegrade.tables import Complaint, trimmed
+
+
+@dataclass(frozen=True, slots=True)
+class Filled:
+    """The bytes to be written, how many students have a grade in them, and what a person has to look at."""
+
+    content: bytes
+    students: int
+    complaints: tuple[Complaint, ...]
+
+
+@dataclass(frozen=True)
+class _Task:
+    """A file, and what goes where in it."""
+
+    table: CellTable
+    dialect: Dialect
+    download: Download
+    columns: Mapping[str, ItemColumn]
+    feedback: Mapping[int, bool]
+    options: ExportOptions
+
+    def written(self, grade: StudentGrade, item: str) -> str:
+        """The text of a grade cell."""
+        target = target_maximum(self.columns[item].maximum, self.options)
+        text = decimal_text(scaled(grade, item, target), self.dialect.places)
+        comma = self.download.decimal_comma_with_semicolon and self.table.separator == ";"
+        return text.replace(".", ",") if comma else text
+
+
+def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOptions) -> Filled:
+    """Fills the grades into a downloaded file. Raises TableError with all faults at once."""
+    table = read_cells(into)
+    download = _download(dialect, table)
+    _refuse_unreadable(dialect, download, table)
+    keys = _key_columns(dialect, download, table, options)
+    columns = item_columns(table, dialect, download, grades, options)
+    feedback = _feedback(dialect, download, table, columns, options)
+    task = _Task(table, dialect, download, columns, feedback, options)
+    _refuse_maxima(task, grades)
+    rows = [row for row in table.rows if not _is_skipped(download, row)]
+    graded = {each.student for each in grades.exported(ungraded=options.ungraded)}
+    matching = match(table, rows, keys, grades.students, graded)
+    changes, closed = _changes(task, rows, matching, graded, grades)
+    complaints = (*matching.complaints, *closed, *_misread(task, rows))
+    if not changes:
+        raise TableError(f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
+                         "name another file or other keys (--by)", *map(str, complaints[:20]))
+    return Filled(_content(task, changes), _count(rows, changes), complaints)
+
+
+def _download(dialect: Dialect, table: CellTable) -> Download:
+    titles = set(table.titles)
+    for download in dialect.downloads:
+        if titles.issuperset(download.required):
+            return download
+    if not dialect.downloads:
+        raise TableError(f"--into: {dialect.name} has no file of its own to be filled in - expected a system that has "
+                         "- leave --into out")
+    expected = " or ".join(", ".join(download.required) for download in dialect.downloads)
+    raise TableError(f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download it "
+                     "again")
+
+
+def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -> None:
+    faults = []
+    if download.encodings and table.encoding not in download.encodings:
+        faults.append(f"{table.file}: is {table.encoding} - expected {' or '.join(download.encodings)}, or "
+                      f"{dialect.name} refuses it - download it again and do not save it from a spreadsheet")
+    if download.beginning and not download.beginning.match(f"{','.join(table.titles)},"):
+        faults.append(f"{table.file}: its columns begin {', '.join(table.titles[:6])} - expected those of "
+                      f"{dialect.name}, in their order - download it again")
+    if download.broken_beginning and download.broken_beginning.match(table.text):
+        faults.append(f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - expected none "
+                      "before such a header - download it again")
+    if faults:
+        raise TableError(*faults)
+
+
+def _key_columns(
+    dialect: Dialect, download: Download, table: CellTable, options: ExportOptions
+) -> Sequence[KeyColumn]:
+    keys = [key for key in download.keys if not options.by or key.field in options.by]
+    columns = []
+    for key in keys:
+        titles = {key.position} if key.position is not None else {
+            place for place, title in enumerate(table.titles) if title in key.headers}
+        columns += [KeyColumn(key, place) for place in sorted(titles)]
+    if columns:
+        return columns
+    known = ", ".join(title for key in keys for title in key.headers) or "none"
+    raise TableError(f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
+                     "download it with ids, or choose other keys by --by")
+
+
+def _feedback(
+    dialect: Dialect, download: Download, table: CellTable, columns: Mapping[str, ItemColumn], options: ExportOptions
+) -> Mapping[int, bool]:
+    if options.feedback is False:
+        return {}
+    places = feedback_places(table, download.channel, columns)
+    if places is None and options.feedback:
+        raise TableError(f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} has it "
+                         "- download the file with feedback, or leave --feedback out")
+    return places or {}
+
+
+def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
+    students = grades.exported(ungraded=task.options.ungraded)
+    faults = [
+        fault
+        for item, column in task.columns.items()
+        for fault in maximum_faults(f'{task.table.file}: "{one_line(column.header)}"', item, students, column.maximum,
+                                    task.options)
+    ]
+    if faults:
+        raise TableError(*dict.fromkeys(faults))
+
+
+def _is_skipped(download: Download, row: Record) -> bool:
+    if not any(trimmed(cell.text) for cell in row.cells):
+        return True
+    return bool(download.skipped_row and download.skipped_row.match(row.cells[0].text))
+
+
+def _changes(
+    task: _Task, rows: Sequence[Record], matching: Matching, graded: set[str], grades: ClassGrades
+) -> tuple[dict[Cell, str], list[Complaint]]:
+    """The new texts of cells, and complaints about those that may not be changed."""
+    changes: dict[Cell, str] = {}
+    complaints = []
+    for row in rows:
+        grade = matching.students.get(row.line)
+        if grade is None or grade.student not in graded:
+            continue
+        for item, column in task.columns.items():
+            cell = row.cells[column.place]
+            reason = task.download.closed.get(trimmed(cell.text).upper())
+            if reason:
+                complaints.append(_closed(task, row, column, grade, reason))
+                continue
+            changes[cell] = task.written(grade, item)
+            changes |= _comments(task, row, grade, grades)
+    return changes, complaints
+
+
+def _comments(task: _Task, row: Record, grade: StudentGrade, grades: ClassGrades) -> dict[Cell, str]:
+    channel = task.download.channel
+    if channel is None:
+        return {}
+    text = feedback_text(grade, grades.questions)
+    shown = escape(text, quote=False) if channel.html else text
+    return {row.cells[place]: channel.format_text if is_format else shown for place, is_format in task.feedback.items()}
+
+
+def _closed(task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: str) -> Complaint:
+    problem = f'student "{one_line(grade.student)}" {reason} ({row.cells[column.place].text})'
+    done = f"left as it is; {task.written(grade, next(iter(task.columns)))} would be the grade" \
+        if len(task.columns) == 1 else "left as it is"
+    return Complaint(task.table.file, row.line, column.header, grade.student, problem, done)
+
+
+def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
+    """Cells of other columns that the system would take for other numbers when the file comes back."""
+    shape = task.download.misread
+    places = {column.place for column in task.columns.values()}
+    keys = {title for key in task.download.keys for title in key.headers}
+    for row in rows if shape else ():
+        for place, cell in enumerate(row.cells):
+            if shape and place not in places and task.table.titles[place] not in keys and shape.fullmatch(cell.text):
+                problem = f'{task.dialect.name} reads "{cell.text}" as {cell.text.replace(",", ".", 1)}'
+                yield Complaint(task.table.file, row.line, task.table.titles[place], cell.text, problem,
+                                "left as it is; correct it before you import")
+
+
+def _content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
+    content, most = task.table.with_cells(changes), task.download.most_bytes
+    if most is not None and len(content) > most:
+        raise TableError(f"{task.table.file}: {len(content)} bytes - expected at most {most}, or {task.dialect.name} "
+                         "refuses it - split the file")
+    return content
+
+
+def _count(rows: Sequence[Record], changes: Mapping[Cell, str]) -> int:
+    return sum(any(cell in changes for cell in row.cells) for row in rows)

@@ -1,0 +1,182 @@
+"""A grade file written from nothing, for systems whose import needs nothing that only they know.
+
+`new_file` is called by `export`, and through `moodle.export` by `grade`. Whoever handed in nothing is left out, because
+an empty or zero grade would replace what stands in the system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from html import escape
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.lms.cells import BYTE_ORDER_MARK
+from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
+from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, decimal_text, feedback_text
+from kinegrade.lms.item_columns import item_title, items_of, number
+from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
+from kinegrade.tables import Complaint, csv_text, trimmed
+
+
+@dataclass(frozen=True, slots=True)
+class Fresh:
+    """The text to be written as UTF-8, how many students are in it, and what a person has to look at."""
+
+    text: str
+    students: int
+    complaints: tuple[Complaint, ...]
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """The columns of the file: each with its final header and, for a grade, its item."""
+
+    dialect: Dialect
+    layout: NewFile
+    columns: tuple[tuple[Column, str, str], ...]
+    targets: Mapping[str, Fraction | None]
+    key: Field
+    questions: tuple[str, ...]
+
+
+def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> Fresh:
+    """The file of a class for a system. Raises TableError with all faults at once."""
+    layout = _layout(dialect, options)
+    students = grades.exported(ungraded=options.ungraded)
+    plan = _plan(dialect, layout, grades, students, options)
+    known = [each for each in students if _key_text(plan.key, each)]
+    header = [header for _, header, _ in plan.columns]
+    rows = [[_cell(plan, column, item, each) for column, _, item in plan.columns] for each in known]
+    text = _quoted(header, rows) if layout.quotes_all else csv_text(header, rows)
+    mark = BYTE_ORDER_MARK if layout.mark else ""
+    return Fresh(mark + text, len(known), tuple(_keyless(plan.key, students)))
+
+
+def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
+    layout = dialect.new_file
+    if layout is None:
+        raise TableError(f"{dialect.name}: its rows are known by numbers that only it gives - expected its own file to "
+                         "fill in - download it there and name it by --into")
+    if len(options.by) > 1:
+        raise TableError(f"--by: {', '.join(options.by)} - expected one key for a new file - choose one")
+    key = options.by[0] if options.by else layout.key
+    if key not in {column.role for column in layout.columns}:
+        known = ", ".join(column.role for column in layout.columns if column.role in FIELDS)
+        raise TableError(f"--by: {dialect.name} does not know people by {key} - expected another key - choose one of: "
+                         f"{known}")
+    if options.feedback and (options.per_question or not any(each.role == "feedback" for each in layout.columns)):
+        what = "with --per-question" if options.per_question else "in this file"
+        raise TableError(f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it - leave "
+                         "--feedback out")
+    return layout
+
+
+def _plan(
+    dialect: Dialect, layout: NewFile, grades: ClassGrades, students: Sequence[StudentGrade], options: ExportOptions
+) -> _Plan:
+    key = options.by[0] if options.by else layout.key
+    title = options.title or layout.title or grades.title
+    items = items_of(grades, options)
+    headers = {item: options.columns.get(item, "") for item in items}
+    faults = list(_title_faults(dialect, layout, title, headers))
+    stated = {item: _stated(dialect, headers[item]) for item in items}
+    for item in items:
+        where = f'"{one_line(headers[item] or item_title(title, item))}"'
+        faults += maximum_faults(where, item, students, stated[item], options)
+    targets = {item: target_maximum(stated[item], options) for item in items}
+    maxima = {item: _maximum(students, item, targets[item]) for item in items}
+    faults += [f'"{one_line(item_title(title, item))}": not everybody could get the same points - expected one maximum '
+               "- say it by --maximum" for item in items if len(maxima[item]) > 1 and _states(layout)]
+    if faults:
+        raise TableError(*dict.fromkeys(faults))
+    kept = [column for column in layout.columns if _is_kept(column, layout, key, options)]
+    columns = tuple(
+        (column, headers.get(item) or _header(column, item_title(title, item), maxima.get(item, set())), item)
+        if column.role == "grade" else (column, _header(column, title, set()), TOTAL)
+        for column in kept for item in (items if column.role == "grade" else (TOTAL,))
+    )
+    return _Plan(dialect, layout, columns, targets, key, grades.questions)
+
+
+def _header(column: Column, title: str, maxima: set[Fraction]) -> str:
+    maximum = decimal_text(min(maxima, default=Fraction(0)))
+    return column.header.replace("{maximum}", maximum).replace("{title}", title)
+
+
+def _title_faults(dialect: Dialect, layout: NewFile, title: str, headers: Mapping[str, str]) -> Iterator[str]:
+    if layout.header_needed:
+        for item, header in headers.items():
+            shapes = [download.item for download in dialect.downloads]
+            if not any(shape.fullmatch(header) for shape in shapes):
+                way = f"--column {item}=HEADER" if item else "--column HEADER"
+                yield (f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - expected it with '
+                       f"the id that only {dialect.name} gives - copy it from a download and give it by {way}")
+        return
+    if all(headers.values()):
+        return
+    if not title:
+        yield f"{dialect.name}: the item has no title - expected one - give it by --title, or name the exam by --exam"
+    for shape, reason in layout.unfit:
+        if shape.search(title):
+            yield f'the title "{one_line(title)}" does not fit: {reason} - expected another - give one by --title'
+
+
+def _stated(dialect: Dialect, header: str) -> Fraction | None:
+    """The maximum that a header states."""
+    for download in dialect.downloads:
+        found = download.item.fullmatch(header)
+        if found and found.groupdict().get("maximum"):
+            return number(found["maximum"])
+    return None
+
+
+def _maximum(students: Sequence[StudentGrade], item: str, target: Fraction | None) -> set[Fraction]:
+    return {target} if target is not None else {each.out_of[item] for each in students}
+
+
+def _states(layout: NewFile) -> bool:
+    return any("{maximum}" in column.header for column in layout.columns)
+
+
+def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions) -> bool:
+    if column.role in FIELDS:
+        return column.role == key or layout.keeps_keys
+    if column.role in ("feedback", "feedback format"):
+        return options.feedback is not False and not options.per_question
+    return True
+
+
+def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
+    match column.role:
+        case "id" | "login" | "email":
+            return column.text + _key_text(plan.key, grade) if column.role == plan.key else ""
+        case "name":
+            return grade.name
+        case "name and id":
+            return f"{grade.name} [{grade.student}]"
+        case "grade":
+            return decimal_text(scaled(grade, item, plan.targets[item]), plan.dialect.places)
+        case "feedback":
+            text = feedback_text(grade, plan.questions)
+            return escape(text, quote=False) if column.text == "html" else text
+        case _:
+            return column.text
+
+
+def _key_text(key: Field, grade: StudentGrade) -> str:
+    return trimmed(grade.email) if key == "email" else grade.student
+
+
+def _keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint]:
+    for each in students:
+        if not _key_text(key, each):
+            problem = f'student "{one_line(each.student)}" has no e-mail'
+            done = "not exported; give it in the roster, or match by id"
+            yield Complaint("exam.json", None, "", each.student, problem, done)
+
+
+def _quoted(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Every cell in quotation marks."""
+    return "".join(",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n" for line in (header, *rows))

@@ -1,0 +1,149 @@
+"""The grades of a class as a learning management system gets them, read from the folder that `grade` wrote.
+
+`read_grades` is called by every export. Who handed in nothing is told apart, because an empty or zero grade would
+overwrite what stands in the system. Amounts are the numbers that stand in the files.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from kinegrade.errors import ExamError, TableError, one_line
+from kinegrade.tables import Row, Table, read_table, restored, trimmed
+
+TOTAL = ""  # the item that is the sum of all questions
+_NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent"}
+_AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
+_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
+_MENDING = "expected an exam folder made by kinegrade generate - restore it, or name the right one"
+
+
+@dataclass(frozen=True, slots=True)
+class StudentGrade:
+    """One student's points by question and in all (item TOTAL), and what there was to get of each.
+
+    `name` stands as in grades.csv, neutralised against spreadsheets; `email` is empty where no exam was read.
+    """
+
+    student: str
+    name: str
+    email: str
+    points: Mapping[str, Fraction]
+    out_of: Mapping[str, Fraction]
+    handed_in: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ClassGrades:
+    """Everybody in the order of grades.csv; `title` is the exam's, empty where no exam was read."""
+
+    questions: tuple[str, ...]
+    students: tuple[StudentGrade, ...]
+    title: str = ""
+
+    def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
+        """Who gets a grade: those who handed in something, or everybody."""
+        return tuple(each for each in self.students if ungraded or each.handed_in)
+
+
+def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
+    """Reads grades.csv and marks.csv of a folder; e-mails and the title from an exam folder.
+
+    Raises TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
+    """
+    grades = _table(folder / "grades.csv", ("student", "name", "total"))
+    marks = _table(folder / "marks.csv", ("student", "question", "response", "out_of"))
+    available, filled = _available(marks), _filled(marks)
+    questions = tuple(name for name in grades.header if name not in _NOT_QUESTIONS)
+    students = []
+    for row in grades.rows:
+        cells = {name: row.cell(place) for place, name in enumerate(grades.header)}
+        student, out_of = cells["student"], dict(available[cells["student"]])
+        points = {name: _amount(grades, row, name) for name in questions}
+        points[TOTAL] = _amount(grades, row, "total")
+        out_of[TOTAL] = sum(out_of.values(), Fraction(0))
+        handed_in = student in filled or points[TOTAL] > 0
+        students.append(StudentGrade(student, cells["name"], "", points, out_of, handed_in))
+    found = ClassGrades(questions, tuple(students))
+    return found if exam is None else _with_exam(found, exam)
+
+
+def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
+    """What the system tells a student: points by question, nothing that the student typed.
+
+    >>> feedback_text(StudentGrade("7", "", "", {"q1": Fraction(5, 2)}, {"q1": Fraction(4)}, True), ("q1",))
+    'q1: 2.5/4'
+    """
+    parts = [f"{name}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
+             for name in questions]
+    return "; ".join(parts)
+
+
+def decimal_text(amount: Fraction, places: int = 4) -> str:
+    """The shortest decimal with a point and at most that many places, halves rounded up.
+
+    >>> decimal_text(Fraction(2, 3)), decimal_text(Fraction(2, 3), 2), decimal_text(Fraction(1000))
+    ('0.6667', '0.67', '1000')
+    """
+    whole, decimals = divmod((2 * amount * 10**places + 1) // 2, 10**places)
+    digits = f"{decimals:0{places}d}".rstrip("0")
+    return f"{whole}.{digits}" if digits else str(whole)
+
+
+def _table(path: Path, columns: tuple[str, ...]) -> Table:
+    table = read_table(path)
+    missing = [name for name in columns if name not in table.header]
+    if missing or table.complaints:
+        problems = [*(f"no column {name}" for name in missing), *map(str, table.complaints)]
+        raise TableError(f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again")
+    return table
+
+
+def _amount(table: Table, row: Row, name: str) -> Fraction:
+    cell = row.cell(table.header.index(name))
+    if _AMOUNT.fullmatch(cell):
+        return Fraction(cell)
+    raise TableError(
+        f'{table.file}:{row.line}: {name} is "{one_line(cell[:40])}" - expected a number - grade again'
+    )
+
+
+def _available(marks: Table) -> Mapping[str, Mapping[str, Fraction]]:
+    """The points each student could get in each question."""
+    available: dict[str, dict[str, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
+    student, question = map(marks.header.index, ("student", "question"))
+    for row in marks.rows:
+        available[row.cell(student)][row.cell(question)] += _amount(marks, row, "out_of")
+    return available
+
+
+def _filled(marks: Table) -> set[str]:
+    """The students who wrote something besides blanks and dashes."""
+    student, response = map(marks.header.index, ("student", "response"))
+    return {row.cell(student) for row in marks.rows
+            if trimmed(restored(row.cell(response))).strip(f"{_DASHES} ")}
+
+
+def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
+    path = folder / "exam.json"
+    try:
+        exam: Any = json.loads(path.read_text(encoding="utf-8"))
+        emails = {str(entry["student"]): str(entry.get("email", "")) for entry in exam["students"]}
+        title = str(exam.get("title", ""))
+    except OSError as fault:
+        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - {_MENDING}") from fault
+    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as fault:
+        raise ExamError(f"{path}: is broken ({type(fault).__name__}) - {_MENDING}") from fault
+    strangers = [each.student for each in grades.students if each.student not in emails]
+    if strangers:
+        raise ExamError(f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not there) '
+                        "- expected the exam by which these marks were made - name that folder")
+    return replace(grades, title=" ".join(title.split()),
+                   students=tuple(replace(each, email=trimmed(emails[each.student])) for each in grades.students))

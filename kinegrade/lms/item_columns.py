@@ -1,0 +1,159 @@
+"""Which columns of a downloaded file hold the grades: found where only one could be meant, else told by a person."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.errors import TableError, did_you_mean, one_line
+from kinegrade.lms.cells import CellTable, Record
+from kinegrade.lms.dialect import Channel, Dialect, Download, ExportOptions
+from kinegrade.lms.grades import TOTAL, ClassGrades
+from kinegrade.tables import trimmed
+
+
+@dataclass(frozen=True, slots=True)
+class ItemColumn:
+    """A column to be filled: its place and title, and the maximum where the file states one."""
+
+    place: int
+    header: str
+    title: str
+    maximum: Fraction | None
+
+
+def items_of(grades: ClassGrades, options: ExportOptions) -> tuple[str, ...]:
+    """What is exported: the total, or every question."""
+    return grades.questions if options.per_question else (TOTAL,)
+
+
+def item_title(title: str, item: str) -> str:
+    """The title of an item: the exam's, with the question behind it.
+
+    >>> item_title("Midterm", ""), item_title("Midterm", "q1")
+    ('Midterm', 'Midterm q1')
+    """
+    return f"{title} {item}" if item else title
+
+
+def item_columns(
+    table: CellTable, dialect: Dialect, download: Download, grades: ClassGrades, options: ExportOptions
+) -> Mapping[str, ItemColumn]:
+    """The column of each item. Raises TableError where none or several could be meant."""
+    chooser = _Chooser(table, dialect, download, _candidates(table, download))
+    chosen: dict[str, ItemColumn] = {}
+    faults: list[str] = []
+    for item in items_of(grades, options):
+        try:
+            chosen[item] = chooser.chosen(item, options)
+        except TableError as fault:
+            faults += fault.problems
+    headers = [column.header for column in chosen.values()]
+    faults += [f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected one for each '
+               "- name them by --column QUESTION=HEADER"
+               for header in sorted(set(headers)) if headers.count(header) > 1]
+    if faults:
+        raise TableError(*faults)
+    return chosen
+
+
+def feedback_places(
+    table: CellTable, channel: Channel | None, columns: Mapping[str, ItemColumn]
+) -> Mapping[int, bool] | None:
+    """The columns of the feedback on the total: place, and whether it is the format's; None where there are none."""
+    if channel is None or TOTAL not in columns:
+        return None
+    wanted = {shape.format(title=columns[TOTAL].title) for shape in channel.headers}
+    places = [place for place, title in enumerate(table.titles) if title in wanted]
+    if len(places) != 1:
+        return None
+    formats = [place for place, title in enumerate(table.titles) if title == channel.format_header != ""]
+    return {places[0]: False, **dict.fromkeys(formats, True)}
+
+
+def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
+    row = _maximum_row(table, download)
+    found = []
+    for place, header in enumerate(table.titles):
+        shape = download.item.fullmatch(header)
+        told = trimmed(row.cells[place].text) if row else ""
+        if (place < download.first_item or shape is None
+                or (download.not_item and download.not_item.search(header))
+                or (download.read_only and download.read_only.search(told))):
+            continue
+        maximum = shape.groupdict().get("maximum") or told or _same_everywhere(table, download)
+        found.append(ItemColumn(place, header, shape["title"], number(maximum)))
+    return found
+
+
+def _maximum_row(table: CellTable, download: Download) -> Record | None:
+    shape = download.maximum_row
+    return next((row for row in table.rows if shape and shape.match(row.cells[0].text)), None)
+
+
+def _same_everywhere(table: CellTable, download: Download) -> str:
+    """The maximum where every row states it alike."""
+    if download.maximum_column not in table.titles:
+        return ""
+    place = table.titles.index(download.maximum_column)
+    stated = {trimmed(row.cells[place].text) for row in table.rows} - {"", "-"}
+    return stated.pop() if len(stated) == 1 else ""
+
+
+def number(text: str) -> Fraction | None:
+    """A maximum as systems write it, with a point or a comma; None for anything else.
+
+    >>> number("10,5"), number("(read only)")
+    (Fraction(21, 2), None)
+    """
+    digits = text.replace(",", ".", 1)
+    return Fraction(digits) if digits.replace(".", "", 1).isascii() and digits.replace(".", "", 1).isdigit() else None
+
+
+@dataclass(frozen=True, slots=True)
+class _Chooser:
+    table: CellTable
+    dialect: Dialect
+    download: Download
+    candidates: Sequence[ItemColumn]
+
+    def chosen(self, item: str, options: ExportOptions) -> ItemColumn:
+        """The column of an item: the one named, the one of that title, or the only one there is for a total."""
+        if item in options.columns:
+            return self.named(trimmed(options.columns[item]))
+        if not options.title:
+            fits = [] if item else self.candidates
+            what = f"for question {item}" if item else "to fill in"
+        else:
+            title = item_title(options.title, item)
+            fits = [each for each in self.candidates if title in (each.title, each.header)]
+            what = f'called "{one_line(title)}"'
+        if len(fits) == 1:
+            return fits[0]
+        way = f"--column {item}=HEADER" if item else "--column HEADER"
+        raise TableError(f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name it by "
+                         f"{way} (grade columns here: {self.listing()})")
+
+    def named(self, header: str) -> ItemColumn:
+        """The column of that header or title."""
+        fits = ([each for each in self.candidates if each.header == header]
+                or [each for each in self.candidates if each.title == header])
+        places = [place for place, title in enumerate(self.table.titles) if title == header]
+        keys = {title for key in self.download.keys for title in key.headers}
+        if not fits and self.download.any_item and header not in keys:
+            fits = [ItemColumn(place, header, header, None) for place in places]
+        if len(fits) == 1:
+            return fits[0]
+        where, shown = self.table.file, one_line(header)
+        if fits:
+            raise TableError(f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the items')
+        if places:
+            raise TableError(f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - expected '
+                             f"one that is - name another (grade columns here: {self.listing()})")
+        raise TableError(f'{where}: no column "{shown}" - expected one of the file - '
+                         + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles))
+
+    def listing(self) -> str:
+        """The columns that could be meant."""
+        return ", ".join(f'"{one_line(each.header)}"' for each in self.candidates) or "none"

@@ -1,0 +1,173 @@
+"""Whose row is whose in a downloaded file: by id, login or e-mail as the system compares them, never by name.
+
+Nobody is guessed. What is only likely the same (zeros or digits lost in a spreadsheet, full-width forms, upper and
+lower case) is suggested in a complaint and left to a person.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from unicodedata import normalize
+
+from kinegrade.errors import one_line
+from kinegrade.lms.cells import CellTable, Record
+from kinegrade.lms.dialect import Key
+from kinegrade.lms.grades import StudentGrade
+from kinegrade.tables import Complaint, trimmed
+
+_CUT_NUMBER = re.compile(r"([0-9])(?:[.,]([0-9]{1,15}))?E\+?([0-9]{1,2})", re.IGNORECASE)
+_MOST_HINTS = 3
+_WRAPPED = re.compile(r'=?"(.*)"|[\'#](.*)')
+
+
+@dataclass(frozen=True, slots=True)
+class KeyColumn:
+    """A key of the system and where its column stands in the file."""
+
+    key: Key
+    place: int
+
+    def value(self, row: Record) -> str:
+        """What the row holds there, as the system compares it."""
+        text = trimmed(row.cells[self.place].text)
+        return self.compared(text.removeprefix(self.key.prefix) if self.key.prefix else text)
+
+    def wanted(self, grade: StudentGrade) -> str:
+        """What a student's row has to hold there; empty where that is not known."""
+        return self.compared(trimmed(grade.email if self.key.field == "email" else grade.student))
+
+    def compared(self, text: str) -> str:
+        """A value as the system compares it."""
+        return text.casefold() if self.key.ignores_case else text
+
+
+@dataclass(frozen=True)
+class Matching:
+    """The student of each row that has one, by the row's line, and what a person has to look at."""
+
+    students: Mapping[int, StudentGrade]
+    complaints: tuple[Complaint, ...]
+
+
+def match(
+    table: CellTable, rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade],
+    graded: Iterable[str],
+) -> Matching:
+    """Matches students with the rows of a file; only `graded` ones are missed where they have no row."""
+    claims = _claims(rows, columns, students)
+    claimants: dict[int, list[StudentGrade]] = defaultdict(list)
+    for grade in students:
+        for line in claims[grade.student]:
+            claimants[line].append(grade)
+    unclear = {line for line, own in claimants.items() if len(own) > 1}
+    sure = {line: own[0] for line, own in claimants.items()
+            if line not in unclear and len(claims[own[0].student]) == 1}
+    free = [row for row in rows if row.line not in claimants]
+    wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
+    complaints = [
+        *(_ambiguous(table, columns, each, claims[each.student]) for each in students if len(claims[each.student]) > 1),
+        *(_contested(table, line, claimants[line]) for line in sorted(unclear)),
+        *(_missing(table, columns, each, alike) for each in students
+          if not claims[each.student] and each.student in wanted),
+        *_strangers(table, columns, free),
+    ]
+    return Matching(sure, tuple(complaints))
+
+
+def _claims(
+    rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade]
+) -> Mapping[str, tuple[int, ...]]:
+    """The lines of the rows that match each student, by any of the keys."""
+    lines: list[dict[str, list[int]]] = []
+    for column in columns:
+        found: dict[str, list[int]] = defaultdict(list)
+        for row in rows:
+            found[column.value(row)].append(row.line)
+        lines.append(found)
+    claims = {}
+    for grade in students:
+        own = {line for column, found in zip(columns, lines, strict=True) if column.wanted(grade)
+               for line in found.get(column.wanted(grade), ())}
+        claims[grade.student] = tuple(sorted(own))
+    return claims
+
+
+def _ambiguous(
+    table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, lines: Sequence[int]
+) -> Complaint:
+    places = " and ".join(map(str, lines))
+    problem = f'student "{one_line(grade.student)}" is found on lines {places} by {_names(table, columns)}'
+    return Complaint(table.file, lines[0], "", grade.student, problem, "none of these lines was changed")
+
+
+def _contested(table: CellTable, line: int, students: Sequence[StudentGrade]) -> Complaint:
+    who = " and ".join(f'"{one_line(each.student)}"' for each in students)
+    return Complaint(table.file, line, "", "", f"is the row of students {who} alike", "the line was not changed")
+
+
+def _missing(
+    table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, alike: Sequence[_Alike]
+) -> Complaint:
+    problem = f'no row for student "{one_line(grade.student)}" by {_names(table, columns)}'
+    hints = [hint for each in alike for hint in each.hints(grade)][:_MOST_HINTS]
+    done = f"not exported; {'; '.join(hints)}" if hints else "not exported"
+    return Complaint(table.file, None, "", grade.student, problem, done)
+
+
+class _Alike:
+    """The rows of nobody by what their cell of one key column may once have been."""
+
+    def __init__(self, table: CellTable, column: KeyColumn, free: Iterable[Record]) -> None:
+        self.column, self.title = column, table.titles[column.place]
+        self.folded: dict[str, list[Record]] = defaultdict(list)
+        self.cut: dict[int, dict[str, list[Record]]] = defaultdict(lambda: defaultdict(list))
+        for row in free:
+            cell = trimmed(row.cells[column.place].text)
+            self.folded[_folded(cell)].append(row)
+            found = _CUT_NUMBER.fullmatch(cell)
+            if found:
+                self.cut[len(found[2] or "")][f"{found[1]}.{found[2] or ''}E+{int(found[3])}"].append(row)
+
+    def hints(self, grade: StudentGrade) -> Iterator[str]:
+        """What a person may look at to find the row of a student."""
+        wanted = self.column.wanted(grade)
+        for row in self.folded.get(_folded(wanted), ()) if wanted else ():
+            yield f"{self._shown(row)}, probably the same: correct one of the two and export again"
+        if not (wanted.isascii() and wanted.isdigit()):
+            return
+        for digits, rows in self.cut.items():
+            whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
+            for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
+                yield (f"{self._shown(row)}, a number that a spreadsheet has cut: download the file again and leave it "
+                       "as it is")
+
+    def _shown(self, row: Record) -> str:
+        cell = one_line(trimmed(row.cells[self.column.place].text)[:60])
+        return f'line {row.line} has {self.title} "{cell}"'
+
+
+def _folded(text: str) -> str:
+    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width forms, case."""
+    plain = trimmed(normalize("NFKC", text))
+    wrapped = _WRAPPED.fullmatch(plain)
+    inner = (wrapped[1] or wrapped[2] or "") if wrapped else plain
+    return trimmed(inner).casefold().removesuffix(".0").lstrip("0")
+
+
+def _strangers(table: CellTable, columns: Sequence[KeyColumn], free: Sequence[Record]) -> Iterator[Complaint]:
+    for row in free:
+        shown = ", ".join(
+            f'{table.titles[place]} "{one_line(trimmed(row.cells[place].text)[:60])}"'
+            for place in sorted({column.place for column in columns})
+        )
+        yield Complaint(table.file, row.line, "", shown, f"nobody of the marked class has {shown}",
+                        "the line was not changed")
+
+
+def _names(table: CellTable, columns: Sequence[KeyColumn]) -> str:
+    """The titles of the key columns."""
+    return " or ".join(table.titles[place] for place in sorted({column.place for column in columns}))

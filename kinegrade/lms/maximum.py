@@ -1,0 +1,52 @@
+"""What an item counts in the system, and what there is to get in the exam: the same, or grades are scaled on demand.
+
+A grade above the item's maximum is refused by some systems and cut by others, and one such line stops a whole
+import; so nothing of the kind is written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+from kinegrade.lms.dialect import ExportOptions
+from kinegrade.lms.grades import StudentGrade, decimal_text
+
+
+def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction | None:
+    """To what grades are scaled: the maximum given or, with `scale`, the one that the file states; else None."""
+    if options.maximum is not None:
+        return options.maximum
+    return stated if options.scale else None
+
+
+def scaled(grade: StudentGrade, item: str, target: Fraction | None) -> Fraction:
+    """The points of an item, scaled where there is a target."""
+    points, out_of = grade.points[item], grade.out_of[item]
+    return points if target is None or not out_of else points * target / out_of
+
+
+def maximum_faults(
+    where: str, item: str, students: Iterable[StudentGrade], stated: Fraction | None, options: ExportOptions
+) -> list[str]:
+    """Why the grades of an item cannot be written as they are, one line for each reason."""
+    faults: list[str] = []
+    target = target_maximum(stated, options)
+    if options.maximum is not None and stated not in (None, options.maximum):
+        faults.append(f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - expected "
+                      "the same - leave --maximum out, or correct the item")
+    elif options.scale and target is None:
+        faults.append(f"{where}: states no maximum - expected one to scale to - say what the item counts by --maximum")
+    graded = tuple(students)
+    others = sorted({each.out_of[item] for each in graded} - {stated})
+    if stated is not None and target is None and others:
+        faults.append(f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected the same "
+                      "- add --scale to scale the grades, or correct the item")
+    faults += (f'student "{each.student}": {_shown(each.points[item])} points of {_shown(each.out_of[item])} - '
+               "expected no more than there are, or an import is refused - correct the policy and grade again"
+               for each in graded if each.points[item] > each.out_of[item])
+    return faults
+
+
+def _shown(amount: Fraction | None) -> str:
+    return decimal_text(amount or Fraction(0))

@@ -1,0 +1,96 @@
+"""A folder of marks as one spreadsheet for people: grades, marks and complaints, each on a sheet.
+
+Every cell that holds an id, a name or what somebody typed is a text cell, so nothing runs as a formula and no digit is
+lost; points are numbers.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from pathlib import Path
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+
+from openpyxl import Workbook
+from openpyxl.cell.cell import Cell
+from openpyxl.styles import Font
+from openpyxl.utils import get_column_letter
+from openpyxl.worksheet.properties import PageSetupProperties
+from openpyxl.worksheet.worksheet import Worksheet
+
+from kinegrade.tables import Table, read_table, restored
+
+_FILES = ("grades", "marks", "complaints")
+_TEXTS = {"student", "name", "question", "ask", "response", "read_as", "unit", "verdict", "reason", "file", "column",
+          "content", "problem", "done"}
+_NUMBER = re.compile(r"[0-9]{1,15}(?:\.[0-9]{1,15})?")
+_UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_TIME = re.compile(rb">[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z<")
+_LONGEST_CELL, _WIDEST_COLUMN, _WIDEST_NAME = 32_767, 60, 30
+_TEXT_FORMAT = "@"
+
+
+def workbook(folder: Path) -> bytes:
+    """The bytes of an .xlsx file of a folder of marks; raises TableError."""
+    book = Workbook()
+    book.remove(book.active)
+    for name in _FILES:
+        _fill(book.create_sheet(name), read_table(folder / f"{name}.csv"))
+    stream = io.BytesIO()
+    book.save(stream)
+    return _repeatable(stream.getvalue())
+
+
+def _repeatable(content: bytes) -> bytes:
+    """The same archive without the time of its making, so that the same marks give the same bytes."""
+    stream = io.BytesIO()
+    with ZipFile(io.BytesIO(content)) as made, ZipFile(stream, "w", ZIP_DEFLATED) as archive:
+        for name in made.namelist():
+            part = made.read(name)
+            if name == "docProps/core.xml":
+                part = _TIME.sub(b">2000-01-01T00:00:00Z<", part)
+            archive.writestr(ZipInfo(name), part, ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def _fill(sheet: Worksheet, table: Table) -> None:
+    for place, title in enumerate(table.header, 1):
+        cell = _text_cell(sheet, 1, place, title)
+        cell.font = Font(bold=True)
+        widest = _WIDEST_NAME if title == "name" else _WIDEST_COLUMN
+        width = max(_width(title), *(_width(row.cell(place - 1)) for row in table.rows[:500]), 6)
+        sheet.column_dimensions[get_column_letter(place)].width = min(width + 2, widest)
+    for line, row in enumerate(table.rows, 2):
+        for place, title in enumerate(table.header, 1):
+            _write(sheet, line, place, title, row.cell(place - 1))
+    sheet.freeze_panes = "B2" if table.header[0] == "student" else "A2"
+    sheet.auto_filter.ref = sheet.dimensions
+    sheet.print_title_rows = "1:1"
+    sheet.page_setup.orientation, sheet.page_setup.fitToHeight = "landscape", 0
+    sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
+
+
+def _write(sheet: Worksheet, line: int, place: int, title: str, text: str) -> None:
+    if not text:
+        return
+    if title not in _TEXTS and _NUMBER.fullmatch(text):
+        sheet.cell(line, place, float(text) if "." in text else int(text))
+        return
+    cell = _text_cell(sheet, line, place, text if title == "student" else restored(text))
+    cell.number_format = _TEXT_FORMAT  # or a spreadsheet would make a formula of =1+1 when the cell is edited
+
+
+def _text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:
+    cell = sheet.cell(line, place, _cleaned(text))
+    cell.data_type = "s"  # the library takes a text that begins with = for a formula
+    return cell
+
+
+def _cleaned(text: str) -> str:
+    """What a spreadsheet can hold: control characters become dots, a text that is too long is cut."""
+    return _UNPRINTABLE.sub("·", text)[:_LONGEST_CELL]
+
+
+def _width(text: str) -> int:
+    """Characters of a column, Chinese ones counted twice."""
+    return sum(2 if "\u2e80" <= character <= "\uffef" else 1 for character in text[:_WIDEST_COLUMN])

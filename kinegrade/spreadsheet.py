@@ -1,0 +1,245 @@
+"""Tables as spreadsheet programs keep them: the first filled sheet of an .xlsx workbook, read as if it were a CSV file.
+
+`read_workbook` is called where people send answers. Numbers come out as they were typed, texts as they are; what a
+spreadsheet may have changed (a date made of an answer, the last digits of a long number) becomes a complaint. A hostile
+file is refused before it takes memory or time.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import date, datetime, time, timedelta
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile, ZipFile
+
+from openpyxl import load_workbook
+
+from kinegrade.errors import TableError
+from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
+
+LARGEST = 200_000_000  # bytes, unpacked
+MOST_ROWS = 100_000
+MOST_CELLS = 2_000_000  # with the blank ones between filled ones
+LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
+_MOST_PARTS = 5_000
+_CHUNK = 1 << 20
+_OVERLAP = 16
+_ZIP = b"PK\x03\x04"
+_COMPOUND = b"\xd0\xcf\x11\xe0"
+_ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
+_FORMULA = re.compile(rb"<(?:\w+:)?f[ />]")
+_DOCUMENT_TYPE = b"<!DOCTYPE"
+_SAVE = "save the sheet as .xlsx or CSV (UTF-8)"
+
+
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """A cell as text; `oddity` is what a person should know about it."""
+
+    text: str
+    oddity: str = ""
+
+
+_BLANK = _Cell("")
+_Line = tuple[int, list[_Cell]]  # the number of a line in the sheet, and its cells up to the last filled one
+
+
+def is_workbook(path: Path) -> bool:
+    """Whether a file begins as workbooks do, new or old, whatever it is called."""
+    try:
+        with path.open("rb") as stream:
+            return stream.read(4) in (_ZIP, _COMPOUND)
+    except OSError:
+        return False
+
+
+def read_workbook(path: Path) -> Table:
+    """The first filled sheet of a workbook that people can see; `Row.line` is the row's number there.
+
+    Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
+    """
+    has_formulas = _inspected(path)
+    name, lines, others = _sheet(path)
+    if not lines:
+        raise TableError(f"{path.name}: has no filled sheet - expected a line of column names - {_SAVE}")
+    if has_formulas:
+        lines = _formulas_told(path, name, lines)
+    (_, header), *rows = lines
+    titles = tuple(cell.text for cell in header)
+    complaints = [*_sheets_told(path.name, name, others), *_oddities(path.name, titles, lines),
+                  *_surplus(path.name, rows, len(titles))]
+    filled = tuple(Row(line, _padded(cells, len(titles))) for line, cells in rows)
+    return Table(path.name, titles, filled, "XLSX", "", tuple(complaints))
+
+
+def _padded(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
+    return (*(cell.text for cell in cells), *[""] * (width - len(cells)))
+
+
+def _inspected(path: Path) -> bool:
+    """Whether the workbook has formulas. Raises TableError if the file is no workbook, or one that bursts."""
+    try:
+        with path.open("rb") as stream:
+            beginning = stream.read(4)
+        if beginning == _COMPOUND:
+            raise TableError(f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - {_SAVE}")
+        with ZipFile(path) as archive:
+            return _parts_inspected(path, archive)
+    except OSError as fault:
+        raise TableError(f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name") from fault
+    except BadZipFile as fault:
+        raise TableError(f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}") from fault
+    except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
+        raise _damaged(path, fault) from fault
+
+
+def _parts_inspected(path: Path, archive: ZipFile) -> bool:
+    parts = archive.infolist()
+    if not any(part.filename.endswith("workbook.xml") for part in parts):
+        raise TableError(f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file in it")
+    size = sum(part.file_size for part in parts)
+    if size > LARGEST or len(parts) > _MOST_PARTS:
+        raise TableError(f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than {LARGEST} "
+                         "- send the sheet alone, as CSV (UTF-8)")
+    has_formulas = False
+    for part in parts:
+        if part.filename.endswith((".xml", ".rels")):
+            has_formulas |= _part_has_formulas(path, archive, part.filename)
+    return has_formulas
+
+
+def _part_has_formulas(path: Path, archive: ZipFile, part: str) -> bool:
+    found, before = False, b""
+    with archive.open(part) as stream:
+        while chunk := stream.read(_CHUNK):
+            piece = before + chunk
+            if _DOCUMENT_TYPE in piece:
+                raise TableError(f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
+                                 f"program writes it - {_SAVE}")
+            found = found or ("sheet" in part and _FORMULA.search(piece) is not None)
+            before = piece[-_OVERLAP:]
+    return found
+
+
+@contextmanager
+def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
+    """An open workbook; whatever its parser stumbles over is one TableError."""
+    workbook = None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of styles and extensions, which are not read
+            workbook = load_workbook(path, read_only=True, data_only=values, keep_links=False)
+            yield workbook
+    except TableError:
+        raise
+    except Exception as fault:  # the parser answers a damaged file by any exception there is
+        raise _damaged(path, fault) from fault
+    finally:
+        if workbook is not None:
+            workbook.close()
+
+
+def _damaged(path: Path, fault: Exception) -> TableError:
+    reason = " ".join(str(fault).split())[:200] or type(fault).__name__
+    return TableError(f"{path.name}: is a damaged workbook ({reason}) - expected .xlsx - {_SAVE}")
+
+
+def _sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
+    """The name and the filled lines of the first filled sheet, and the names of other filled ones."""
+    name, lines, others = "", list[_Line](), list[str]()
+    with _workbook(path, values=True) as workbook:
+        for sheet in workbook.worksheets:
+            if sheet.sheet_state != "visible":
+                continue
+            if not lines:
+                name, lines = sheet.title, list(_filled_lines(path, sheet))
+            elif next(_filled_lines(path, sheet), None):
+                others.append(sheet.title)
+    return name, lines, others
+
+
+def _filled_lines(path: Path, sheet: Any) -> Iterator[_Line]:
+    for line, row in _rows(path, sheet):
+        cells = [_BLANK if cell.value is None else _read(cell) for cell in row]
+        while cells and not trimmed(cells[-1].text) and not cells[-1].oddity:
+            cells.pop()
+        if any(trimmed(cell.text) for cell in cells):
+            yield line, cells
+
+
+def _rows(path: Path, sheet: Any) -> Iterator[tuple[int, Sequence[Any]]]:
+    """The rows as they stand, whatever size the sheet says it has; stops where that would take for ever."""
+    sheet.reset_dimensions()
+    count = 0
+    for line, row in enumerate(sheet.iter_rows(), 1):
+        count += len(row)
+        if line > MOST_ROWS or count > MOST_CELLS:
+            raise TableError(f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} cells "
+                             "- expected a class - delete what stands below and beside the table")
+        yield line, row
+
+
+def _read(cell: Any) -> _Cell:
+    value = cell.value
+    if isinstance(value, bool):
+        return _Cell(str(value).upper())
+    if isinstance(value, int | float):
+        return _number(value, cell.number_format)
+    if isinstance(value, datetime | date | time | timedelta):
+        return _Cell(str(value), "is a date or a time for the spreadsheet, whatever was typed")
+    return _Cell(str(value))
+
+
+def _number(value: int | float, number_format: str) -> _Cell:
+    """The shortest digits that mean the number: what was typed, up to zeros at its end."""
+    whole = int(value) if isinstance(value, int) or (value.is_integer() and abs(value) < LONGEST_NUMBER) else None
+    text = repr(value) if whole is None else str(whole)
+    if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
+        text = text.zfill(len(number_format))
+    eaten = abs(value) >= LONGEST_NUMBER
+    return _Cell(text, "is a number of more than 15 digits, of which spreadsheets lose the last" if eaten else "")
+
+
+def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
+    """The lines, with an oddity for each cell that a formula computes."""
+    with _workbook(path, values=False) as workbook:
+        computed = {(line, place): str(getattr(cell.value, "text", cell.value))
+                    for line, row in _rows(path, workbook[name]) for place, cell in enumerate(row)
+                    if cell.data_type == "f"}
+    return [(line, [_told(cell, computed.get((line, place))) for place, cell in enumerate(cells)])
+            for line, cells in lines]
+
+
+def _told(cell: _Cell, formula: str | None) -> _Cell:
+    if formula is None:
+        return cell
+    value = "" if cell.text else " which was never computed"
+    return _Cell(cell.text, f"is computed by the formula {shortened(formula)}{value}")
+
+
+def _oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
+    for line, cells in lines:
+        for place, cell in enumerate(cells):
+            if cell.oddity:
+                column = titles[place] if place < len(titles) else ""
+                yield Complaint(file, line, column, shortened(cell.text), f"the cell {cell.oddity}",
+                                "taken as its content stands here")
+
+
+def _surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
+    for line, cells in rows:
+        surplus = "; ".join(cell.text for cell in cells[width:] if trimmed(cell.text))
+        if surplus:
+            yield Complaint(file, line, "", shortened(surplus), "cells stand beside the table, under no column name",
+                            "the surplus is kept here only")
+
+
+def _sheets_told(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
+    if others:
+        yield Complaint(file, None, "", ", ".join(others), "the workbook has several filled sheets",
+                        f'the first, "{name}", is read; delete it if another one is meant')
