@@ -65,6 +65,10 @@ class TypesetError(KinegradeError):
     """A page cannot be typeset faithfully."""
 
 
+class ExportError(KinegradeError):
+    """A quiz, or grades, cannot be said in the format that another system takes."""
+
+
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
     """A closing hint for an unknown word: the nearest known one, or all known ones.
 

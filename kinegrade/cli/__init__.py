@@ -12,6 +12,7 @@ from kinegrade import __version__
 from kinegrade.cli.exams import generate
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
+from kinegrade.cli.quiz import quiz
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.templates import check, gallery, list_templates, new, show, solve
 
@@ -28,5 +29,5 @@ def main() -> None:
 
 
 for command in (list_templates, show, solve, check, new, gallery, generate,
-                grade, diff, class_report, feedback, sharing, export):
+                grade, diff, class_report, feedback, sharing, export, quiz):
     main.add_command(command)

@@ -22,6 +22,13 @@ class QuizMistake:
     value: Fraction
     credit: Fraction
     sentence: str  # plain
+    low: Fraction | None = None
+    high: Fraction | None = None
+
+    @property
+    def interval(self) -> tuple[Fraction, Fraction]:
+        """What is taken for this mistake, both ends included: as far from its value as the ask's rule allows."""
+        return (self.value if self.low is None else self.low, self.value if self.high is None else self.high)
 
 
 @dataclass(frozen=True)
@@ -62,6 +69,7 @@ class QuizQuestion:
     figure: QuizFigure | None
     asks: tuple[QuizAsk, ...]
     solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
+    rule: str = ""  # prose: how to write answers, and when one is right
 
     @property
     def points(self) -> Fraction:

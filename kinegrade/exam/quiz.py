@@ -1,0 +1,126 @@
+"""From an exam folder to a quiz: everybody's paper, or variants of every question for all, one after the other.
+
+`read_quiz` is called by `kinegrade quiz`. Papers are made when they are asked for, a few ahead by several processes, so
+that memory does not grow with the class. Numbers are those of the key; nothing is solved again but worked solutions.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import islice
+from multiprocessing import get_context
+from pathlib import Path
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.attendance import attend
+from kinegrade.exam.pages import version_name
+from kinegrade.exam.quiz_document import Language, Quiz, QuizPaper
+from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper
+from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_quiz_source
+
+CHUNK = 20  # papers in one task, few enough for all processes to end together
+AHEAD = 2  # tasks for each process that are under way or wait for it
+ENDED = ("quiz: a process that makes papers was ended from outside - expected room for all of them in memory - use "
+         "fewer: --jobs 1")
+PLAIN = QuizWishes()
+Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
+Line = tuple[int, str]
+
+
+@dataclass(frozen=True)
+class QuizOrder:
+    """What a worker needs to know of an exam, and keeps between its tasks."""
+
+    folder: Path
+    language: Language | None
+    wishes: QuizWishes
+    pooled: bool
+
+
+def read_quiz(folder: Path, language: Language | None = None, *, variants: int | None = None,
+              wishes: QuizWishes = PLAIN, jobs: int = 1,
+              progress: Progress = lambda papers, count: papers) -> Quiz:
+    """The quiz of an exam folder, in the papers' language unless another one is wanted, by up to `jobs` processes.
+
+    Everybody's own paper, of exams with versions one for each version; or the first `variants` papers for everybody.
+    Raises ExamError where the folder is at fault or has fewer papers; the papers raise it too, when their turn comes.
+    """
+    source = read_quiz_source(folder, language)
+    available = len(source.versions) or len(source.names)
+    if variants is not None and variants > available:
+        raise ExamError(f"{folder}: has {available} different papers - expected {variants} for {variants} variants of "
+                        f"each question - ask for up to {available}")
+    order = QuizOrder(folder, language, wishes, variants is not None)
+    lines = islice(_different(source), variants)
+    papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
+    return Quiz(source.language, source.course, source.title, progress(papers, variants or available))
+
+
+def _different(source: QuizSource) -> Iterator[Line]:
+    """The line of the key for every student, or for every version that somebody has, by letter."""
+    if not source.versions:
+        yield from key_lines(source.folder)
+        return
+    found: dict[str, Line] = {}
+    for number, line in key_lines(source.folder):
+        found.setdefault(str(key_record(source.folder, number, line).get("version", "")), (number, line))
+        if len(found) == len(source.versions):
+            break
+    yield from (found[letter] for letter in sorted(found))
+
+
+def _papers(order: QuizOrder, source: QuizSource, lines: Iterator[Line], workers: int) -> Iterator[QuizPaper]:
+    """The papers of these lines, in order."""
+    if workers > 1:
+        yield from by_workers(order, lines, workers)
+        return
+    for line in lines:
+        yield _paper(order, source, line)
+
+
+def by_workers(order: QuizOrder, lines: Iterator[Line], workers: int) -> Iterator[QuizPaper]:
+    """The same by other processes; at the end, whatever ends it, none of them runs any more.
+
+    Raises what they raise, ExamError where one of them was killed.
+    """
+    executor = ProcessPoolExecutor(workers, get_context("spawn"), attend)
+    waiting: deque[Future[list[QuizPaper]]] = deque()
+    try:
+        while part := list(islice(lines, CHUNK)):
+            waiting.append(executor.submit(work, order, part))
+            if len(waiting) >= AHEAD * workers:
+                yield from waiting.popleft().result()
+        while waiting:
+            yield from waiting.popleft().result()
+    except BrokenExecutor as error:
+        raise ExamError(ENDED) from error
+    finally:
+        executor.shutdown(wait=True, cancel_futures=True)
+
+
+def work(order: QuizOrder, lines: Sequence[Line]) -> list[QuizPaper]:
+    """A task: the papers of these lines."""
+    source = _source(order.folder, order.language)
+    return [_paper(order, source, line) for line in lines]
+
+
+@lru_cache(maxsize=1)
+def _source(folder: Path, language: Language | None) -> QuizSource:
+    """The exam of this process: reading it once is what makes it fast."""
+    return read_quiz_source(folder, language)
+
+
+def _paper(order: QuizOrder, source: QuizSource, line: Line) -> QuizPaper:
+    record = key_record(source.folder, *line)
+    if source.versions and not order.pooled:
+        return _version(quiz_paper(source, order.wishes, record, pooled=True), str(record["version"]), source.language)
+    return quiz_paper(source, order.wishes, record, pooled=order.pooled)
+
+
+def _version(paper: QuizPaper, letter: str, language: Language) -> QuizPaper:
+    """A paper of everybody who has that version."""
+    return QuizPaper(letter, "", version_name(letter, language), paper.questions)

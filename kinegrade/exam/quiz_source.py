@@ -1,0 +1,149 @@
+"""What a quiz needs of an exam folder besides the papers' own lines of the key: title, templates, who has a paper."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from kinegrade.errors import ExamError, TemplateError
+from kinegrade.exam.quiz_document import Language
+from kinegrade.problem.library import load_template
+from kinegrade.problem.template import Template
+from kinegrade.problem.tolerance import Tolerance
+
+FORMAT = 1
+LOOKED_AT = 64  # papers from which the bank's tolerances are seen, which zero answers widen
+BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
+MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
+
+
+@dataclass(frozen=True)
+class QuizSource:
+    """An exam folder; `identifier` tells it from other exams, and tells nothing of its secret.
+
+    `templates` and `names` go by question and by student, `tolerances` by question and ask.
+    """
+
+    folder: Path
+    identifier: str
+    language: Language
+    title: str
+    course: str
+    versions: tuple[str, ...]
+    templates: Mapping[str, Template]
+    names: Mapping[str, str]
+    tolerances: Mapping[tuple[str, str], Tolerance]
+
+
+def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSource:
+    """Reads exam.json, bank.toml and the templates; in the papers' language unless another one is wanted.
+
+    Raises ExamError, with the faults of all templates.
+    """
+    head = _head(folder / "exam.json")
+    spoken: Language = "zh" if head.get("language") == "zh" else "en"
+    bank = _text(folder / "bank.toml")
+    title, course = (str(head.get(name, "")) for name in ("title", "course"))
+    if language and language != spoken:
+        title, course = _translated(bank, language, title, course)
+    try:
+        templates = _templates(folder, head)
+        names = {str(student["student"]): str(student["name"]) for student in head["students"]}
+        versions = tuple(map(str, head.get("versions", ())))
+    except BROKEN as fault:
+        raise ExamError(f"{folder / 'exam.json'}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
+    return QuizSource(folder, sha256(bank.encode()).hexdigest()[:8], language or spoken, title, course, versions,
+                      templates, names, _tolerances(folder))
+
+
+def key_lines(folder: Path) -> Iterator[tuple[int, str]]:
+    """The lines of key.jsonl, one for each paper, with their numbers. Raises ExamError."""
+    try:
+        with (folder / "key.jsonl").open(encoding="utf-8") as lines:
+            yield from ((number, line) for number, line in enumerate(lines, start=1) if line.strip())
+    except (OSError, UnicodeDecodeError) as fault:
+        raise unreadable(folder / "key.jsonl", fault) from fault
+
+
+def key_record(folder: Path, number: int, line: str) -> dict[str, Any]:
+    """A line of key.jsonl, its numbers as the texts that stand there. Raises ExamError."""
+    try:
+        record: dict[str, Any] = json.loads(line, parse_float=str, parse_int=str)
+        return {"student": record["student"], "paper": record["paper"], "questions": record["questions"], **record}
+    except BROKEN as fault:
+        raise ExamError(f"{folder / 'key.jsonl'}:{number}: is broken ({type(fault).__name__}) - {MENDING}") from fault
+
+
+def tolerance_of(ask: Mapping[str, Any]) -> Tolerance:
+    """The tolerance of an ask's entry in the key."""
+    stated = ask["tolerance"]
+    figures = int(stated["figures"]) if "figures" in stated else None
+    return Tolerance(Fraction(stated["relative"]), Fraction(stated["absolute"]), figures)
+
+
+def unreadable(path: Path, fault: Exception) -> ExamError:
+    """The refusal of a file that cannot be read."""
+    reason = fault.strerror if isinstance(fault, OSError) else "not UTF-8"
+    return ExamError(f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate "
+                     "- check the name")
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as fault:
+        raise unreadable(path, fault) from fault
+
+
+def _head(path: Path) -> dict[str, Any]:
+    try:
+        head: dict[str, Any] = json.loads(_text(path))
+        if head["format"] != FORMAT:
+            raise ValueError(f'"format" is {head["format"]!r}, and {FORMAT} is the only one this kinegrade reads')
+    except BROKEN as fault:
+        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
+    return head
+
+
+def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
+    """Title and course in another language, where the bank has them in it."""
+    try:
+        table = tomllib.loads(bank)
+    except ValueError:
+        return texts
+    found = (table.get(name) for name in ("title", "course"))
+    return tuple(str(stated[language]) if isinstance(stated, dict) and language in stated else text
+                 for stated, text in zip(found, texts, strict=True))
+
+
+def _templates(folder: Path, head: Mapping[str, Any]) -> dict[str, Template]:
+    """The templates by question."""
+    found: dict[str, Template] = {}
+    faults: list[str] = []
+    for question in head["questions"]:
+        try:
+            found[str(question["question"])] = load_template(str(question["template"]), folder / "templates")
+        except TemplateError as error:
+            faults += error.problems
+    if faults:
+        raise ExamError(*(f"{folder}: {fault}" for fault in faults))
+    return found
+
+
+def _tolerances(folder: Path) -> dict[tuple[str, str], Tolerance]:
+    """By question and ask the least that is allowed: where the answer is no zero, what the bank says."""
+    found: dict[tuple[str, str], Tolerance] = {}
+    for number, line in islice(key_lines(folder), LOOKED_AT):
+        for question in key_record(folder, number, line)["questions"]:
+            for name, ask in question["asks"].items():
+                place, tolerance = (question["question"], name), tolerance_of(ask)
+                if place not in found or tolerance.absolute < found[place].absolute:
+                    found[place] = tolerance
+    return found

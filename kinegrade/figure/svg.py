@@ -1,0 +1,122 @@
+"""A scene as SVG, written straight, for browsers: a millisecond, and no typesetter.
+
+It is black on white whatever the page around it, needs nothing but itself, and holds no script, link or style sheet.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from html import escape
+from math import ceil, cos, pi, sin
+
+from kinegrade.errors import TypesetError
+from kinegrade.figure.extent import EM
+from kinegrade.figure.scene import Bow, Disc, Fill, Label, Outline, Pen, Primitive, Scene, Strokes
+from kinegrade.figure.symbol_runs import Run, symbol_runs
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import symbol_fault
+
+FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
+_FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}
+_DASHES = {"solid": "", "dashed": "1.06 1.06", "dash-dotted": "1.06 .7 .01 .7"}  # millimetres
+_HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must tell its circle
+
+
+def to_svg(scene: Scene) -> str:
+    """An SVG document for the scene, of its width and height in millimetres.
+
+    Raises TypesetError for a label that is no LaTeX symbol.
+    """
+    return _document(scene.width, scene.height, scene.primitives)
+
+
+@lru_cache(maxsize=256)
+def _document(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
+    """The document of a figure; papers of a class hold many equal ones."""
+    across, upward = _mm(width), _mm(height)
+    lines = [_written(primitive, height) for primitive in primitives]
+    return "\n".join((
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{across}mm" height="{upward}mm" '
+        f'viewBox="0 0 {across} {upward}">',
+        f'<rect width="{across}" height="{upward}" fill="#fff"/>',
+        f'<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" '
+        f'font-size="{_mm(EM)}">',
+        *lines, "</g>", "</svg>", ""))
+
+
+def _written(primitive: Primitive, height: float) -> str:
+    """The primitive in SVG's frame, whose y axis points down from the top of the figure."""
+    match primitive:
+        case Label():
+            return _label(primitive, height)
+        case Disc(centre, radius):
+            place = f'cx="{_mm(centre.x)}" cy="{_mm(height - centre.y)}" r="{_mm(radius)}"'
+            return f"<circle {place}{_style(primitive.pen, primitive.fill)}/>"
+        case Strokes():
+            path = "".join(_polyline(line, height) for line in primitive.lines)
+            return f'<path d="{path}"{_style(primitive.pen, "none")}/>'
+        case Outline():
+            path = _polyline(primitive.corners, height) + ("Z" if primitive.closed else "")
+            return f'<path d="{path}"{_style(primitive.pen, primitive.fill)}/>'
+    return f'<path d="{_arc(primitive, height)}"{_style(primitive.pen, "none")}/>'
+
+
+def _polyline(corners: tuple[Vector, ...], height: float) -> str:
+    first, *rest = (_point(corner, height) for corner in corners)
+    return f"M{first}" + "".join(f"L{corner}" for corner in rest)
+
+
+def _arc(bow: Bow, height: float) -> str:
+    """The arc in parts of less than half a circle."""
+    count = max(1, ceil(abs(bow.sweep) / _HALF))
+    ends = [bow.start + bow.sweep * index / count for index in range(count + 1)]
+    points = [_point(bow.centre + Vector(cos(end), sin(end)) * bow.radius, height) for end in ends]
+    sense = int(bow.sweep < 0)
+    return f"M{points[0]}" + "".join(f"A{_mm(bow.radius)} {_mm(bow.radius)} 0 0 {sense} {end}" for end in points[1:])
+
+
+@lru_cache(maxsize=64)
+def _style(pen: Pen | None, fill: Fill) -> str:
+    inside = f' fill="{_FILLS[fill]}"' if _FILLS[fill] else ""
+    if pen is None:
+        return f'{inside} stroke="none"'
+    dash = f' stroke-dasharray="{_DASHES[pen.dash]}"' if _DASHES[pen.dash] else ""
+    return f'{inside} stroke-width="{_mm(pen.width)}"{dash}'
+
+
+def _label(label: Label, height: float) -> str:
+    """The symbol with the middle of its letters, as far as they reach up and down, in the middle of its box."""
+    runs = _runs(label.symbol)
+    middle = (max(run.top for run in runs) + min(run.bottom for run in runs)) / 2 * EM
+    place = f'x="{_mm(label.centre.x)}" y="{_mm(height - label.centre.y + middle)}"'
+    return f'<text {place} text-anchor="middle" fill="#000" stroke="none">{_spans(runs)}</text>'
+
+
+@lru_cache(maxsize=1024)
+def _runs(symbol: str) -> tuple[Run, ...]:
+    fault = symbol_fault(symbol)
+    if fault:
+        raise TypesetError(f"figure: label: {fault}")
+    return symbol_runs(symbol)
+
+
+def _spans(runs: tuple[Run, ...]) -> str:
+    spans, baseline = [], 0.0
+    for run in runs:
+        styles = [("dx", _mm(-run.back * EM) if run.back else ""),
+                  ("dy", _mm((baseline - run.shift) * EM) if run.shift != baseline else ""),
+                  ("font-size", _mm(run.size * EM) if run.size != 1 else ""),
+                  ("font-style", "italic" if run.italic else ""), ("font-weight", "bold" if run.bold else "")]
+        written = "".join(f' {name}="{value}"' for name, value in styles if value)
+        spans.append(f"<tspan{written}>{escape(run.text)}</tspan>")
+        baseline = run.shift
+    return "".join(spans)
+
+
+def _point(point: Vector, height: float) -> str:
+    return f"{_mm(point.x)} {_mm(height - point.y)}"
+
+
+def _mm(value: float) -> str:
+    """To a hundredth, rounded twice, so that the last bits of a sine, which differ between machines, never show."""
+    return f"{round(round(value, 6), 2) + 0.0:g}"

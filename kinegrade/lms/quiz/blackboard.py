@@ -1,0 +1,110 @@
+"""Quizzes as the text files that Blackboard uploads: a line for every ask, number and tolerance, no figures.
+
+Blackboard takes up to 250 questions at a time. A target that ends in `.zip` holds a file for every paper, or one for
+every ask with all its variants; any other target is one such file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.quiz_document import Quiz, QuizPaper
+from kinegrade.lms.quiz.blackboard_line import question_line
+from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.packaging import Package, file_whole_or_not, package, stable_name
+from kinegrade.lms.quiz.remarks import Remarks
+
+MOST = 250  # questions in one upload to Ultra; Original takes 500
+NO_FIGURES = ("blackboard: its text upload carries no figures - they were left out; the statements are complete "
+              "without them - hand out the printed papers with it")
+POINTS = "blackboard: points do not travel - set them there: {}"
+LEFT_OUT = ("blackboard: its numerical questions know nothing but the right number - comments on known mistakes and "
+            "solutions were left out - give them with kinegrade feedback")
+TOO_MANY = ("{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - write to a "
+            "name that ends in .zip, which gives every paper its own file")
+
+
+def write(quiz: Quiz, target: Path) -> list[str]:
+    """Writes the file, replacing what stands at `target`; what an instructor should know about it, a line each.
+
+    Raises ExportError with everything that cannot be said, OutputError; then `target` is as it was.
+    """
+    writer = _Writer(quiz)
+    if target.suffix.lower() == ".zip":
+        with package(target) as parts:
+            writer.write_files(parts)
+            return writer.complaints()
+    with file_whole_or_not(target) as partial:
+        writer.write_one(partial, target)
+        return writer.complaints()
+
+
+class _Writer:
+    """What is at hand while papers come one after another."""
+
+    def __init__(self, quiz: Quiz) -> None:
+        self._quiz, self._remarks = quiz, Remarks()
+        self._points: dict[str, Fraction] = {}
+
+    def complaints(self) -> list[str]:
+        """What was left out. Raises ExportError with all faults."""
+        self._remarks.raise_faults()
+        listed = ", ".join(f"{column} {decimal_text(points)}" for column, points in self._points.items())
+        self._remarks.complain(POINTS.format(listed))
+        return self._remarks.complaints
+
+    def write_one(self, place: Path, target: Path) -> None:
+        """All lines in one file."""
+        count = 0
+        with place.open("x", encoding="utf-8", newline="\n") as stream:
+            for paper in self._quiz.papers:
+                for _, line in self._lines(paper):
+                    count += 1
+                    if count <= MOST:
+                        stream.write(f"{line}\n")
+        if count > MOST:
+            self._remarks.refuse(TOO_MANY.format(target, count, MOST))
+
+    def write_files(self, parts: Package) -> None:
+        """A file for every paper, and for every ask of pooled questions."""
+        pools: dict[str, list[str]] = {}
+        written: dict[str, int] = {}
+        for paper in self._quiz.papers:
+            if paper.student or paper.name:
+                name = stable_name("-".join(filter(None, ("paper", paper.code, paper.student))))
+                _add_files(parts, name, [line for _, line in self._lines(paper)], 0)
+                continue
+            for column, line in self._lines(paper):
+                pools.setdefault(column, []).append(line)
+                if len(pools[column]) == MOST:
+                    written[column] = _add_files(parts, stable_name(column), pools.pop(column), written.get(column, 0))
+        for column, lines in pools.items():
+            _add_files(parts, stable_name(column), lines, written.get(column, 0))
+
+    def _lines(self, paper: QuizPaper) -> Iterator[tuple[str, str]]:
+        """The asks of a paper, each with its column and its line."""
+        owned = bool(paper.student or paper.name)
+        for question in paper.questions:
+            if question.figure is not None:
+                self._remarks.complain(NO_FIGURES)
+            if question.solution or any(ask.mistakes for ask in question.asks):
+                self._remarks.complain(LEFT_OUT)
+            for ask in question.asks:
+                column = f"{question.question}.{ask.identifier}"
+                self._points.setdefault(column, ask.points)
+                try:
+                    yield column, question_line(question, ask, self._quiz.language, self._remarks, on_paper=owned)
+                except TypesetError as fault:
+                    self._remarks.refuse_texts(fault)
+
+
+def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:
+    """Writes lines in files that Blackboard takes, counting on from those before; how many there are now."""
+    for start in range(0, len(lines), MOST):
+        before += 1
+        suffix = f"-{before}" if before > 1 else ""
+        parts.add(f"{name}{suffix}.txt", "".join(f"{line}\n" for line in lines[start:start + MOST]).encode())
+    return before

@@ -1,0 +1,22 @@
+"""Numbers as learning management systems read them in any language: a decimal point, no thousands, no power of ten."""
+
+from __future__ import annotations
+
+from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Context, Decimal
+from fractions import Fraction
+from typing import Literal
+
+DIGITS = 17  # as many as a double can tell apart
+Rounding = Literal["nearest", "down", "up"]
+_ROUNDINGS: dict[Rounding, str] = {"nearest": ROUND_HALF_EVEN, "down": ROUND_FLOOR, "up": ROUND_CEILING}
+
+
+def decimal_text(number: Fraction, rounding: Rounding = "nearest") -> str:
+    """A number, exactly where so many significant digits hold it, else rounded to them; "down" is to minus infinity.
+
+    >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3)), decimal_text(Fraction(1, 3), "up")
+    ('-2.5', '0.33333333333333333', '0.33333333333333334')
+    """
+    context = Context(prec=DIGITS, rounding=_ROUNDINGS[rounding])
+    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)
+    return f"{quotient:f}" if quotient else "0"

@@ -1,0 +1,65 @@
+"""What is right, as a quiz file can say it: one closed interval, or one for each turn of an angle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.exam.quiz_document import QuizAsk
+from kinegrade.lms.quiz.decimals import decimal_text
+
+_EVEN = Fraction(1, 10**15)  # no system that computes in doubles can tell such margins apart
+
+
+@dataclass(frozen=True)
+class RightInterval:
+    """A right number with all that counts as right: from `low` to `high`, both included."""
+
+    value: Fraction
+    low: Fraction
+    high: Fraction
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the value stands in the middle, as far as double precision can see."""
+        below, above = self.value - self.low, self.high - self.value
+        return abs(below - above) <= _EVEN * (below + above)
+
+    @property
+    def value_text(self) -> str:
+        """The value as a decimal."""
+        return decimal_text(self.value)
+
+    @property
+    def low_text(self) -> str:
+        """The lower bound; what must be rounded is rounded outwards, so that nothing right becomes wrong."""
+        return decimal_text(self.low, "down")
+
+    @property
+    def high_text(self) -> str:
+        """The upper bound, rounded outwards where it must be."""
+        return decimal_text(self.high, "up")
+
+    @property
+    def margin_texts(self) -> tuple[str, str]:
+        """How far below and above the value as it is written the interval reaches."""
+        written = Fraction(self.value_text)
+        return decimal_text(written - self.low, "up"), decimal_text(self.high - written, "up")
+
+
+def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
+    """The interval of the key first; of an angle also those whole turns away with a part within one turn of zero."""
+    first = RightInterval(ask.value, ask.low, ask.high)
+    if ask.period is None:
+        return (first,)
+    fewest, most = -((ask.high + ask.period) // ask.period), (ask.period - ask.low) // ask.period
+    shifts = [turns * ask.period for turns in range(fewest, most + 1) if turns]
+    return (first, *(RightInterval(ask.value + shift, ask.low + shift, ask.high + shift) for shift in shifts))
+
+
+def within_half_a_turn(ask: QuizAsk) -> RightInterval:
+    """The one interval whose value lies within half a turn of zero, where only one can be said."""
+    if ask.period is None:
+        return RightInterval(ask.value, ask.low, ask.high)
+    shift = -((ask.value + ask.period / 2) // ask.period) * ask.period
+    return RightInterval(ask.value + shift, ask.low + shift, ask.high + shift)

@@ -1,0 +1,91 @@
+"""Packages as learning management systems take them: zip files whose bytes depend on nothing but what is in them.
+
+Entries go to disk one by one; in memory stays only the zip's own directory, some hundred bytes for each.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import secrets
+import shutil
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from hashlib import sha256
+from pathlib import Path
+from typing import IO
+
+from kinegrade.errors import ExportError, OutputError
+
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest a zip can say
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", re.ASCII)
+_UNFIT = re.compile(r"[^A-Za-z0-9_-]+", re.ASCII)
+
+
+def stable_name(identifier: str) -> str:
+    """An identifier that XML, file systems and URLs take: itself where it is one, else made of it, always the same.
+
+    >>> stable_name("exam1-q1.v_B"), stable_name("../a b")
+    ('exam1-q1.v_B', 'i_a_b-2c2c791a06')
+    """
+    if _NAME.fullmatch(identifier) and ".." not in identifier:
+        return identifier
+    fingerprint = sha256(identifier.encode("utf-8", "backslashreplace")).hexdigest()[:10]
+    written = _UNFIT.sub("_", identifier)[:60]
+    return f"{'' if written[:1].isalpha() else 'i'}{written}-{fingerprint}"
+
+
+@contextmanager
+def file_whole_or_not(target: Path) -> Iterator[Path]:
+    """Gives a hidden name beside `target`; the file takes its place when the block ends without an error.
+
+    Raises OutputError where it cannot be written.
+    """
+    partial = target.with_name(f".{target.name}.partial-{os.getpid()}-{secrets.token_hex(4)}")
+    try:
+        yield partial
+        os.replace(partial, target)
+    except OSError as fault:
+        raise OutputError(
+            f"{target}: cannot be written ({fault.strerror}) - expected a place with room and permission - choose "
+            "another"
+        ) from fault
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+class Package:
+    """A zip that is being written; the same entries give the same bytes on every machine."""
+
+    def __init__(self, archive: zipfile.ZipFile) -> None:
+        self._archive = archive
+        self._names: set[str] = set()
+
+    def add(self, name: str, content: bytes) -> None:
+        """Writes an entry. Raises ExportError where the name is taken already."""
+        with self._entry(name) as entry:
+            entry.write(content)
+
+    def copy(self, name: str, stream: IO[bytes]) -> None:
+        """Writes an entry from the beginning of a stream, piece by piece. Raises ExportError as `add` does."""
+        stream.seek(0)
+        with self._entry(name) as entry:
+            shutil.copyfileobj(stream, entry)
+
+    def _entry(self, name: str) -> IO[bytes]:
+        if name in self._names:
+            raise ExportError(f'quiz: the name "{name}" stands for two things - expected one for each paper and '
+                              "question - set the exam anew")
+        self._names.add(name)
+        entry = zipfile.ZipInfo(name, FIRST_DATE)
+        entry.compress_type = zipfile.ZIP_DEFLATED
+        entry.create_system, entry.external_attr = 3, 0o644 << 16
+        return self._archive.open(entry, "w")
+
+
+@contextmanager
+def package(target: Path) -> Iterator[Package]:
+    """A package that becomes `target` when the block ends without an error. Raises OutputError."""
+    with file_whole_or_not(target) as partial, zipfile.ZipFile(partial, "x") as archive:
+        yield Package(archive)

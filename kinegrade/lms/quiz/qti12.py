@@ -1,0 +1,115 @@
+"""Quizzes as QTI 1.2 packages for Canvas, Classic and New Quizzes: a numerical question for every ask.
+
+Canvas knows no question of several numbers, so every ask has its own with the statement and the figure. A paper is an
+assessment; pooled questions are one assessment that draws, for every ask, one of the variants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from tempfile import TemporaryFile
+from xml.sax.saxutils import quoteattr
+
+from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.lms.quiz import qti12_manifest
+from kinegrade.lms.quiz.manifest import Manifest
+from kinegrade.lms.quiz.packaging import Package, package, stable_name
+from kinegrade.lms.quiz.plain_prose import one_plain_line
+from kinegrade.lms.quiz.qti12_groups import Groups
+from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
+from kinegrade.lms.quiz.qti12_questions import numerical_items, picture_name
+from kinegrade.lms.quiz.remarks import Remarks
+
+HEAD = (
+    '<?xml version="1.0" encoding="UTF-8"?>\n'
+    '<questestinterop xmlns="http://www.imsglobal.org/xsd/ims_qtiasiv1p2" '
+    'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '
+    'xsi:schemaLocation="http://www.imsglobal.org/xsd/ims_qtiasiv1p2 '
+    'http://www.imsglobal.org/xsd/ims_qtiasiv1p2p1.xsd">\n<assessment ident={} title={}>\n'
+    "<qtimetadata><qtimetadatafield><fieldlabel>cc_maxattempts</fieldlabel><fieldentry>1</fieldentry></qtimetadatafield>"
+    '</qtimetadata>\n<section ident="root_section">\n'
+)
+FOOT = "</section>\n</assessment>\n</questestinterop>\n"
+FOR_ONE = ("qti12: every paper is a quiz of its own, and a published quiz is open to the whole course - assign each "
+           "quiz to its students before you publish it")
+DRAWN_APART = ("qti12: Canvas draws every question by itself - the asks of one mechanism may come with different "
+               "numbers, each complete in itself - write papers instead of variants to keep them together")
+UNEVEN = ("{}: is worth {} points, and the first variant {} - expected the same for all variants of an ask - "
+          "mend the points in the bank")
+
+
+def write(quiz: Quiz, target: Path) -> list[str]:
+    """Writes the package, replacing what stands at `target`; what an instructor should know about it, a line each.
+
+    Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it was.
+    """
+    with (package(target) as parts, Groups() as groups,
+          Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest):
+        return _Writer(quiz, parts, groups, manifest).write()
+
+
+class _Writer:
+    """What is at hand while papers come one after another."""
+
+    def __init__(self, quiz: Quiz, parts: Package, groups: Groups, manifest: Manifest) -> None:
+        self._quiz, self._parts, self._groups, self._manifest = quiz, parts, groups, manifest
+        self._remarks = Remarks()
+
+    def write(self) -> list[str]:
+        for paper in self._quiz.papers:
+            if paper.student or paper.name:
+                self._paper(paper)
+            else:
+                self._variants(paper)
+        if self._groups.identifier:
+            self._pool()
+        self._remarks.raise_faults()
+        self._parts.copy("imsmanifest.xml", self._manifest.finished())
+        return self._remarks.complaints
+
+    def _paper(self, paper: QuizPaper) -> None:
+        items = [item for question in paper.questions for _, item in self._items(question, pooled=False)]
+        if not items:
+            return
+        self._remarks.complain(FOR_ONE)
+        identifier = f"{items[0].identifier}-paper"
+        owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
+        title = one_plain_line(f"{self._quiz.title} · {owner}")
+        written = "".join(f"{item_element(item)}\n" for item in items)
+        head = HEAD.format(quoteattr(identifier), quoteattr(title))
+        self._parts.add(f"{identifier}/{identifier}.xml", f"{head}{written}{FOOT}".encode())
+        self._describe(identifier, title, sum((item.points for item in items), Fraction(0)))
+
+    def _variants(self, paper: QuizPaper) -> None:
+        for question in paper.questions:
+            for ask, item in self._items(question, pooled=True):
+                worth = self._groups.add((question.question, ask.identifier), item)
+                if worth != item.points:
+                    self._remarks.refuse(UNEVEN.format(item.identifier, item.points, worth))
+            if len(question.asks) > 1:
+                self._remarks.complain(DRAWN_APART)
+
+    def _items(self, question: QuizQuestion, *, pooled: bool) -> Iterator[tuple[QuizAsk, NumericalItem]]:
+        """The items of a question, whose figure goes into the package first."""
+        found = numerical_items(question, self._quiz.language, self._remarks, solution_with_each=pooled)
+        if question.figure is not None and found:
+            place = picture_name(question)
+            self._parts.add(place, question.figure.svg)
+            name = stable_name(question.identifier)
+            self._manifest.add(qti12_manifest.picture_resource(f"{name}-figure", place))
+        yield from found
+
+    def _pool(self) -> None:
+        identifier, title = f"{self._groups.identifier}-pool", one_plain_line(self._quiz.title)
+        with TemporaryFile() as stream:
+            stream.write(HEAD.format(quoteattr(identifier), quoteattr(title)).encode())
+            self._groups.write(stream)
+            stream.write(FOOT.encode())
+            self._parts.copy(f"{identifier}/{identifier}.xml", stream)
+        self._describe(identifier, title, self._groups.points)
+
+    def _describe(self, identifier: str, title: str, points: Fraction) -> None:
+        self._parts.add(f"{identifier}/assessment_meta.xml", qti12_manifest.quiz_meta(identifier, title, points))
+        self._manifest.add(*qti12_manifest.assessment_resources(identifier))

@@ -1,0 +1,62 @@
+"""Pooled questions of QTI 1.2: for every ask a group of variants, kept on disk until all papers have been seen."""
+
+from __future__ import annotations
+
+import shutil
+from fractions import Fraction
+from tempfile import TemporaryFile
+from types import TracebackType
+from typing import IO
+from xml.sax.saxutils import quoteattr
+
+from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
+
+HEAD = (
+    "<section ident={} title={}>\n<selection_ordering><selection><selection_number>1</selection_number>"
+    "<selection_extension><points_per_item>{}</points_per_item></selection_extension></selection></selection_ordering>\n"
+)
+FOOT = "</section>\n"
+
+
+class Groups:
+    """Variants by question and ask, in the order in which these were first met; a context, for its temporary files."""
+
+    def __init__(self) -> None:
+        self._first: dict[tuple[str, str], NumericalItem] = {}
+        self._streams: dict[tuple[str, str], IO[bytes]] = {}
+
+    def __enter__(self) -> Groups:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        for stream in self._streams.values():
+            stream.close()
+
+    def add(self, place: tuple[str, str], item: NumericalItem) -> Fraction:
+        """Appends a variant; what the first one of its group is worth."""
+        if place not in self._first:
+            self._first[place] = item
+            self._streams[place] = TemporaryFile()  # noqa: SIM115 - closed on leaving the context
+        self._streams[place].write(f"{item_element(item)}\n".encode())
+        return self._first[place].points
+
+    @property
+    def identifier(self) -> str:
+        """The identifier of the first variant of all; "" while there is none."""
+        return next((item.identifier for item in self._first.values()), "")
+
+    @property
+    def points(self) -> Fraction:
+        """What one variant of each is worth together."""
+        return sum((item.points for item in self._first.values()), Fraction(0))
+
+    def write(self, target: IO[bytes]) -> None:
+        """The sections of all groups."""
+        for place, item in self._first.items():
+            head = HEAD.format(quoteattr(f"{item.identifier}-group"), quoteattr(item.title), decimal_text(item.points))
+            target.write(head.encode())
+            self._streams[place].seek(0)
+            shutil.copyfileobj(self._streams[place], target)
+            target.write(FOOT.encode())

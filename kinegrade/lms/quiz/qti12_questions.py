@@ -1,0 +1,66 @@
+"""From a question with several asks to numerical questions that Canvas keeps: one for each, complete in itself."""
+
+from __future__ import annotations
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
+from kinegrade.lms.quiz.canvas_units import fitted
+from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.html import PLACES, ask_html
+from kinegrade.lms.quiz.intervals import right_intervals
+from kinegrade.lms.quiz.packaging import stable_name
+from kinegrade.lms.quiz.plain_math import plain_math
+from kinegrade.lms.quiz.plain_prose import plain_prose
+from kinegrade.lms.quiz.qti12_item import NumericalItem
+from kinegrade.lms.quiz.question_html import question_html, warnings_html
+from kinegrade.lms.quiz.question_words import WORDS
+from kinegrade.lms.quiz.remarks import Remarks
+
+FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
+NO_BANDS = ("qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - "
+            "give them with kinegrade grade, from the students' responses")
+CHANGED = "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {} where that is too coarse"
+TOO_COARSE = ("{}: {} = {} {}, right from {} to {}, is finer than the four decimals that Canvas keeps - expected an "
+              "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side - draw larger numbers, or "
+              "allow more")
+
+
+def numerical_items(question: QuizQuestion, language: Language, remarks: Remarks, *,
+                    solution_with_each: bool) -> list[tuple[QuizAsk, NumericalItem]]:
+    """The question's asks, each with its item; what cannot be said is left out and stands in the remarks."""
+    try:
+        text = question_html(question, FILES + picture_name(question))
+        found = [(ask, _item(question, ask, text, language, remarks)) for ask in question.asks]
+    except TypesetError as fault:
+        remarks.refuse_texts(fault)
+        return []
+    items = [(ask, item) for ask, item in found if item is not None]
+    last = len(items) - 1
+    return [(ask, item if place == last or solution_with_each else item.unsolved())
+            for place, (ask, item) in enumerate(items)]
+
+
+def picture_name(question: QuizQuestion) -> str:
+    """Where the question's figure stands in the package."""
+    return f"images/{stable_name(question.identifier)}.svg"
+
+
+def _item(
+    question: QuizQuestion, ask: QuizAsk, text: str, language: Language, remarks: Remarks
+) -> NumericalItem | None:
+    now = fitted(ask)
+    symbol = plain_math(ask.symbol, question.question)
+    if now is None:
+        bounds = (decimal_text(ask.low), decimal_text(ask.high))
+        remarks.refuse(TOO_COARSE.format(question.identifier, symbol, decimal_text(ask.value), ask.unit, *bounds))
+        return None
+    if ask.mistakes:
+        remarks.complain(NO_BANDS)
+    if now.unit != ask.unit:
+        remarks.complain(CHANGED.format(f"{question.question}.{ask.identifier}", now.unit, ask.unit))
+    asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
+    title = f"{plain_prose(question.title, question.question, inline=True)}{PLACES[language][0]}{symbol}"
+    return NumericalItem(
+        stable_name(f"{question.identifier}-{ask.identifier}"), title, text + asked, ask.points,
+        right_intervals(now), question.solution,
+    )

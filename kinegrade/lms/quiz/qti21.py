@@ -1,0 +1,116 @@
+"""Quizzes as QTI 2.1 packages: one item for every mechanism, one test for every paper or one that draws variants."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from kinegrade.errors import TypesetError
+from kinegrade.exam.quiz_document import Quiz, QuizPaper, QuizQuestion
+from kinegrade.lms.quiz.manifest import Manifest
+from kinegrade.lms.quiz.packaging import Package, package, stable_name
+from kinegrade.lms.quiz.plain_prose import one_plain_line
+from kinegrade.lms.quiz.qti21_item import NAMES, item_document
+from kinegrade.lms.quiz.remarks import Remarks
+from kinegrade.lms.quiz.xml_text import Xml, document, element, on_lines
+
+HEAD = (
+    '<?xml version="1.0" encoding="UTF-8"?>\n'
+    '<manifest identifier="kinegrade" xmlns="http://www.imsglobal.org/xsd/imscp_v1p1">\n'
+    "<metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n"
+    "<organizations/>\n<resources>\n"
+)
+FOOT = "</resources>\n</manifest>\n"
+MATH = (r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as typed - "
+        "look at one question there before the exam")
+CANVAS = ("qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
+          "send it to other systems, and qti12 to Canvas")
+
+
+def write(quiz: Quiz, target: Path) -> list[str]:
+    """Writes the package, replacing what stands at `target`; what an instructor should know about it, a line each.
+
+    Raises ExportError with every text that cannot be shown, OutputError; then `target` is as it was.
+    """
+    with package(target) as parts, Manifest(HEAD, FOOT) as manifest:
+        return _Writer(quiz, parts, manifest).write()
+
+
+class _Writer:
+    """What is at hand while papers come one after another."""
+
+    def __init__(self, quiz: Quiz, parts: Package, manifest: Manifest) -> None:
+        self._quiz, self._parts, self._manifest = quiz, parts, manifest
+        self._remarks = Remarks()
+        self._pool: dict[str, list[str]] = {}  # identifiers of the variants, by question
+
+    def write(self) -> list[str]:
+        self._remarks.complain(MATH)
+        self._remarks.complain(CANVAS)
+        for paper in self._quiz.papers:
+            written = [question for question in paper.questions if self._item(question)]
+            if paper.student or paper.name:
+                self._paper(paper, written)
+            else:
+                for question in written:
+                    self._pool.setdefault(question.question, []).append(stable_name(question.identifier))
+        if self._pool:
+            first = next(iter(self._pool.values()))[0]
+            self._test(f"{first}-pool", self._quiz.title, list(self._pool.values()))
+        self._remarks.raise_faults()
+        self._parts.copy("imsmanifest.xml", self._manifest.finished())
+        return self._remarks.complaints
+
+    def _paper(self, paper: QuizPaper, questions: Sequence[QuizQuestion]) -> None:
+        if questions:
+            owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
+            names = [stable_name(question.identifier) for question in questions]
+            self._test(f"{names[0]}-paper", f"{self._quiz.title} · {owner}", [[name] for name in names])
+
+    def _item(self, question: QuizQuestion) -> bool:
+        """Writes the question and its figure; whether its texts could be shown."""
+        name = stable_name(question.identifier)
+        picture = f"images/{name}.svg"
+        try:
+            content = item_document(question, self._quiz.language, f"../{picture}")
+        except TypesetError as fault:
+            self._remarks.refuse_texts(fault)
+            return False
+        files = [f"items/{name}.xml"]
+        self._parts.add(files[0], content)
+        if question.figure is not None:
+            self._parts.add(picture, question.figure.svg)
+            files.append(picture)
+        self._manifest.add(_resource(name, "imsqti_item_xmlv2p1", files))
+        return True
+
+    def _test(self, identifier: str, title: str, variants: Sequence[Sequence[str]]) -> None:
+        place = f"tests/{identifier}.xml"
+        self._parts.add(place, _test_document(identifier, one_plain_line(title), variants))
+        used = [name for names in variants for name in names]
+        self._manifest.add(_resource(identifier, "imsqti_test_xmlv2p1", [place], used))
+
+
+def _test_document(identifier: str, title: str, variants: Sequence[Sequence[str]]) -> bytes:
+    """A test of all questions in their order, each drawn from its variants where it has several."""
+    sections = (_section(place, names) for place, names in enumerate(variants, start=1))
+    part = element("testPart", on_lines(sections), identifier="PART", navigationMode="nonlinear",
+                   submissionMode="simultaneous")
+    score = element("outcomeDeclaration", identifier="SCORE", cardinality="single", baseType="float")
+    total = element("sum", element("testVariables", variableIdentifier="SCORE"))
+    processing = element("outcomeProcessing", element("setOutcomeValue", total, identifier="SCORE"))
+    parts = on_lines((score, part, processing))
+    return document(element("assessmentTest", parts, identifier=identifier, title=title, **NAMES))
+
+
+def _section(place: int, names: Sequence[str]) -> Xml:
+    drawn = [element("selection", select="1")] if len(names) > 1 else []
+    items = (element("assessmentItemRef", identifier=name, href=f"../items/{name}.xml") for name in names)
+    return element("assessmentSection", *drawn, *items, identifier=f"SECTION_{place}", title=str(place),
+                   visible="false")
+
+
+def _resource(identifier: str, kind: str, files: Sequence[str], uses: Sequence[str] = ()) -> Xml:
+    children = (element("file", href=name) for name in files)
+    needed = (element("dependency", identifierref=name) for name in uses)
+    return element("resource", *children, *needed, identifier=identifier, type=kind, href=files[0])

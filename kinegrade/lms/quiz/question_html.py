@@ -1,0 +1,31 @@
+"""A question as HTML, as far as Canvas and QTI 2.1 share it."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.lms.quiz.html import figure_html, prose_html, unit_html
+from kinegrade.lms.quiz.question_words import QuestionWords
+
+
+def question_html(question: QuizQuestion, picture: str) -> str:
+    """The statement, its figure, which stands at the address `picture`, and the rule. Raises TypesetError."""
+    figure = figure_html(question.figure, picture) if question.figure is not None else ""
+    return prose_html(question.statement, question.question) + figure + _rule_html(question.rule)
+
+
+@lru_cache(maxsize=64)
+def _rule_html(rule: str) -> str:
+    """The rule, which most questions of an exam share."""
+    return prose_html(rule, "rule") if rule else ""
+
+
+def warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
+    """What to mind: a unit that is not that of the paper, turns that may be added; "" where there is nothing."""
+    lines = []
+    if asked.unit != on_paper.unit:
+        lines.append(words.changed_unit.format(unit_html(asked.unit), unit_html(on_paper.unit)))
+    if asked.period is not None:
+        lines.append(words.any_turns)
+    return "".join(f"<p>{line}</p>\n" for line in lines)

@@ -1,0 +1,21 @@
+"""Every form a quiz can be written in, by name: one function each, from a quiz and a file's path to remarks.
+
+A writer takes papers one after the other, writes the file whole or not at all, and gives what an instructor should
+know, a line each. A new system is a function more, and its name here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from kinegrade.exam.quiz_document import Quiz
+from kinegrade.lms.quiz import blackboard, moodle_xml, qti12, qti21
+
+Writer = Callable[[Quiz, Path], list[str]]
+WRITERS: Mapping[str, Writer] = {
+    "moodle-xml": moodle_xml.write,
+    "qti12": qti12.write,
+    "qti21": qti21.write,
+    "blackboard": blackboard.write,
+}

@@ -1,0 +1,43 @@
+"""XML written piece by piece: texts are escaped, what is XML already is not, and no tree is kept."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from xml.sax.saxutils import escape
+
+DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>\n'
+_SPECIAL = re.compile('[&<>"\n\t]')
+_QUOTED = {'"': "&quot;", "\n": " ", "\t": " "}
+
+
+class Xml(str):
+    """A text that is XML: whole elements, and texts that are escaped."""
+
+    __slots__ = ()
+
+
+def element(tag: str, *children: str, **attributes: str) -> Xml:
+    """An element of texts and elements; a trailing underscore of an attribute's name is not part of it.
+
+    >>> print(element("p", "a < b", element("br"), class_='"x"'))
+    <p class="&quot;x&quot;">a &lt; b<br/></p>
+    """
+    named = "".join(f' {name.rstrip("_")}="{_quotable(value)}"' for name, value in attributes.items())
+    content = "".join(child if isinstance(child, Xml) else escape(child) for child in children)
+    return Xml(f"<{tag}{named}>{content}</{tag}>" if content else f"<{tag}{named}/>")
+
+
+def _quotable(value: str) -> str:
+    """An attribute's value; most need nothing done to them."""
+    return escape(value, _QUOTED) if _SPECIAL.search(value) else value
+
+
+def on_lines(elements: Iterable[Xml]) -> Xml:
+    """Elements each on a line of its own, where blanks between elements mean nothing."""
+    return Xml("".join(f"\n{one}" for one in elements) + "\n")
+
+
+def document(root: Xml) -> bytes:
+    """A whole document."""
+    return f"{DECLARATION}{root}\n".encode()

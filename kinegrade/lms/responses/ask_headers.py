@@ -1,0 +1,90 @@
+"""Which question of a download is which ask: by the ask's name in the question's title, else by their order."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+
+from kinegrade.errors import TableError
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.tables import Table, header_key
+
+_ADVICE = "write the ask's name into each question's title, like [q1.v_B]"
+_DERIVED = re.compile(r"\S.{0,60} [-–] ", re.DOTALL)
+_MOST_DERIVED = 2
+
+
+def asks_by_name(header: Sequence[str], places: Sequence[int], asks: ExamAsks) -> Mapping[str, tuple[int, ...]]:
+    """The columns whose titles hold an ask's name, alone or in brackets: q1.v_B, or v_B where only one ask has it."""
+    names = _names(asks)
+    found: dict[str, list[int]] = defaultdict(list)
+    for place in places:
+        named = _named(header[place], names)
+        if len(named) == 1:
+            found[named.pop()].append(place)
+    return {column: tuple(found[column]) for column in asks.columns if column in found}
+
+
+def _names(asks: ExamAsks) -> Mapping[str, str]:
+    """The asks by their full names and, where it is theirs alone, by their own in brackets."""
+    short: dict[str, list[str]] = defaultdict(list)
+    for column in asks.columns:
+        short[f"[{column.partition('.')[2]}]"].append(column)
+    return {column: column for column in asks.columns} | {
+        name: columns[0] for name, columns in short.items() if len(columns) == 1}
+
+
+def _named(title: str, names: Mapping[str, str]) -> set[str]:
+    """The asks a title names: as they are spelt, else without regard to case where that means one of them."""
+    exact = {column for name, column in names.items() if _holds(title, name)}
+    if exact:
+        return exact
+    key = header_key(title)
+    return {column for name, column in names.items() if _holds(key, header_key(name))}
+
+
+def _holds(title: str, name: str) -> bool:
+    """Whether a name stands in a title, not as part of a longer one."""
+    edge = "" if name.startswith("[") else r"[\w.]"
+    before, after = (f"(?<!{edge})", r"(?![\w'′])") if edge else ("", "")
+    return name in title and re.search(f"{before}{re.escape(name)}{after}", title) is not None
+
+
+def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapping[str, int]:
+    """The column of each ask among those that hold answers; asks without one are left out where others are named.
+
+    Raises TableError where titles name no ask and there are not as many columns as asks, or an ask has two.
+    """
+    named = asks_by_name(table.header, places, asks)
+    twice = [f'{table.file}: {column} is named by the columns {", ".join(_shown(table, found))} - expected one column '
+             f"for each ask - {_ADVICE}" for column, found in named.items() if len(found) > 1]
+    if twice:
+        raise TableError(*twice)
+    if named:
+        return {column: places[0] for column, places in named.items()}
+    if len(places) != len(asks.columns):
+        shown = ": " + ", ".join(_shown(table, places[:6])) if places else ""
+        raise TableError(f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has {asks.summary} "
+                         f"- {_ADVICE}")
+    return dict(zip(asks.columns, places, strict=True))
+
+
+def _shown(table: Table, places: Sequence[int]) -> list[str]:
+    return [f'"{" ".join(table.header[place].split())[:60]}"' for place in places]
+
+
+def without_derived(header: Sequence[str], places: Sequence[int]) -> tuple[int, ...]:
+    """The columns that are questions, not the points or the feedback of one before: "Points - Q", "Q [Score]"."""
+    return tuple(place for place in places
+                 if not any(_is_derived(header[place], header[before])
+                            for before in range(max(place - _MOST_DERIVED, 0), place)))
+
+
+def _is_derived(title: str, question: str) -> bool:
+    title, question = title.strip(), question.strip()
+    if not question or len(title) <= len(question):
+        return False
+    if title.endswith(question):
+        return _DERIVED.fullmatch(title[:-len(question)]) is not None
+    return title.startswith(f"{question} [") and title.endswith("]")

@@ -1,0 +1,41 @@
+"""Which system a download comes from, by its header."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
+from kinegrade.tables import Table
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """How a system writes responses: what they are called, by what they are known, how they are read."""
+
+    title: str
+    recognises: Callable[[Sequence[str]], bool]
+    read: Callable[[Table, ExamAsks, Attempts], TypedRows]
+
+
+DIALECTS: Mapping[str, Dialect] = {
+    "moodle": Dialect(moodle.TITLE, moodle.recognises, moodle.read),
+    "canvas": Dialect(canvas.TITLE, canvas.recognises, canvas.read),
+    "wjx": Dialect(wjx.TITLE, wjx.recognises, wjx.read),
+    "ms-forms": Dialect(ms_forms.TITLE, ms_forms.recognises, ms_forms.read),
+    "google-forms": Dialect(google_forms.TITLE, google_forms.recognises, google_forms.read),
+    "sheet": Dialect(sheet.TITLE, sheet.recognises, sheet.read),
+}
+
+
+def detected(table: Table) -> str:
+    """The name of the first dialect that knows the header. Raises TableError where none does."""
+    name = next((name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None)
+    if name is None:
+        shown = ", ".join(one_line(cell[:60]) for cell in table.header[:6])
+        raise TableError(f"{table.file}: its columns ({shown} ...) are those of no system known here - expected one of "
+                         f"{', '.join(DIALECTS)} - say which it is, if it is one of them")
+    return name

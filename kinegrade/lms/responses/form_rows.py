@@ -1,0 +1,49 @@
+"""What all forms have in common: a column for each question, one of which asks for the id where nobody signs in."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.people import Kind
+from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
+from kinegrade.tables import Table, header_key
+
+_LONGEST_TITLE = 80  # of a question for id, address or name
+_TITLES: Mapping[str, re.Pattern[str]] = {
+    "id": re.compile(r"学号|學號|\b(?:student|id|matriculation) (?:id|number|no)\b"),
+    "email": re.compile(r"\be-?mail\b|邮箱|電子郵件"),
+    "name": re.compile(r"姓名|\b(?:your|full|first|last|student|family|given) name\b"),
+}
+_COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
+
+
+def form_rows(table: Table, asks: ExamAsks, *, questions: Sequence[int],
+              known: Mapping[Kind, Sequence[int]]) -> TypedRows:
+    """The responses of a form of which these columns are questions; `known` are other columns that say who it is.
+
+    Raises TableError where questions and asks do not agree.
+    """
+    questions = without_derived(table.header, questions)
+    taken = {place for places in asks_by_name(table.header, questions, asks).values() for place in places}
+    about = {kind: [place for place in questions if place not in taken and _asks_for(kind, table.header[place])]
+             for kind in _TITLES}
+    personal = {place for places in about.values() for place in places}
+    columns = columns_of_asks(table, [place for place in questions if place not in personal], asks)
+    named: dict[Kind, Sequence[int]] = {"id": about["id"], "email": [*known.get("email", ()), *about["email"]]}
+    rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
+    rows = tuple(TypedRow(row, tuple(map(row.cell, columns.values()))) for row in table.rows)
+    assumed = "; ".join(f'"{" ".join(table.header[place].split())[:60]}" is {column}'
+                        for column, place in columns.items())
+    return TypedRows(tuple(columns), frozenset(columns.values()), rows, tuple(rest), named, assumed=assumed)
+
+
+def _asks_for(kind: str, title: str) -> bool:
+    """Whether a question asks for id, address or name."""
+    key = header_key(re.sub(r"[*?:：？_.]", " ", title[:_LONGEST_TITLE + 1]))
+    if len(title) > _LONGEST_TITLE:
+        return False
+    return key in COLUMN_NAMES[_COLUMN_NAMES[kind]] or _TITLES[kind].search(key) is not None

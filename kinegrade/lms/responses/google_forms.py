@@ -1,0 +1,31 @@
+"""Responses of a Google form: a timestamp, the address where it is collected, a quiz's score, then questions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.form_rows import form_rows
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
+from kinegrade.tables import Table, header_key
+
+TITLE = "the responses of a Google form"
+_ADDRESS = ("email address", "username")
+_SCORE = "score"
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether the first column is the timestamp, by its English name."""
+    return bool(header) and header_key(header[0]) == "timestamp"
+
+
+def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+    """The responses in the order of the file. The first column is the timestamp in whatever language.
+
+    Raises TableError where questions and asks do not agree.
+    """
+    keys = [header_key(name) for name in table.header[:3]]
+    address = [place for place in (1, 2) if place < len(keys) and keys[place] in _ADDRESS][:1]
+    score = [place for place in (1, 2) if place < len(keys) and keys[place] == _SCORE][:1]
+    questions = [place for place in range(1, len(table.header)) if place not in {*address, *score}]
+    return form_rows(table, asks, questions=questions, known={"email": address})

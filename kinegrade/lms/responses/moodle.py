@@ -1,0 +1,143 @@
+"""The responses of a Moodle quiz (Results > Responses > download), in any language of its headers.
+
+Several asks of one mechanism stand in one cell as parts of a Cloze question, or each in a question of its own. Slots
+follow the order of the exam. A row of dashes is somebody without an attempt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kinegrade.errors import TableError
+from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.moodle_columns import (
+    NOTHING,
+    MoodleColumns,
+    QuestionColumns,
+    columns_per_question,
+    grade_columns,
+    moodle_columns,
+)
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
+from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
+
+TITLE = "the responses of a Moodle quiz"
+_NAMES = 2  # the first two columns, which nobody is found by
+
+
+@dataclass(frozen=True, slots=True)
+class _Slot:
+    """A question of the quiz: where response and right answer stand, which asks it has, which words part them."""
+
+    column: int
+    right_answer: int | None
+    asks: tuple[str, ...]
+    words: Wording | None
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether these are the columns of a Moodle quiz report, of responses or of grades."""
+    grades = grade_columns(header)
+    return len(grades) > 1 or (len(grades) == 1 and columns_per_question(header[grades[0] + 1:]) is not None)
+
+
+def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+    """The responses of finished attempts, or of all. Raises TableError where questions and asks do not agree."""
+    columns = moodle_columns(table)
+    slots = _slots(table, columns, asks)
+    rows, complaints = [], []
+    for row in table.rows:
+        reason = _not_taken(row, columns, attempts)
+        if reason:
+            complaints.append(Complaint(table.file, row.line, table.header[columns.grade], whole(row), *reason))
+            continue
+        responses, faults = _responses(table, row, slots)
+        rows.append(TypedRow(row, responses, right=_right(row, slots)))
+        complaints += faults
+    assumed = "; ".join(f"{table.header[slot.column]} is {', '.join(slot.asks)}" for slot in slots)
+    return TypedRows(asks.columns, frozenset(slot.column for slot in slots), tuple(rows),
+                     tuple(range(_NAMES, columns.grade)), complaints=tuple(complaints), assumed=assumed)
+
+
+def _not_taken(row: Row, columns: MoodleColumns, attempts: Attempts) -> tuple[str, str] | None:
+    """Why a row is left out: problem and what was done."""
+    before = [trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)]
+    if not any(before):
+        return "no student: a row of averages", "not graded"
+    if trimmed(row.cell(columns.grade)) != NOTHING:
+        return None
+    if before[-1] == NOTHING and all(_response(row, question) in ("", NOTHING) for question in columns.questions):
+        return "no attempt, or one without answers", "not graded"
+    if attempts == "finished":
+        return "the attempt has no grade: it is not finished", "not graded, unless all attempts are asked for"
+    return None
+
+
+def _response(row: Row, question: QuestionColumns) -> str:
+    return trimmed(row.cell(question.response))
+
+
+def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot, ...]:
+    found = [_parts_of(table, question) for question in columns.questions]
+    by_question = len(found) == len(asks.questions)
+    sizes = [len(each) for each in asks.questions.values()] if by_question else [1] * len(found)
+    counts = [size if count is None else count for (_, count), size in zip(found, sizes, strict=True)]
+    if sum(counts) != len(asks.columns):
+        raise _disagreement(table, counts, asks)
+    slots, first = [], 0
+    for question, (words, _), count in zip(columns.questions, found, counts, strict=True):
+        mine = asks.columns[first:first + count]
+        if len({name.partition(".")[0] for name in mine}) > 1:
+            raise _disagreement(table, counts, asks)
+        slots.append(_Slot(question.response, question.right_answer, mine, words))
+        first += count
+    return tuple(slots)
+
+
+def _disagreement(table: Table, counts: Sequence[int], asks: ExamAsks) -> TableError:
+    shown = ", ".join(map(str, counts))
+    return TableError(f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has {asks.summary} "
+                      "- download the responses of the quiz that was made of this exam")
+
+
+def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, int | None]:
+    """By which words a column is parted and into how many; the number is None where nobody answered."""
+    for index in (question.right_answer, question.response):
+        cells = [] if index is None else _filled(table, index)
+        if cells:
+            words = wording(cells)
+            return words, part_count(cells, words) if words else 1
+    return None, None
+
+
+def _filled(table: Table, index: int) -> list[str]:
+    return [row.cell(index) for row in table.rows if trimmed(row.cell(index)) not in ("", NOTHING)]
+
+
+def _right(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
+    """The right answers as the file has them, "" where it does not tell."""
+    right: list[str] = []
+    for slot in slots:
+        cell = "" if slot.right_answer is None else row.cell(slot.right_answer)
+        right += (parts(cell, slot.words, len(slot.asks)) if slot.words else (cell,)) or ("",) * len(slot.asks)
+    return tuple(right)
+
+
+def _responses(table: Table, row: Row, slots: Sequence[_Slot]) -> tuple[tuple[str, ...], list[Complaint]]:
+    responses: list[str] = []
+    faults = []
+    for slot in slots:
+        cell = row.cell(slot.column)
+        blank = trimmed(cell) in ("", NOTHING)
+        typed = parts(cell, slot.words, len(slot.asks)) if slot.words and not blank else (cell,)
+        if blank:
+            typed = ("",) * len(slot.asks)
+        elif typed is None:
+            typed = ("",) * len(slot.asks)
+            problem = f"{len(slot.asks)} parts were expected, and which is which cannot be told"
+            faults.append(Complaint(table.file, row.line, table.header[slot.column], shortened(cell), problem,
+                                    f"{', '.join(slot.asks)} count as blank; put them right by hand"))
+        responses += typed
+    return tuple(responses), faults

@@ -1,0 +1,111 @@
+"""Which column of Moodle's quiz responses is what: found by shape and order, because the names are in any language.
+
+After the column of the grade, which ends in "/10.00", come one to three columns for each question - its text, the
+response, the right answer - as the person who downloaded the file ticked them, numbered alike.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.tables import Table, header_key, trimmed
+
+NOTHING = "-"  # what Moodle writes where there is nothing
+_GRADE = re.compile(r".*/\s*\d+(?:[.,]\d+)?", re.DOTALL)
+_NUMBERED = (re.compile(r"(.*?)\s*\d+"), re.compile(r"(.*\S)\s+\S+"))  # "Response 1", "Response ii"
+_MOST_COLUMNS = 3
+_LONGEST_NAME = 200  # of which the end tells
+_LONGEST_SHOWN = 60
+_LETTER = re.compile(r"[^\W\d_]")
+_RIGHT_ANSWER = {"right answer", "richtige antwort", "réponse correcte", "respuesta correcta", "标准答案", "正解"}
+_QUESTION = {"question", "frage", "pregunta", "题目", "問題"}
+_ADVICE = "download the quiz's responses report as CSV, with its column of responses"
+
+
+@dataclass(frozen=True, slots=True)
+class QuestionColumns:
+    """Where a question's response stands, and its right answer where that was downloaded."""
+
+    response: int
+    right_answer: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class MoodleColumns:
+    """Where the grade stands, and the questions after it."""
+
+    grade: int
+    questions: tuple[QuestionColumns, ...]
+
+
+def grade_columns(header: Sequence[str]) -> list[int]:
+    """The columns of marks: one in a report of responses, several in one of grades."""
+    return [index for index, name in enumerate(header) if _GRADE.fullmatch(trimmed(name[-_LONGEST_NAME:]))]
+
+
+def columns_per_question(names: Sequence[str]) -> int | None:
+    """How many columns each question has, by their names; None where these do not repeat.
+
+    >>> columns_per_question(["Frage 1", "Antwort 1", "Frage 2", "Antwort 2"])
+    2
+    """
+    for pattern in _NUMBERED:
+        found = [pattern.fullmatch(_key(name)) for name in names]
+        stems = [match[1] for match in found if match]
+        if not names or len(stems) < len(names):
+            continue
+        width = stems.index(stems[0], 1) if stems[0] in stems[1:] else len(stems)
+        if width <= _MOST_COLUMNS and len(stems) % width == 0 and stems == stems[:width] * (len(stems) // width):
+            return width
+    return None
+
+
+def moodle_columns(table: Table) -> MoodleColumns:
+    """The columns of a report of responses. Raises TableError for another report, or one without responses."""
+    grades = grade_columns(table.header)
+    if len(grades) != 1:
+        problem = "is Moodle's report of grades, without responses" if grades else "has no grades like Grade/10.00"
+        raise TableError(f"{table.file}: {problem} - expected the quiz's responses - {_ADVICE}")
+    first = grades[0] + 1
+    names = table.header[first:]
+    width = columns_per_question(names)
+    if width is None:
+        shown = ", ".join(one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
+        raise TableError(f"{table.file}: after the grade stands {shown} - expected numbered columns like Response 1, "
+                         f"Response 2 - {_ADVICE}")
+    starts = range(first, len(table.header), width)
+    response = _response(table, names[:width], starts)
+    right = response + 1 if response + 1 < width else None
+    return MoodleColumns(grades[0], tuple(QuestionColumns(start + response, None if right is None else start + right)
+                                          for start in starts))
+
+
+def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
+    """Which of a question's columns is the response; the text comes before it, the right answer after."""
+    stems = [_stem(name) for name in names]
+    missing = (len(names) == 1 and stems[0] in _RIGHT_ANSWER | _QUESTION) or (
+        len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER)
+    if missing:
+        shown = " and ".join(one_line(name[:_LONGEST_SHOWN]) for name in names)
+        raise TableError(f"{table.file}: has {shown}, but no responses - expected a column of them - {_ADVICE}")
+    if len(names) == 2 and stems[1] not in _RIGHT_ANSWER:
+        first, second = (_letters(table, [start + place for start in starts]) for place in (0, 1))
+        return 1 if stems[0] in _QUESTION or first > 2 * second else 0
+    return 1 if len(names) == _MOST_COLUMNS else 0
+
+
+def _stem(name: str) -> str:
+    found = _NUMBERED[0].fullmatch(_key(name))
+    return found[1] if found else _key(name)
+
+
+def _key(name: str) -> str:
+    return header_key(name[-_LONGEST_NAME:])
+
+
+def _letters(table: Table, columns: Sequence[int]) -> int:
+    """How many letters stand in these columns: the texts of questions have many, answers few."""
+    return sum(len(_LETTER.findall(row.cell(index))) for row in table.rows for index in columns)

@@ -1,0 +1,33 @@
+"""Responses of a Microsoft form: ID, start and completion time, Email, Name, then the questions, each with its points.
+
+The ID is the number of the response, nobody's. Email is "anonymous" where people need not sign in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.form_rows import form_rows
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
+from kinegrade.tables import Table, header_key
+
+TITLE = "the responses of a Microsoft form"
+_FIRST = ("id", "start time", "completion time", "email", "name")
+_ADDRESS = _FIRST.index("email")
+_BETWEEN = ("total points", "quiz feedback", "last modified time")
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether these are the first columns of every such file, by their English names."""
+    return tuple(map(header_key, header[:len(_FIRST)])) == _FIRST
+
+
+def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+    """The responses in the order of the file. The first five columns are those of the form in whatever language.
+
+    Raises TableError where questions and asks do not agree.
+    """
+    questions = [place for place in range(len(_FIRST), len(table.header))
+                 if header_key(table.header[place]) not in _BETWEEN]
+    return form_rows(table, asks, questions=questions, known={"email": [_ADDRESS]})

@@ -1,0 +1,128 @@
+"""Whose responses these are: students found by id or e-mail address, never by name, and nobody guessed."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.exam.roster import student_key
+from kinegrade.lms.responses.exam_asks import Person
+from kinegrade.tables import Row, header_key, shortened
+
+Kind = Literal["id", "email"]
+_WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The student of a row, or in which column there is none, why, and who is probably meant."""
+
+    student: str | None
+    column: str = ""
+    problem: str = ""
+    hint: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Where a file says who somebody is; None where it does not say that."""
+
+    identifier: int | None
+    email: int | None
+
+    @property
+    def indices(self) -> tuple[int, ...]:
+        """The columns that are there."""
+        return tuple(index for index in (self.identifier, self.email) if index is not None)
+
+
+def unwrapped(identifier: str) -> str:
+    r"""An id without what keeps spreadsheets from eating its zeros: ="007", '007 and #007 are 007.
+
+    >>> unwrapped('="0012345"'), unwrapped("#0012345")
+    ('0012345', '0012345')
+    """
+    found = _WRAPPED.fullmatch(student_key(identifier))
+    return student_key(found[1] or found[2] or "") if found else student_key(identifier)
+
+
+class People:
+    """The students of an exam by what files call them."""
+
+    def __init__(self, students: Iterable[Person]) -> None:
+        known = list(students)
+        self._by_id = _grouped(known, lambda person: student_key(person.student))
+        self._by_email = _grouped(known, lambda person: header_key(person.email))
+        self._near = _grouped(known, lambda person: _bare(student_key(person.student)))
+
+    def by_id(self, cell: str) -> str | None:
+        """The student with that id, wrapped or not."""
+        return _only(self._by_id.get(student_key(cell)) or self._by_id.get(unwrapped(cell)))
+
+    def by_email(self, cell: str) -> str | None:
+        """The student with that e-mail address, in whatever case."""
+        return _only(self._by_email.get(header_key(cell))) if "@" in cell else None
+
+    def likely(self, cell: str) -> str | None:
+        """The one student whose id differs from a cell, or from the login in its address, by zeros or case alone."""
+        return _only(self._near.get(_bare(unwrapped(cell.partition("@")[0]))))
+
+    def columns(self, rows: Sequence[Row], candidates: Sequence[int],
+                named: Mapping[Kind, Sequence[int]] | None = None) -> Columns:
+        """Which of the candidates hold ids and addresses: those whose names say so, else those with most known ones."""
+        named = named or {}
+        return Columns(self._best(rows, named.get("id", ()), candidates, self.by_id),
+                       self._best(rows, named.get("email", ()), candidates, self.by_email))
+
+    def _best(self, rows: Sequence[Row], named: Sequence[int], candidates: Sequence[int],
+              find: Callable[[str], str | None]) -> int | None:
+        """The column that knows most students, the first of equals; one that is named even if it knows nobody."""
+        known = {index: (_count(rows, index, find), _count(rows, index, self.likely) if find == self.by_id else 0)
+                 for index in named or candidates}
+        best = max(known, key=lambda index: known[index], default=None)
+        return best if best is not None and (named or any(known[best])) else None
+
+    def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
+        """The student of a row. Where id and address tell different people, nobody."""
+        cells = {index: row.cell(index) for index in columns.indices}
+        named = {who for cell in cells.values() if (who := self.by_id(cell) or self.by_email(cell))}
+        if len(named) == 1:
+            return Found(named.pop())
+        index = next((index for index, cell in cells.items() if student_key(cell)), None)
+        if index is None:
+            return Found(None, "", "no student id and no e-mail address")
+        if named:
+            who = " and ".join(sorted(named))
+            return Found(None, header[index], f"id and e-mail address are those of different students ({who})")
+        return self._unknown(cells[index], header[index])
+
+    def _unknown(self, cell: str, column: str) -> Found:
+        shown = shortened(student_key(cell))
+        if header_key(cell) in self._by_email:
+            return Found(None, column, f'several students of the exam have the e-mail address "{shown}"')
+        likely = self.likely(cell)
+        hint = f'; probably "{likely}": correct the file and grade again' if likely else ""
+        return Found(None, column, f'no student "{shown}" in the exam', hint)
+
+
+def _grouped(people: Iterable[Person], key: Callable[[Person], str]) -> Mapping[str, tuple[str, ...]]:
+    groups: dict[str, list[str]] = defaultdict(list)
+    for person in people:
+        if key(person):
+            groups[key(person)].append(person.student)
+    return {name: tuple(found) for name, found in groups.items()}
+
+
+def _only(found: tuple[str, ...] | None) -> str | None:
+    return found[0] if found is not None and len(found) == 1 else None
+
+
+def _bare(key: str) -> str:
+    return key.casefold().lstrip("0")
+
+
+def _count(rows: Sequence[Row], index: int, find: Callable[[str], str | None]) -> int:
+    return len({find(row.cell(index)) for row in rows} - {None})

@@ -1,0 +1,37 @@
+"""The exam's own answer sheet, filled in as CSV or in a spreadsheet: all its columns go on as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinegrade.errors import TableError
+from kinegrade.exam.roster import COLUMN_NAMES
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.people import Kind
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
+from kinegrade.tables import Table, header_key
+
+TITLE = "an answer sheet"
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether there is a column that says who it is."""
+    return bool(_places(header, "student") or _places(header, "email"))
+
+
+def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+    """All columns but the one of ids. Raises TableError where nothing says who it is."""
+    if not recognises(table.header):
+        raise TableError(f'{table.file}: no column "student" - expected one with the student ids, or one "email" '
+                         "- fill in the answers.csv of the exam folder")
+    student, email = _places(table.header, "student"), _places(table.header, "email")
+    named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1]}
+    others = [place for place in range(len(table.header)) if place not in student[:1]]
+    rows = tuple(TypedRow(row, tuple(map(row.cell, others))) for row in table.rows)
+    return TypedRows(tuple(table.header[place] for place in others), frozenset(others), rows, (), named)
+
+
+def _places(header: Sequence[str], column: str) -> list[int]:
+    """The columns of that meaning, the best name first."""
+    keys = [header_key(name) for name in header]
+    return [keys.index(name) for name in COLUMN_NAMES[column] if name in keys]

@@ -1,0 +1,34 @@
+"""Responses of a questionnaire of 问卷星 (wjx.cn): six columns about the sending, then the questions, "2、学号"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from kinegrade.errors import TableError
+from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.lms.responses.form_rows import form_rows
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
+from kinegrade.tables import Table, trimmed
+
+TITLE = "the responses of a 问卷星 questionnaire"
+_NUMBER = "序号"
+_QUESTION = re.compile(r"\s*\d+、")
+
+
+def recognises(header: Sequence[str]) -> bool:
+    """Whether the first column is the response's number and questions are numbered as there."""
+    return bool(header) and trimmed(header[0]) == _NUMBER and bool(_questions(header))
+
+
+def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+    """The responses in the order of the file. Raises TableError where questions and asks do not agree."""
+    questions = _questions(table.header)
+    if not questions:
+        raise TableError(f"{table.file}: has no questions like 1、学号 - expected {TITLE} "
+                         "- download its answers as texts")
+    return form_rows(table, asks, questions=questions, known={})
+
+
+def _questions(header: Sequence[str]) -> list[int]:
+    return [place for place, name in enumerate(header) if _QUESTION.match(name)]

@@ -1,0 +1,250 @@
+"""An exam folder as a quiz: the key's own numbers, the papers' own texts and figures, whoever makes them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.exam import quiz
+from kinegrade.exam.bank import read_bank
+from kinegrade.exam.pages import paper_pages
+from kinegrade.exam.quiz import PLAIN, QuizOrder, by_workers, read_quiz
+from kinegrade.exam.quiz_document import QuizAsk, QuizPaper
+from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper, shown
+from kinegrade.exam.quiz_source import key_lines, key_record, read_quiz_source
+from kinegrade.exam.roster import read_roster
+from kinegrade.exam.setting import set_exam
+from kinegrade.figure.svg import to_svg
+from kinegrade.grading.exam_folder import read_exam
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.mistake_kinds import mistake_sentence
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.statement import statement
+from tests.small_class import STUDENTS, generate, write_class
+
+
+def papers(folder: Path, **options: Any) -> tuple[QuizPaper, ...]:
+    return tuple(read_quiz(folder, **options).papers)
+
+
+def asks(paper: QuizPaper) -> dict[str, QuizAsk]:
+    return {f"{question.question}.{ask.identifier}": ask for question in paper.questions for ask in question.asks}
+
+
+def copied(small_class: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"))
+
+
+def rewritten(exam: Path, line: dict[str, Any]) -> Path:
+    (exam / "key.jsonl").write_text(json.dumps(line) + "\n", encoding="utf-8")
+    return exam
+
+
+def first_line(exam: Path) -> dict[str, Any]:
+    line: dict[str, Any] = json.loads((exam / "key.jsonl").read_text(encoding="utf-8").splitlines()[0])
+    return line
+
+
+def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -> None:
+    exam = read_exam(small_class / "EXAM")
+    found = {paper.student: asks(paper) for paper in papers(small_class / "EXAM")}
+    assert list(found) == list(STUDENTS)
+    for examinee in exam.examinees:
+        for ask in exam.asks:
+            key, put = examinee.keys[ask.column], found[examinee.student][ask.column]
+            assert (put.value, (put.low, put.high), put.period) == (key.value, key.interval, key.period)
+            assert (put.points, put.unit) == (ask.points, ask.unit)
+            assert {mistake.identifier: mistake.value for mistake in put.mistakes} == key.mistakes
+            for mistake in put.mistakes:
+                assert key.rule is not None
+                assert mistake.interval == key.rule.key(mistake.value).interval
+
+
+def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> None:
+    bank = read_bank(small_class / "bank.toml")
+    setting = set_exam(bank, read_roster(small_class / "roster.csv"), "spring")
+    for paper, put in zip(setting.papers(), papers(small_class / "EXAM"), strict=True):
+        page = paper_pages(bank, paper, "en")
+        assert (put.code, put.student, put.name) == (page.code, page.student, page.name)
+        for sheet, question in zip(page.questions, put.questions, strict=True):
+            assert (question.statement, question.title) == (sheet.statement, sheet.title)
+            assert [(ask.symbol, ask.meaning, ask.sign) for ask in question.asks] == [
+                (row.symbol, row.meaning, row.sign) for row in sheet.rows]
+            assert sheet.figure is not None
+            assert question.figure is not None
+            assert question.figure.svg.decode() == to_svg(sheet.figure)
+            assert (question.figure.width, question.figure.height) == (sheet.figure.width, sheet.figure.height)
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_what_is_shown_needs_no_solving(name: str) -> None:
+    template = load_template(name)
+    solution = solve_template(template, {})
+    parameters, mechanism = shown(template, {})
+    assert statement(template, parameters, "en") == statement(template, solution.parameters, "en")
+    assert mechanism == drawable_mechanism(solution.assembly.mechanism)
+
+
+def test_identifiers_are_stable_and_tell_nothing_of_the_secret(small_class: Path) -> None:
+    first, again = (papers(small_class / "EXAM") for _ in range(2))
+    identifiers = [question.identifier for paper in first for question in paper.questions]
+    assert len(set(identifiers)) == len(identifiers) == 12
+    assert identifiers == [question.identifier for paper in again for question in paper.questions]
+    assert all(" " not in identifier and "spring" not in identifier for identifier in identifiers)
+
+
+def test_the_rule_is_the_banks_even_where_zero_answers_have_more_room(small_class: Path) -> None:
+    rules = [question.rule for question in papers(small_class / "EXAM")[0].questions]
+    assert "at most 1 % of that value" in rules[0]
+    assert "at least four significant digits" in rules[0]
+    assert "For $v_{y}$: an answer is right if it differs from the exact value by at most 0.25 in the unit" in rules[1]
+    assert "0.5 % of that value, or by at most 0.001" in rules[2]
+
+
+def test_a_quiz_in_the_other_language(small_class: Path) -> None:
+    chinese = read_quiz(small_class / "EXAM", "zh")
+    assert (chinese.language, chinese.title, chinese.course) == ("zh", "期中测验", "力学")
+    paper = next(iter(chinese.papers))
+    assert paper.questions[1].title == "曲柄"
+    assert "有效数字" in paper.questions[0].rule
+    mistake = paper.questions[0].asks[0].mistakes[0]
+    assert mistake.sentence == mistake_sentence(mistake.identifier, "zh")
+    assert read_quiz(small_class / "EXAM").language == "en"
+
+
+def test_mistakes_earn_what_is_wished_or_stay_out(small_class: Path) -> None:
+    half = papers(small_class / "EXAM", wishes=QuizWishes(credit=Fraction(1, 2)))[0]
+    assert {mistake.credit for ask in asks(half).values() for mistake in ask.mistakes} == {Fraction(1, 2)}
+    none = papers(small_class / "EXAM", wishes=QuizWishes(mistakes=False))[0]
+    assert not [ask for ask in asks(none).values() if ask.mistakes]
+
+
+def test_a_mistake_within_what_is_right_is_none(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    line = first_line(exam)
+    ask = line["questions"][0]["asks"]["v_B"]
+    ask["mistakes"] = {"wrong-pole": ask["decimal"], "of-tomorrow": "77"}
+    source = read_quiz_source(rewritten(exam, line))
+    paper = quiz_paper(source, PLAIN, key_record(exam, 1, json.dumps(line)))
+    assert [(mistake.identifier, mistake.sentence) for mistake in asks(paper)["q1.v_B"].mistakes] == [
+        ("of-tomorrow", "of-tomorrow")]
+
+
+def test_significant_figures_give_an_interval_that_is_not_symmetric(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    line = first_line(exam)
+    ask = line["questions"][0]["asks"]["v_B"]
+    ask |= {"exact": None, "decimal": "1.2304", "tolerance": {"relative": 0, "absolute": 0, "figures": 3}}
+    put = asks(papers(rewritten(exam, line))[0])["q1.v_B"]
+    assert (put.low, put.high) == (Fraction("1.225"), Fraction("1.235"))
+
+
+def test_an_angle_keeps_its_period_and_an_enclosure_its_decimal(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    line = first_line(exam)
+    question = line["questions"][0]
+    question["asks"]["v_B"] |= {"period": "360", "exact": "pi/3", "decimal": "1.0471975511965977461542144610931676"}
+    question["parameters"]["r"] = {"exact": None, "value": 2.5e-1, "unit": "m"}
+    paper = papers(rewritten(exam, line))[0]
+    put = asks(paper)["q1.v_B"]
+    assert (put.period, put.value) == (360, Fraction("1.0471975511965977461542144610931676"))
+    assert r"r = 0.25\,\unit{m}" in paper.questions[0].statement
+
+
+def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
+    pool, own = papers(small_class / "EXAM", variants=2), papers(small_class / "EXAM")
+    assert pool == tuple(replace(paper, student="", name="") for paper in own[:2])
+    with pytest.raises(ExamError, match="has 4 different papers - expected 5 for 5 variants of each question - ask"):
+        read_quiz(small_class / "EXAM", variants=5)
+
+
+def test_a_version_is_put_once_and_shuffled_questions_as_they_are_printed(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    bank = (folder / "bank.toml").read_text(encoding="utf-8")
+    (folder / "bank.toml").write_text("versions = 2\nshuffle = true\n" + bank, encoding="utf-8")
+    assert generate(folder).exit_code == 0
+    put = papers(folder / "EXAM")
+    assert [(paper.code, paper.student, paper.name) for paper in put] == [
+        ("A", "", "Version A"), ("B", "", "Version B")]
+    lines = {record["version"]: record for _, line in key_lines(folder / "EXAM") for record in [json.loads(line)]}
+    for paper in put:
+        assert [question.question for question in paper.questions] == lines[paper.code]["printed"]
+    assert len(papers(folder / "EXAM", variants=2)) == 2
+    with pytest.raises(ExamError, match="has 2 different papers"):
+        read_quiz(folder / "EXAM", variants=3)
+
+
+def test_other_processes_make_the_same_papers(small_class: Path) -> None:
+    exam = small_class / "EXAM"
+    order = QuizOrder(exam, None, PLAIN, False)
+    assert tuple(by_workers(order, key_lines(exam), 2)) == papers(exam)
+
+
+def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
+    counts: list[int] = []
+
+    def watched(items: Any, count: int) -> Any:
+        counts.append(count)
+        return items
+
+    assert len(papers(small_class / "EXAM", progress=watched)) == 4
+    papers(small_class / "EXAM", progress=watched, variants=3)
+    assert counts == [4, 3]
+
+
+@pytest.mark.parametrize(("name", "text", "message"), [
+    ("exam.json", None, r"exam.json: cannot be read \(No such file or directory\) - expected an exam folder made by"),
+    ("bank.toml", b"\xff", r"bank.toml: cannot be read \(not UTF-8\) - expected an exam folder made by kinegrade"),
+    ("key.jsonl", None, r"key.jsonl: cannot be read \(No such file or directory\) - expected an exam folder"),
+    ("exam.json", b"{}", r"exam.json: is broken \(KeyError: 'format'\) - expected it as kinegrade generate wrote it"),
+    ("exam.json", b'{"format": 2}', r'"format" is 2, and 1 is the only one this kinegrade reads\) - expected it as'),
+    ("exam.json", b'{"format": 1, "questions": [], "students": 5}', r"exam.json: is broken \(TypeError: "),
+    ("key.jsonl", b"{", r"key.jsonl:1: is broken \(JSONDecodeError\) - expected it as kinegrade generate wrote it"),
+    ("templates/crank.toml", b"family = 5", r"EXAM: crank.toml"),
+])
+def test_a_folder_at_fault_is_refused(small_class: Path, tmp_path: Path, name: str, text: bytes | None,
+                                      message: str) -> None:
+    exam = copied(small_class, tmp_path)
+    if text is None:
+        (exam / name).unlink()
+    else:
+        (exam / name).write_bytes(text)
+    with pytest.raises(ExamError, match=message):
+        papers(exam)
+
+
+def test_a_broken_line_of_the_key_is_named(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    source, line = read_quiz_source(exam), first_line(exam)
+    del line["questions"][0]["asks"]["v_B"]["points"]
+    with pytest.raises(ExamError, match=r'the line of student "007" is broken \(KeyError: \'points\'\) - expected it'):
+        quiz_paper(source, PLAIN, line)
+
+
+def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    source, line = read_quiz_source(exam), first_line(exam)
+    line["questions"][1]["parameters"]["h"]["exact"] = "99"
+    with pytest.raises(KinegradeError, match=rf"EXAM: paper {line['paper']}, q2: points.A: "):
+        quiz_paper(source, PLAIN, line)
+
+
+def test_a_killed_process_is_no_riddle(small_class: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Killed(ProcessPoolExecutor):
+        def submit(self, *_: Any, **__: Any) -> Any:
+            raise BrokenProcessPool("killed")
+
+    monkeypatch.setattr(quiz, "ProcessPoolExecutor", Killed)
+    order = QuizOrder(small_class / "EXAM", None, PLAIN, False)
+    with pytest.raises(ExamError, match="quiz: a process that makes papers was ended from outside - expected room"):
+        list(by_workers(order, key_lines(small_class / "EXAM"), 2))

@@ -1,0 +1,63 @@
+"""Worked solutions as HTML: everything that the printed ones say but the pictures, ending with the key's numbers."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+import pytest
+
+from kinegrade.exam.quiz_document import Language
+from kinegrade.exam.quiz_paper import QuizWishes
+from kinegrade.exam.quiz_solution import blocks_html, solution_html
+from kinegrade.problem.library import load_template
+from kinegrade.problem.solving import solve_template
+from kinegrade.worked.document import Display, Heading, Prose, Result, Results, Term, TermTable
+from kinegrade.worked.solution import worked_solution
+
+NAMES = ("slider-crank", "bar-through-swivelling-sleeve", "planetary-gear-external-rim-velocities")
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_solution_is_told_whole(name: str, language: Language) -> None:
+    template = load_template(name)
+    asked = template.asked()
+    solution = solve_template(template, {}, asked)
+    html = solution_html(template, {}, asked, language)
+    tree = ElementTree.fromstring(f"<div>{html}</div>")
+    worked = worked_solution(solution, asked, language)
+    kinds = [type(block) for block in worked.blocks]
+    assert sum(child.tag in ("h4", "h5") for child in tree) == kinds.count(Heading)
+    assert len(list(tree.iter("table"))) == kinds.count(TermTable)
+    assert html.count(r"\begin{aligned}") == kinds.count(Display)
+    results = [result for block in worked.blocks if isinstance(block, Results) for result in block.results]
+    assert [child.tag for child in tree][-1] == "ul"
+    for result, line in zip(results, list(tree)[-1], strict=True):
+        assert result.decimal in "".join(line.itertext())
+
+
+def test_the_method_may_be_chosen() -> None:
+    template = load_template("slider-crank")
+    assert solution_html(template, {}, ("v_B",), "en", "pole") != solution_html(template, {}, ("v_B",), "en")
+    assert QuizWishes().method is None
+
+
+def test_the_blocks_one_by_one() -> None:
+    terms = Term("", "v_B", "?", "$\\parallel x$"), Term("=", "v_A", "$r\\omega$", "a < b")
+    result = Result("v_B", r"\frac{1}{3}", "-0.333333", "m/s^2", "to the *left*")
+    html = blocks_html((Heading("Step $1$", 2), Prose("Thus:"), Display(("v &= a + b = c", "w &= 1")), TermTable(terms),
+                        Results((result, Result("k", None, "2", "1", "")))), "en")
+    assert html.splitlines() == [
+        r"<h5>Step \(1\)</h5>", "<p>Thus:</p>",
+        r"<p>\[\begin{aligned} v &amp;= a + b = c \\ w &amp;= 1 \end{aligned}\]</p>",
+        "<table><tbody>",
+        row("", r"\(v_B\)", r"\(={} v_A\)"), row("magnitude", "?", r"\(r\omega\)"),
+        row("direction", r"\(\parallel x\)", "a &lt; b"),
+        "</tbody></table>", "<ul>",
+        r"<li>\(v_B = \frac{1}{3} \approx -0.333333\) m/s<sup>2</sup> (to the <em>left</em>)</li>",
+        r"<li>\(k \approx 2\)</li>", "</ul>"]
+
+
+def row(head: str, *cells: str) -> str:
+    entries = (f'<td style="padding:0 .5em;text-align:center">{cell}</td>' for cell in cells)
+    return f'<tr><th scope="row">{head}</th>{"".join(entries)}</tr>'
