@@ -14,6 +14,7 @@ from typing import Any, TextIO
 
 from kinegrade import __version__
 from kinegrade.errors import BankError
+from kinegrade.exam.attendance import seldom_collected
 from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import join
@@ -69,7 +70,7 @@ def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, la
     bank = blueprint.bank(secret)
     setting = set_exam(bank, roster, secret)
     sources = source_files(setting)
-    with output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
+    with seldom_collected(), output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
         order = PressOrder(engine or bank.engine, paper_size, folder / "tex")
         press = order.press()
         run = PrintRun(bank, language, order, folder / "papers", folder / "solutions", extras)

@@ -14,7 +14,6 @@ from kinegrade.exam.key_record import key_record
 from kinegrade.exam.pages import key_paper, paper_pages
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.setting import SetPaper
-from kinegrade.exam.solution_pages import solution_sheet
 from kinegrade.exam.typst import TypstPress
 from kinegrade.problem.template import Language, Method
 
@@ -74,6 +73,8 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
     pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language) for paper in papers}
     press.papers(pages, run.papers)
     if run.extras.solutions:
+        from kinegrade.exam.solution_pages import solution_sheet  # loads the whole of worked solutions
+
         press.solutions({paper.student.file_name: solution_sheet(run.bank, paper, run.language, run.extras.method)
                          for paper in papers}, run.solutions)
     if run.extras.also:

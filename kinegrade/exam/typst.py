@@ -23,7 +23,6 @@ from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
 from kinegrade.exam.layout_call import each
-from kinegrade.exam.solution_source import solution_source
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 KEY_CHUNK = 10  # papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
@@ -83,6 +82,8 @@ class TypstPress:
 
     def solution(self, sheet: SolutionSheet) -> bytes:
         """One student's worked solutions as PDF; names are printed and errors raised as by `paper`."""
+        from kinegrade.exam.solution_source import solution_source  # noqa: PLC0415  # few exams need it
+
         named = replace(sheet, name=legible(sheet.name, self.unprintable([sheet.name])))
         return self._explaining(solution_source(named, self._size), f"solutions {sheet.code}")
 

@@ -34,7 +34,7 @@ from kinegrade.exam.layout_call import Sheet, each, gathered, layout_call
 from kinegrade.exam.markup import line, prose
 from kinegrade.exam.words import GalleryWords, Words, gallery_words_of, words_of
 from kinegrade.figure.scene import Scene
-from kinegrade.figure.typst import to_typst
+from kinegrade.figure.typst import to_typst, to_typst_picture
 
 BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
 PAGE = 225.0  # millimetres: what any page holds between its margins, with something to spare
@@ -128,7 +128,7 @@ def _question(question: QuestionSheet, words: Words) -> Sheet:
         "points": points.format(points_text(question.points)),
         "source": words.source.format(question.source) if question.source else None,
         "short": _height_at_most(question) <= PAGE,
-        "figure": f"[{to_typst(figure)}]" if figure else None,
+        "figure": f"[{to_typst_picture(figure)}]" if figure else None,
         "figure_width": round(figure.width, 3) if figure else None,
         "beside": figure is not None and _beside(figure),
     }
@@ -162,6 +162,8 @@ def _seen(math: str) -> str:
 
 def _columns(text: str) -> int:
     """The width of `text`, a Chinese character counting as two Latin ones."""
+    if text.isascii():
+        return len(text)
     return sum(2 if east_asian_width(character) in "WF" else 1 for character in text)
 
 

@@ -6,18 +6,17 @@ way at any time, so memory does not grow with the class, and a worker ends when 
 
 from __future__ import annotations
 
-import os
-import signal
-import threading
+import gc
 from collections import deque
 from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
-from multiprocessing import connection, get_context, parent_process
+from multiprocessing import get_context
 from pathlib import Path
 
 from kinegrade.errors import TypesetError
+from kinegrade.exam.attendance import attend
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.drafts import Draft, Plans, confirmed, drafts, plans_of
 from kinegrade.exam.press import Press
@@ -27,6 +26,8 @@ from kinegrade.exam.setting import Setting, set_exam
 
 CHUNK = 20  # papers in one task: few enough for all processes to end together, many enough for a run of LaTeX
 AHEAD = 2  # tasks for each process that are under way or wait for it
+ENDED = ("generate: a process that prints papers was ended from outside; expected room for all of them in memory; "
+         "use fewer: --jobs 1")
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,8 @@ def by_workers(run: PrintRun, setting: Setting, press: Press, parts: Sequence[ra
     executor = ProcessPoolExecutor(workers, get_context("spawn"), attend)
     waiting: deque[tuple[range, Future[list[Draft]]]] = deque()
     try:
+        for _ in range(workers):
+            executor.submit(prepare, job)  # while this process finds the plans
         plans = plans_of(job.setting())
         for part in parts:
             waiting.append((part, executor.submit(work, job, part, plans)))
@@ -80,6 +83,8 @@ def by_workers(run: PrintRun, setting: Setting, press: Press, parts: Sequence[ra
                 yield from confirmed(run, setting, press, done, finished(task))
         for done, task in waiting:
             yield from confirmed(run, setting, press, done, finished(task))
+    except BrokenExecutor as error:  # told when a task is handed out
+        raise TypesetError(ENDED) from error
     finally:
         executor.shutdown(wait=True, cancel_futures=True)
 
@@ -89,8 +94,15 @@ def finished(task: Future[list[Draft]]) -> list[Draft]:
     try:
         return task.result()
     except BrokenExecutor as error:
-        raise TypesetError("generate: a process that prints papers was ended from outside; expected room for all of "
-                           "them in memory; use fewer: --jobs 1") from error
+        raise TypesetError(ENDED) from error
+
+
+def prepare(job: Job) -> None:
+    """Load and look at what this process works with, which then stays."""
+    setting, _ = workplace(job)
+    for deck in setting.decks.values():
+        deck.foresee(())
+    gc.freeze()
 
 
 def work(job: Job, places: range, plans: Plans) -> list[Draft]:
@@ -103,17 +115,3 @@ def work(job: Job, places: range, plans: Plans) -> list[Draft]:
 def workplace(job: Job) -> tuple[Setting, Press]:
     """The decks and the press of this process: it is keeping them that makes it fast."""
     return job.setting(), job.run.press_order.press()
-
-
-def attend() -> None:
-    """Let this process leave an interruption to the one it works for, and end with it."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=end_with_parent, daemon=True).start()
-
-
-def end_with_parent() -> None:
-    """Wait until the process that this one works for is gone, then end at once."""
-    parent = parent_process()
-    if parent is not None:
-        connection.wait([parent.sentinel])
-        os._exit(1)

@@ -7,7 +7,7 @@ read off direction by direction: what reaches farthest in a direction is the hul
 
 from __future__ import annotations
 
-from math import asin, pi
+from math import asin, cos, pi, sin
 
 from kinegrade.figure.plane import angle_of, polar, unit
 from kinegrade.mechanics.vector import Vector
@@ -35,9 +35,10 @@ def cam_profile(
 
 def _farthest(circles: list[Circle], angle: float) -> Vector:
     """The point of the circles that reaches farthest in a direction."""
-    toward = polar(angle)
-    centre, radius = max(circles, key=lambda circle: circle[0].dot(toward) + circle[1])
-    return centre + toward * radius
+    along, upward = cos(angle), sin(angle)
+    reaches = [centre.x * along + centre.y * upward + radius for centre, radius in circles]
+    centre, radius = circles[reaches.index(max(reaches))]
+    return Vector(centre.x + along * radius, centre.y + upward * radius)
 
 
 def _spread(radius: float, height: float) -> float:

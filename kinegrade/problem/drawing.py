@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from hashlib import sha256
-from hmac import new as hmac
+from hmac import digest
 from typing import Any
 
 from kinegrade.errors import DrawError, ExpressionError, MechanismError
@@ -143,7 +142,7 @@ class Deck:
 def address(secret: str, *parts: str | int) -> int:
     """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256 bits."""
     message = b"".join(len(text).to_bytes(4, "big") + text for text in (str(part).encode() for part in parts))
-    return int.from_bytes(hmac(secret.encode(), message, sha256).digest(), "big")
+    return int.from_bytes(digest(secret.encode(), message, "sha256"), "big")
 
 
 def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None,
