@@ -91,25 +91,30 @@ class Table:
     complaints: tuple[Complaint, ...]
 
 
-def read_table(path: Path) -> Table:
-    """Reads a CSV file; raises TableError if it is missing, empty or not text."""
+def read_table(path: Path, encoding: str | None = None) -> Table:
+    """Reads a CSV file; raises TableError if it is missing, empty or not text.
+
+    `encoding` is declared for a file without byte-order mark that is not UTF-8.
+    """
     try:
         content = path.read_bytes()
     except OSError as fault:
         raise TableError(
             f"{path}: cannot be read ({fault.strerror}) - expected a CSV file - check the name"
         ) from fault
-    return parse_table(content, path.name)
+    return parse_table(content, path.name, encoding)
 
 
-def parse_table(content: bytes, file: str) -> Table:
-    """Reads the bytes of a CSV file; `file` is its name in messages. Raises TableError.
+def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table:
+    """Reads the bytes of a CSV file; `file` is its name in messages, `encoding` as declared. Raises TableError.
 
     >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
     (Row(line=2, cells=('007', '0,5')),)
     """
-    _refuse_other_formats(content, file)
-    text, encoding, complaints = _decoded(content, file)
+    declared = _declared(content, file, encoding)
+    if declared is None:
+        _refuse_other_formats(content, file)
+    text, encoding, complaints = (declared, str(encoding), []) if declared is not None else _decoded(content, file)
     with _cells_of_any_size(text):
         separator, width = _separator(text)
         records, stray_quotes = _records(text, separator, width)
@@ -168,15 +173,28 @@ def restored(text: str) -> str:
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
-    lines = _Lines()
+    return csv_lines(chain([header], rows))
+
+
+def csv_lines(rows: Iterable[Sequence[str]]) -> str:
+    """The same without a header."""
     # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
-    csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
+    lines = _Lines()
+    csv.writer(lines, lineterminator="\r\n").writerows(rows)
+    text = "".join(lines.written)
+    if text.count("\r") == len(lines.written):
+        return text.replace("\r\n", "\n")
     return "".join(f"{line[:-2]}\n" for line in lines.written)
 
 
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Writes a CSV file: UTF-8 without mark, LF, comma; a lone surrogate is written out as an escape."""
-    path.write_bytes(csv_text(header, rows).encode("utf-8", "backslashreplace"))
+    """Writes a CSV file: UTF-8 without mark, LF, comma."""
+    path.write_bytes(encoded(csv_text(header, rows)))
+
+
+def encoded(text: str) -> bytes:
+    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an escape."""
+    return text.encode("utf-8", "backslashreplace")
 
 
 class _Lines:
@@ -184,9 +202,7 @@ class _Lines:
 
     def __init__(self) -> None:
         self.written: list[str] = []
-
-    def write(self, line: str) -> None:
-        self.written.append(line)
+        self.write = self.written.append
 
 
 def _refuse_other_formats(content: bytes, file: str) -> None:
@@ -201,6 +217,24 @@ def _refuse_other_formats(content: bytes, file: str) -> None:
 
 def _byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
     return next((pair for pair in _MARKS if content.startswith(pair[0])), None)
+
+
+def _declared(content: bytes, file: str, encoding: str | None) -> str | None:
+    """The text in the encoding that was declared; None where none was, or where a mark or UTF-8 says otherwise."""
+    if encoding is None or _byte_order_mark(content):
+        return None
+    try:
+        content.decode("utf-8")
+        if b"\0" not in content:
+            return None
+    except UnicodeDecodeError:
+        pass
+    try:
+        return content.decode(encoding)
+    except (LookupError, UnicodeError) as fault:
+        raise TableError(
+            f"{file}: is not in the declared encoding {encoding} ({fault}) - expected text - declare the right one"
+        ) from fault
 
 
 def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:

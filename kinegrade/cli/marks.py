@@ -24,25 +24,38 @@ EXAM_LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"
 @click.argument("exam", type=FILE)
 @click.argument("answers", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="MARKS", help="The folder of marks to write.")
+@click.option("--from", "source", type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
+              help="What ANSWERS was downloaded from.  [default: what its shape tells]")
+@click.option("--encoding", metavar="NAME", help="The encoding of ANSWERS, if it is not UTF-8, such as gb18030.")
+@click.option("--unfinished", is_flag=True, help="Also mark attempts that were not handed in (of a download).")
 @click.option("--decimal", type=click.Choice(["point", "comma"]),
               help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]")
 @click.option("--policy", type=FILE, metavar="FILE", help="Mark by this policy (TOML): tolerances, credits ...")
 @click.option("--never-lower", type=FILE, metavar="MARKS", help="Nobody falls below the total in this earlier MARKS.")
 @FORCE
 @refusing
-def grade(*, exam: Path, answers: Path, output: Path, decimal: DecimalMark | None, policy: Path | None,
-          never_lower: Path | None, force: bool) -> None:
-    """Mark the class: ANSWERS is a CSV of the shape of EXAM/answers.csv.
+def grade(*, exam: Path, answers: Path, output: Path, source: str | None, encoding: str | None, unfinished: bool,
+          decimal: DecimalMark | None, policy: Path | None, never_lower: Path | None, force: bool) -> None:
+    """Mark the class: ANSWERS has the shape of EXAM/answers.csv, or is a download from an LMS or a form (CSV, xlsx).
 
     \b
     Example: kinegrade grade EXAM answers.csv -o MARKS
+    Moodle:  kinegrade grade EXAM responses.csv -o MARKS --from moodle
     Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
+    from kinegrade.exam.follow_through import FollowThrough
+    from kinegrade.grading.follow import Follows
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
+    from kinegrade.lms.responses.answer_table import read_responses
 
-    marks = mark_class(exam, answers, output, force=force, exports={"moodle.csv": moodle.export}, decimal=decimal,
-                       policy=policy, never_lower=never_lower)
+    follow_through = FollowThrough(exam)
+    responses = read_responses(answers, exam, source, "all" if unfinished else "finished", encoding)
+    for line in responses.assumed:
+        click.echo(line, err=True)
+    marks = mark_class(exam, responses.table, output, force=force, exports={"moodle.csv": moodle.export},
+                       decimal=decimal, policy=policy, never_lower=never_lower,
+                       follows=Follows(follow_through, follow_through.in_plan_order))
     click.echo(f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints", err=True)
     if never_lower:
         kept = sum(each.kept is not None for each in marks.grades)

@@ -6,7 +6,7 @@ them, else known to 38 digits. A name in them is a parameter of the question or 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -17,7 +17,7 @@ from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.expression import elementary, evaluate, names, read
 from kinegrade.grading.givens import Givens
-from kinegrade.grading.key import Ask, Exam, Examinee
+from kinegrade.grading.key import Ask, Paper, Sitting
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
 from kinegrade.grading.typed_value import PRECISION, Amount, converted, rational_amount
@@ -39,57 +39,57 @@ Number = tuple[str | Fraction, str]  # a given's text or a right answer, and its
 Alternatives = Mapping[tuple[str, str], tuple[Alternative, ...]]  # by student and answer column
 
 
-def alternatives(exam: Exam, policy: Policy, givens: Givens) -> Alternatives:
+def alternatives(exam: Sitting, policy: Policy, givens: Givens) -> Alternatives:
     """All accepted answers of all papers. Raises PolicyError where one has no value."""
+    wanted = [(ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted]
     found: dict[tuple[str, str], tuple[Alternative, ...]] = {}
-    faults: list[str] = []
-    for ask in exam.asks:
-        for accepted in policy.ruling(ask.column).accepted:
-            failing: list[tuple[str, Exception]] = []
-            for student, alternative in _everybodys(exam, ask, accepted, givens, failing):
-                place = student, ask.column
-                found[place] = (*found.get(place, ()), alternative)
-            faults += _fault(ask, accepted, failing)
+    failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
+    constant: dict[tuple[str, int], Alternative] = {}
+    for paper in exam.papers() if wanted else ():
+        for ask, accepted in wanted:
+            if accepted.students is not None and paper.student not in accepted.students:
+                continue
+            which, place = (ask.column, accepted.number), (paper.student, ask.column)
+            try:
+                alternative = constant.get(which) or _on_paper(exam, ask, accepted, paper, givens)
+            except (ExpressionError, Unreadable, ArithmeticError) as fault:
+                failing.setdefault(which, []).append((paper.student, fault))
+                continue
+            found[place] = (*found.get(place, ()), alternative)
+            if not _used(accepted):
+                constant[which] = alternative
+    faults = [_fault(ask, accepted, failing[ask.column, accepted.number])
+              for ask, accepted in wanted if (ask.column, accepted.number) in failing]
     if faults:
         raise PolicyError(*faults)
     return found
 
 
-def _everybodys(
-    exam: Exam, ask: Ask, accepted: Accepted, givens: Givens, failing: list[tuple[str, Exception]]
-) -> Iterator[tuple[str, Alternative]]:
-    used = set(names(accepted.tree)) - {"pi"}
-    same: Alternative | None = None
-    for examinee in exam.examinees:
-        if accepted.students is not None and examinee.student not in accepted.students:
-            continue
-        try:
-            if used or same is None:
-                same = _alternative(accepted, _numbers(exam, ask, examinee, givens, used))
-            yield examinee.student, same
-        except (ExpressionError, Unreadable, ArithmeticError) as fault:
-            failing.append((examinee.student, fault))
+def _used(accepted: Accepted) -> set[str]:
+    """The names of the paper's numbers in it; without any it is the same for everybody."""
+    return set(names(accepted.tree)) - {"pi"}
 
 
-def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> Iterator[str]:
+def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> str:
     """One line however many papers it is: a fault in an expression shows on most."""
-    if failing:
-        student, fault = failing[0]
-        others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
-        yield (f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value for student '
-               f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend it')
+    student, fault = failing[0]
+    others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
+    return (f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value for student '
+            f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend it')
 
 
-def _numbers(
-    exam: Exam, ask: Ask, examinee: Examinee, givens: Givens, used: set[str]
-) -> Mapping[str, Number]:
+def _on_paper(exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, givens: Givens) -> Alternative:
+    return _alternative(accepted, _numbers(exam, ask, paper, givens, _used(accepted)))
+
+
+def _numbers(exam: Sitting, ask: Ask, paper: Paper, givens: Givens, used: set[str]) -> Mapping[str, Number]:
     """What the names stand for, each with its unit: a text for a parameter, a number for a right answer."""
     found: dict[str, Number] = {}
-    for other in exam.asks:
+    for number, other in enumerate(exam.asks):
         if other.question == ask.question and other.ask in used:
-            found[other.ask] = examinee.keys[other.column].value, other.unit
+            found[other.ask] = paper.key(number, ()).value, other.unit
     if used - found.keys():
-        drawn = givens.of(examinee.student, ask.question)
+        drawn = givens.of(paper.student, ask.question)
         found |= {name: given for name, given in drawn.items() if name in used}
     return found
 

@@ -38,7 +38,8 @@ LONGEST_ANSWER = 200
 SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
 
-_PLAIN = re.compile(rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?", re.ASCII)
+PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?"  # what most people type
+_PLAIN = re.compile(PLAIN)
 _NO_LABEL = r"(?!sqrt|pi\b|\u03c0\s*=)"
 _LABEL = re.compile(rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*", re.IGNORECASE)
 _ABOUT = re.compile(r"(?:[\u2248~\u2243\u2245\u223c]|about|approx(?:imately)?\.?|ca\.|大?[约約]为?)\s*", re.IGNORECASE)

@@ -36,7 +36,8 @@ Page = dict[str, Any]  # what a layout reads
 HARD, EASY, FLAT = 0.3, 0.9, 0.1
 SIGNIFICANT = 0.05
 MOST_COMPLAINTS, MOST_TRENDS = 200, 8
-VERDICTS = ("right", "accepted", "void", "mistake", "wrong", "wrong unit", "unreadable", "blank")  # as a bar shows them
+VERDICTS = ("right", "accepted", "follow-through", "void", "mistake", "wrong", "wrong unit", "unreadable",
+            "blank")  # as a bar shows them
 LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that say least stand last
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
@@ -98,7 +99,7 @@ def symbol_of(column: str, wording: Wording) -> Markup:
 def verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
     """All answers to an ask as one bar."""
     whole = verdicts.total()
-    parts = [(SHADES.get(verdict, "shade4"), count / whole) for verdict, count in in_order(verdicts)]
+    parts = [(SHADES.get(verdict, "shade5"), count / whole) for verdict, count in in_order(verdicts)]
     return stacked_bar(parts, verdict_text(verdicts, words))
 
 
@@ -116,7 +117,7 @@ def in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
 def legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
     """The shades of the verdicts that occur."""
     occurring = sum(counts.verdicts.values(), Counter[str]())
-    return [(SHADES.get(verdict, "shade4"), words.verdicts.get(verdict, verdict)) for verdict, _ in in_order(occurring)]
+    return [(SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict)) for verdict, _ in in_order(occurring)]
 
 
 def note(facility: float | None, discrimination: float | None, students: int, words: ReportWords) -> str:

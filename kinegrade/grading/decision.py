@@ -1,7 +1,8 @@
 """What one answer is worth: held against the key, and against all else that a policy gives credit for.
 
-`decide` is pure and is called by `marks` for every answer; `judge` compares, this chooses. The best credit counts; of
-equal ones the first of: the key, the accepted answers in their order, the mistakes, the right number in a wrong unit.
+`decide` is pure and is called by `judged_block` for every answer that a plain comparison leaves open; `judge` compares,
+this chooses. The best credit counts; of equal ones the first of: the key, the accepted answers in their order, the
+mistakes, the right number in a wrong unit.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from kinegrade.grading.key import Key, Rule
 from kinegrade.grading.policy import NO_ROOM, Ruling
 
 Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the ask's points
+BY_POLICY = " by the policy"  # ends the reason where the rule is not the one printed on the paper
 _FULL, _NONE = Fraction(1), Fraction(0)
 
 
@@ -53,7 +55,7 @@ def _said(verdict: Verdict, ruling: Ruling) -> Verdict:
     """With a word on the rule where it is not the one printed on the paper."""
     if ruling.room == NO_ROOM or verdict.kind not in ("right", "wrong"):
         return verdict
-    return replace(verdict, reason=f"{verdict.reason} by the policy")
+    return replace(verdict, reason=f"{verdict.reason}{BY_POLICY}")
 
 
 def _accepted(reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative]) -> Iterable[Decision]:

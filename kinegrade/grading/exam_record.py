@@ -16,6 +16,7 @@ from typing import Any
 from kinegrade.errors import ExamError
 from kinegrade.exam.roster import file_names
 from kinegrade.grading.key import rule
+from kinegrade.grading.key_lines import KeyLines
 
 _MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 _BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
@@ -92,14 +93,8 @@ class PaperRecords:
     def __init__(self, folder: Path) -> None:
         """Finds where the line of each student begins. Raises ExamError."""
         self._path = folder / "key.jsonl"
-        self._places: dict[str, int] = {}
         try:
-            with self._path.open("rb") as stream:
-                place = 0
-                for line in stream:
-                    if line.strip():
-                        self._places[json.loads(line)["student"]] = place
-                    place += len(line)
+            self._lines = KeyLines(self._path)
         except OSError as fault:
             raise _missing(self._path, fault) from fault
         except _BROKEN as fault:
@@ -107,14 +102,11 @@ class PaperRecords:
 
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has none of that student's."""
-        if student not in self._places:
+        if student not in self._lines:
             raise ExamError(f'{self._path}: no paper of student "{student}" - expected one for everybody who is marked '
                             "- name the exam folder by which these marks were made")
-        with self._path.open("rb") as stream:
-            stream.seek(self._places[student])
-            line = stream.readline()
         try:
-            return _paper(json.loads(line, parse_float=Fraction))
+            return _paper(self._lines.paper(student, Fraction))
         except _BROKEN as fault:
             raise ExamError(f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
                             f"{fault}) - {_MENDING}") from fault

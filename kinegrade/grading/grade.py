@@ -9,17 +9,17 @@ from types import MappingProxyType
 from kinegrade.files import output_folder
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.exam_folder import open_exam
+from kinegrade.grading.follow import Follows
 from kinegrade.grading.givens import Givens
-from kinegrade.grading.marks import Marks, mark
+from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
 from kinegrade.grading.marks_folder import KEPT, read_totals
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.never_lower import never_lower as with_kept_totals
-from kinegrade.grading.policy import AS_PRINTED
-from kinegrade.grading.policy_reading import read_policy
-from kinegrade.grading.report import POLICY, write_report
+from kinegrade.grading.policy_reading import read_policy, stated_policy
+from kinegrade.grading.report import POLICY, write_grades, write_marks
 from kinegrade.grading.sheet import read_sheet
-from kinegrade.tables import read_table
+from kinegrade.tables import Table, read_table
 
 MARKER = "complaints.csv"
 FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT)
@@ -29,7 +29,7 @@ _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 def grade(
     exam: Path,
-    answers: Path,
+    answers: Path | Table,
     output: Path,
     *,
     force: bool = False,
@@ -37,24 +37,30 @@ def grade(
     decimal: DecimalMark | None = None,
     policy: Path | None = None,
     never_lower: Path | None = None,
-) -> Marks:
-    """Writes the folder `output`, whole or not at all, and gives the marks with their complaints.
+    follows: Follows | None = None,
+) -> ClassGrades:
+    """Writes the folder `output`, whole or not at all, and gives everybody's grade and all complaints.
+
+    `answers` is an answer sheet, as a file or as what was read of a download (`kinegrade.lms.responses`).
 
     `exports` names the files for other systems that go into the folder too, such as
     `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
     1.234. `policy` is the file of a policy, of which the folder gets a copy; `never_lower` an earlier folder of marks
-    below whose totals nobody falls. Same input, same bytes.
+    below whose totals nobody falls; `follows` works out what follows from own answers. Same input, same bytes.
     Raises ExamError, PolicyError, TableError, OutputError.
     """
     with output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force) as folder:
-        known, givens = read_exam(exam), Givens(exam)
-        rules = read_policy(policy, known, givens) if policy else AS_PRINTED
+        known, givens = open_exam(exam), Givens(exam)
+        sheet = read_sheet(read_table(answers) if isinstance(answers, Path) else answers, known)
+        rules = (read_policy(policy, known, givens, known.credit) if policy
+                 else stated_policy(known, givens, known.credit))
         accepted = alternatives(known, rules, givens)
-        marks = mark(known, read_sheet(read_table(answers), known), decimal, rules, accepted)
+        blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows)
+        grades = class_grades(known, sheet, write_marks(folder, blocks))
         kept: tuple[Kept, ...] | None = None
         if never_lower:
-            marks, kept = with_kept_totals(marks, read_totals(never_lower))
-        write_report(folder, marks, rules, kept)
+            grades, kept = with_kept_totals(grades, read_totals(never_lower))
+        write_grades(folder, grades, rules, kept)
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
-    return marks
+    return grades

@@ -1,8 +1,8 @@
 """Right or wrong: one reading held against one key.
 
-`judge` is pure and is called by `marks` for every answer. The rule is the one printed on the paper: right is
-what differs from the key by at most the tolerance, exactly the tolerance included, and what agrees with it to the
-significant figures that are asked for.
+`judge` is pure; `nearness` says the same of thousands of answers wherever double precision can. The rule is the one
+printed on the paper: right is what differs from the key by at most the tolerance, exactly the tolerance included, and
+what agrees with it to the significant figures that are asked for.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ from typing import Literal
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.key import Key
 
-Kind = Literal["right", "accepted", "mistake", "wrong", "wrong unit", "blank", "unreadable", "void"]
+Kind = Literal[
+    "right", "accepted", "follow-through", "mistake", "wrong", "wrong unit", "blank", "unreadable", "void"
+]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,14 +1,15 @@
 """An exam as grading sees it: who was asked what, and the key of each paper.
 
-`exam_folder` fills these values; `sheet`, `judge` and `marks` use them.
+`exam_folder` and `key_line` fill these values; `sheet`, `judge` and `marks` use them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
+from typing import NamedTuple, Protocol
 
 from kinegrade.exact.figures import figures_interval
 
@@ -84,6 +85,42 @@ class Key:
         return (min(low, self.agreeing[0]), max(high, self.agreeing[1])) if self.agreeing else (low, high)
 
 
+class StatedKey(NamedTuple):
+    """A key as it stands in key.jsonl, which is not worked out exactly before that is needed: `key` does it.
+
+    `value` is the right answer as a decimal or a plain fraction, `approximately` the same to double precision; to that
+    mistakes are known anyhow.
+    """
+
+    value: str
+    approximately: float
+    rule: Rule
+    mistakes: Mapping[str, float]
+    period: Fraction | None
+
+    def key(self, names: Container[str]) -> Key:
+        """The exact key, of the mistakes only with those of these names."""
+        mistakes = {name: Fraction(repr(wrong)) for name, wrong in self.mistakes.items() if name in names}
+        return self.rule.key(Fraction(self.value), self.period, mistakes)
+
+
+class Paper(NamedTuple):
+    """Whose paper it is, and its keys in the order of the asks."""
+
+    student: str
+    name: str
+    keys: Sequence[Key | StatedKey]
+
+    def key(self, ask: int, names: Container[str] | None = None) -> Key:
+        """The exact key of an ask; of the mistakes with those of these names, or with all."""
+        key = self.keys[ask]
+        if isinstance(key, StatedKey):
+            return key.key(key.mistakes if names is None else names)
+        if names is None or len(key.mistakes) == 0:
+            return key
+        return replace(key, mistakes={name: wrong for name, wrong in key.mistakes.items() if name in names})
+
+
 @dataclass(frozen=True, slots=True)
 class Examinee:
     """Whose paper it is, and its key by answer column."""
@@ -91,6 +128,21 @@ class Examinee:
     student: str
     name: str
     keys: Mapping[str, Key]
+
+
+class Sitting(Protocol):
+    """What a marking has to know of an exam: what was asked of whom, and the papers one after the other."""
+
+    @property
+    def asks(self) -> tuple[Ask, ...]:
+        """The asks in the order of the paper."""
+
+    @property
+    def students(self) -> tuple[str, ...]:
+        """The ids of the examinees, in the order of the roster."""
+
+    def papers(self) -> Iterator[Paper]:
+        """The papers in the order of the roster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,4 +155,19 @@ class Exam:
     @property
     def questions(self) -> tuple[str, ...]:
         """The questions in the order of the paper."""
-        return tuple(dict.fromkeys(ask.question for ask in self.asks))
+        return questions(self.asks)
+
+    @property
+    def students(self) -> tuple[str, ...]:
+        """The ids of the examinees."""
+        return tuple(examinee.student for examinee in self.examinees)
+
+    def papers(self) -> Iterator[Paper]:
+        """The papers of the examinees."""
+        for each in self.examinees:
+            yield Paper(each.student, each.name, [each.keys[ask.column] for ask in self.asks])
+
+
+def questions(asks: Sequence[Ask]) -> tuple[str, ...]:
+    """The questions to which these asks belong, in their order."""
+    return tuple(dict.fromkeys(ask.question for ask in asks))

@@ -1,27 +1,32 @@
 """The marks of a class: a verdict for every student and ask, and the totals.
 
-`mark` is called by `grade`; `report` writes what it gives.
+`marked_blocks` is called by `grade` and gives the class in blocks, so that its size costs little memory; `mark` gives
+all at once. `report` writes what they give.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from itertools import chain, islice
+from math import lcm
 from types import MappingProxyType
 
 from kinegrade.grading.accepted import Alternatives
-from kinegrade.grading.answers import Reading, read
-from kinegrade.grading.decimal_style import FileStyle, file_style
+from kinegrade.grading.answers import Reading
+from kinegrade.grading.block_judge import BlockJudge
 from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.decision import decide, voided
+from kinegrade.grading.decimal_style import file_style
+from kinegrade.grading.follow import Follows
 from kinegrade.grading.judge import Verdict
-from kinegrade.grading.key import Ask, Exam, Examinee
-from kinegrade.grading.policy import AS_PRINTED, Attempts, Policy
+from kinegrade.grading.judged_block import JudgedBlock, Row
+from kinegrade.grading.key import Ask, Paper, Sitting, questions
+from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.sheet import Entry, Sheet, repeated
 from kinegrade.tables import Complaint, shortened
 
+BLOCK = 250  # papers that are marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})
 
 
@@ -52,99 +57,168 @@ class Grade:
     @property
     def total(self) -> Fraction:
         """All points, or what was kept."""
-        return sum(self.points, Fraction(0)) if self.kept is None else self.kept
+        return added(self.points) if self.kept is None else self.kept
 
     @property
     def percent(self) -> Fraction:
         """Of the points there are; 0 where there are none."""
-        return 100 * self.total / self.out_of if self.out_of else Fraction(0)
+        return percent(self.total, self.out_of)
+
+
+def percent(total: Fraction, out_of: Fraction) -> Fraction:
+    """The share of the points there are, in per cent; 0 where there are none."""
+    return 100 * total / out_of if out_of else Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
-class Marks:
-    """All marks and grades in the order of the roster; complaints about the file first, then by line."""
+class ClassGrades:
+    """All grades in the order of the roster; complaints about the file first, then by line."""
 
     questions: tuple[str, ...]
-    marks: tuple[Mark, ...]
     grades: tuple[Grade, ...]
     complaints: tuple[Complaint, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Marks(ClassGrades):
+    """The grades and complaints of a class, and every mark: in the order of the roster, and of the asks."""
+
+    marks: tuple[Mark, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedBlock:
+    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row for each grade."""
+
+    asks: tuple[Ask, ...]
+    judged: JudgedBlock
+    grades: Sequence[Grade]
+    complaints: Sequence[Complaint]
+
+    def marks(self) -> Iterator[Mark]:
+        """Every single mark."""
+        for place in range(len(self.judged.kinds)):
+            row, number = divmod(place, len(self.asks))
+            (verdict, share), ask = self.judged.decision(place), self.asks[number]
+            yield Mark(self.judged.rows[row][0].student, ask, self.judged.cells.reading(place), verdict,
+                       share * ask.points)
+
+
 def mark(
-    exam: Exam,
+    exam: Sitting,
     sheet: Sheet,
     decimal: DecimalMark | None = None,
     policy: Policy = AS_PRINTED,
     alternatives: Alternatives = _NO_ALTERNATIVES,
+    *,
+    follows: Follows | None = None,
 ) -> Marks:
-    """Marks a class. Never raises: what cannot be read gets no points, and a complaint.
+    """Marks a class. Raises nothing of its own: what cannot be read gets no points, and a complaint.
 
     `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell what 1,234 means.
-    `alternatives` are the policy's accepted answers, worked out.
+    `alternatives` are the policy's accepted answers, worked out; `follows` works out what follows from own answers.
     """
+    blocks = list(marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows))
+    found, marks = class_grades(exam, sheet, blocks), chain.from_iterable(block.marks() for block in blocks)
+    return Marks(found.questions, found.grades, found.complaints, tuple(marks))
+
+
+def marked_blocks(
+    exam: Sitting,
+    sheet: Sheet,
+    decimal: DecimalMark | None = None,
+    policy: Policy = AS_PRINTED,
+    alternatives: Alternatives = _NO_ALTERNATIVES,
+    *,
+    follows: Follows | None = None,
+) -> Iterator[MarkedBlock]:
+    """The same in blocks, in the order of the roster. Raises what reading the papers raises: ExamError."""
     styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
-    marker = _Marker(exam, policy, alternatives, styles)
-    marks: list[Mark] = []
+    judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
+    marker = _Marker(sheet, judge, tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks))
+    papers = exam.papers()
+    while block := list(islice(papers, BLOCK)):
+        yield marker.block(block)
+
+
+def added(amounts: Iterable[Fraction]) -> Fraction:
+    """Their sum: by whole numbers over the common denominator, several times faster than one after the other."""
+    listed = tuple(amounts)
+    common = lcm(*(amount.denominator for amount in listed))
+    return Fraction(sum(amount.numerator * (common // amount.denominator) for amount in listed), common)
+
+
+def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
+    """What remains of the blocks: everybody's points, and the complaints with those about the sheet."""
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
-    for examinee in exam.examinees:
-        entries = sheet.entries[examinee.student]
-        entry, judged = _counted([(each, marker.judged(examinee, each)) for each in entries], policy.attempts)
-        marks += judged
-        grades.append(_grade(exam, examinee, judged))
-        complaints += repeated(sheet.file, entries, entry)
-        complaints += _doubts(sheet, entry, judged)
+    for block in blocks:
+        grades += block.grades
+        complaints += block.complaints
     complaints.sort(key=lambda complaint: complaint.line or 0)
-    return Marks(exam.questions, tuple(marks), tuple(grades), tuple(complaints))
+    return ClassGrades(questions(exam.asks), tuple(grades), tuple(complaints))
 
 
 @dataclass(frozen=True, slots=True)
 class _Marker:
-    """What it takes to mark one row."""
+    """What it takes to mark a class; `asks` have the points they have by the policy."""
 
-    exam: Exam
-    policy: Policy
-    alternatives: Alternatives
-    styles: FileStyle
+    sheet: Sheet
+    judge: BlockJudge
+    asks: tuple[Ask, ...]
 
-    def judged(self, examinee: Examinee, entry: Entry) -> list[Mark]:
-        """The marks of one row, in the order of the asks."""
-        style = self.styles.of_row(entry.responses)
-        marks = []
-        for ask, response in zip(self.exam.asks, entry.responses, strict=True):
-            ruling, place = self.policy.ruling(ask.column), (examinee.student, ask.column)
-            reader = partial(read, unit=ask.unit, style=style, convention=ask.sign)
-            reading, now = reader(response), ruling.ask(ask)
-            others = self.alternatives.get(place, ())
-            verdict, share = decide(reading, examinee.keys[ask.column], ruling, others, reader)
-            if ruling.void:
-                verdict, share = voided((verdict, share), ruling, handed_in=entry.line is not None)
-            marks.append(Mark(examinee.student, now, reading, verdict, share * now.points))
-        return marks
+    def block(self, papers: Sequence[Paper]) -> MarkedBlock:
+        """The marks of some papers."""
+        rows = self._counted(papers)
+        judged = self.judge.judged(rows)
+        out_of = added(ask.points for ask in self.asks)
+        grades = [
+            Grade(paper.student, paper.name, points, out_of)
+            for (paper, _), points in zip(rows, self._points(judged), strict=True)
+        ]
+        complaints = [
+            complaint for paper, entry in rows for complaint in repeated(self.sheet.file, self._entries(paper), entry)
+        ]
+        return MarkedBlock(self.asks, judged, grades, [*complaints, *self._doubts(judged)])
 
+    def _entries(self, paper: Paper) -> Sequence[Entry]:
+        return self.sheet.entries[paper.student]
 
-def _counted(rows: Sequence[tuple[Entry, list[Mark]]], attempts: Attempts) -> tuple[Entry, list[Mark]]:
-    """The row that counts, as a whole; of the best ones the last."""
-    if attempts == "best":
-        return max(reversed(rows), key=lambda row: sum(each.points for each in row[1]))
-    return rows[0 if attempts == "first" else -1]
+    def _counted(self, papers: Sequence[Paper]) -> list[Row]:
+        """The row of each student that counts, as a whole; of the best ones the last."""
+        attempts = self.judge.policy.attempts
+        rows = [(paper, self._entries(paper)[0 if attempts == "first" else -1]) for paper in papers]
+        if attempts != "best":
+            return rows
+        tried = [(paper, entry) for paper in papers if len(self._entries(paper)) > 1 for entry in self._entries(paper)]
+        best: dict[str, tuple[Fraction, Row]] = {}
+        for row, points in zip(tried, self._points(self.judge.judged(tried)), strict=True):
+            total, student = added(points), row[0].student
+            if student not in best or total >= best[student][0]:
+                best[student] = total, row
+        return [best[row[0].student][1] if row[0].student in best else row for row in rows]
 
+    def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
+        """The points of each row by question; there are few ways to share them out, and each is added up once."""
+        known: dict[tuple[int, ...], Fraction] = {}
+        for first in range(0, len(judged.shares), len(self.asks)):
+            points = []
+            for question in self.judge.questions:
+                way = question.start, *judged.shares[first + question.start : first + question.stop]
+                if way not in known:
+                    known[way] = added(judged.credits[share] * self.asks[number].points
+                                       for number, share in zip(question, way[1:], strict=True))
+                points.append(known[way])
+            yield tuple(points)
 
-def _grade(exam: Exam, examinee: Examinee, judged: Sequence[Mark]) -> Grade:
-    points = dict.fromkeys(exam.questions, Fraction(0))
-    for each in judged:
-        points[each.ask.question] += each.points
-    out_of = sum((each.ask.points for each in judged), Fraction(0))
-    return Grade(examinee.student, examinee.name, tuple(points.values()), out_of)
-
-
-def _doubts(sheet: Sheet, entry: Entry, judged: Sequence[Mark]) -> Iterable[Complaint]:
-    for column, each in zip(sheet.columns, judged, strict=True):
-        content = shortened(each.reading.typed)
-        if each.reading.kind in ("unreadable", "wrong unit"):
-            done = f"{each.verdict.kind}, {'some' if each.points else 'no'} points"
-            yield Complaint(sheet.file, entry.line, column, content, each.reading.reason, done)
-        if each.reading.remark:
-            yield Complaint(
-                sheet.file, entry.line, column, content, each.reading.remark, f"judged {each.verdict.kind}"
-            )
+    def _doubts(self, judged: JudgedBlock) -> Iterator[Complaint]:
+        for place, reading in judged.cells.odd.items():
+            row, number = divmod(place, len(self.asks))
+            line, column = judged.rows[row][1].line, self.sheet.columns[number]
+            content, verdict = shortened(reading.typed), judged.kinds[place]
+            if reading.kind in ("unreadable", "wrong unit"):
+                points = judged.credits[judged.shares[place]] * self.asks[number].points
+                done = f"{verdict}, {'some' if points else 'no'} points"
+                yield Complaint(self.sheet.file, line, column, content, reading.reason, done)
+            if reading.remark:
+                yield Complaint(self.sheet.file, line, column, content, reading.remark, f"judged {verdict}")

@@ -10,11 +10,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import ceil
+from typing import TypeVar
 
 from kinegrade.grading.amounts import PLACES, amount_text
-from kinegrade.grading.marks import Grade, Marks
+from kinegrade.grading.marks import ClassGrades, Grade
 from kinegrade.grading.marks_folder import Total
 from kinegrade.tables import Complaint
+
+Grades = TypeVar("Grades", bound=ClassGrades)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +36,11 @@ class Kept:
         return f"nobody is lowered: {earlier} before, {now} by this marking"
 
 
-def never_lower(marks: Marks, before: Mapping[str, Total]) -> tuple[Marks, tuple[Kept, ...]]:
-    """The marks in which nobody's share of the points is below the earlier one, and whose total that changes."""
+def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tuple[Kept, ...]]:
+    """The marks in which nobody's share of the points is below the earlier one, and whose total that changes.
+
+    Works on `Marks`, or on `ClassGrades` alone.
+    """
     kept = {each.grade.student: each for each in _kept(marks, before)}
     grades = tuple(
         replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade for grade in marks.grades
@@ -44,7 +50,7 @@ def never_lower(marks: Marks, before: Mapping[str, Total]) -> tuple[Marks, tuple
     return replace(marks, grades=grades, complaints=(*strangers, *marks.complaints)), tuple(kept.values())
 
 
-def _kept(marks: Marks, before: Mapping[str, Total]) -> Iterator[Kept]:
+def _kept(marks: ClassGrades, before: Mapping[str, Total]) -> Iterator[Kept]:
     """Compared as both are written, or the rounding of a third of a point would look like a loss."""
     for grade in marks.grades:
         earlier = before.get(grade.student)

@@ -57,7 +57,10 @@ class Accepted:
 
 @dataclass(frozen=True, slots=True)
 class Ruling:
-    """What a policy says about one ask; as it stands here, nothing. Credits are shares of its points."""
+    """What a policy says about one ask; as it stands here, nothing. Credits are shares of its points.
+
+    `follow_through` is that of an answer that follows from the student's own wrong answer to an earlier ask.
+    """
 
     room: Room = NO_ROOM
     void: Void | None = None
@@ -65,6 +68,7 @@ class Ruling:
     wrong_unit: Fraction = Fraction(0)
     mistakes: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
     accepted: tuple[Accepted, ...] = ()
+    follow_through: Fraction = Fraction(1)
 
     def ask(self, ask: Ask) -> Ask:
         """The ask with the points it has now; a dropped one has none."""

@@ -2,7 +2,9 @@
 
     attempts = "best"              # which of a student's rows counts: "last" (as without a policy), "first" or "best"
     tolerance = { relative = "2 %" }         # and absolute (in the ask's unit), figures; what is not said stays
-    credit = { wrong-unit = "1/2", mistakes = { sense-reversed = "1/2" } }  # shares of the points: 0.5, "50 %", "1/2"
+    credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { sense-reversed = 0.5 } }
+                               # shares of the points; follow-through is for an answer that follows from the student's
+                               # own wrong answer to an earlier ask: all of them where nothing is said, 0 turns it off
 
     [questions.q1]                           # a question can have a tolerance and credits of its own, and so can
     void = "drop"                            # an ask; void: its points leave everybody's total,
@@ -17,22 +19,24 @@
     ]
 
 What stands nearer to the ask goes before what stands further out, number by number. Of all that applies to an answer,
-the best credit counts. `read_policy` is called by `grade`.
+the best credit counts. What the exam's bank says about credit (`kinegrade.exam.bank_credit`) stands further out than
+all of it. `read_policy` and `stated_policy` are called by `grade`.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExpressionError, PolicyError, did_you_mean, one_line
 from kinegrade.expression import Expression, is_angle, names, read
 from kinegrade.grading.givens import Givens
-from kinegrade.grading.key import Ask, Exam
+from kinegrade.grading.key import Ask, Sitting, questions
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import NO_ROOM, Accepted, Attempts, Policy, Room, Ruling, Void
 from kinegrade.grading.policy_values import Values, shown, written
@@ -51,18 +55,51 @@ class _Level:
     void: Void | None = None
     wrong_unit: Fraction | None = None
     mistakes: Mapping[str, Fraction] = field(default_factory=dict)
+    follow_through: Fraction | None = None
 
     def over(self, wider: _Level) -> _Level:
         return _Level(
             self.room.over(wider.room), self.void or wider.void,
             wider.wrong_unit if self.wrong_unit is None else self.wrong_unit, {**wider.mistakes, **self.mistakes},
+            wider.follow_through if self.follow_through is None else self.follow_through,
         )
 
 
-def read_policy(path: Path, exam: Exam, givens: Givens) -> Policy:
-    """The policy in a file, for the asks of that exam. Raises PolicyError with all faults at once."""
+_CREDITS = ("follow-through", "wrong-unit", "mistakes")
+
+
+def read_policy(path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None = None) -> Policy:
+    """The policy in a file, for the asks of that exam; `stated` is the credit table of the exam's bank.
+
+    Raises PolicyError with all faults at once.
+    """
     text, table = _table(path)
-    return _Reader(Values(path), exam, givens).policy(table, text)
+    return _Reader(Values(path), exam, givens).policy(table, text, _stated(givens.folder, stated))
+
+
+def stated_policy(exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None) -> Policy:
+    """What holds without a policy, by the credit table of the exam's bank. Raises PolicyError."""
+    return _Reader(Values(givens.folder / "exam.json"), exam, givens).policy({}, "", _stated(givens.folder, stated))
+
+
+def _stated(folder: Path, credit: Mapping[str, Any] | None) -> _Level:
+    values = Values(folder / "exam.json")
+    table = values.table("credit", credit, _CREDITS)
+    level = _credited(values, "", table, table.get("mistakes") or ())
+    if values.faults:
+        raise PolicyError(*(f"{fault} - restore the exam folder as it was generated" for fault in values.faults))
+    return level
+
+
+def _credited(values: Values, inside: str, credit: Mapping[str, Any], known: Iterable[str]) -> _Level:
+    """A credit table, of which the mistakes are some of those `known`."""
+    named = values.named(f"{inside}credit.mistakes", credit.get("mistakes"), known, "mistake")
+    shares = {name: values.share(f"{inside}credit.mistakes.{name}", share) for name, share in named}
+    return _Level(
+        wrong_unit=values.share(f"{inside}credit.wrong-unit", credit.get("wrong-unit")),
+        mistakes={name: share for name, share in shares.items() if share is not None},
+        follow_through=values.share(f"{inside}credit.follow-through", credit.get("follow-through")),
+    )
 
 
 def _table(path: Path) -> tuple[str, Mapping[str, Any]]:
@@ -84,23 +121,27 @@ def _table(path: Path) -> tuple[str, Mapping[str, Any]]:
 class _Reader:
     """Reads one policy for one exam."""
 
-    def __init__(self, values: Values, exam: Exam, givens: Givens) -> None:
+    def __init__(self, values: Values, exam: Sitting, givens: Givens) -> None:
         self.values, self.exam, self.givens = values, exam, givens
-        self.students = {examinee.student for examinee in exam.examinees}
-        self.mistakes = {name for examinee in exam.examinees for key in examinee.keys.values() for name in key.mistakes}
+        self.students = set(exam.students)
 
-    def policy(self, content: Mapping[str, Any], text: str) -> Policy:
+    @cached_property
+    def mistakes(self) -> frozenset[str]:
+        """All that lead to a wrong answer on some paper; the papers are read for them only where a policy names one."""
+        return frozenset(name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes)
+
+    def policy(self, content: Mapping[str, Any], text: str, stated: _Level) -> Policy:
         table = self.values.table("", content, ("attempts", "tolerance", "credit", "questions"))
         attempts: Attempts = self.values.word("attempts", table.get("attempts"), _ATTEMPTS) or "last"
-        rulings = self._rulings(self._level("", table), table.get("questions"))
+        rulings = self._rulings(self._level("", table).over(stated), table.get("questions"))
         if self.values.faults:
             raise PolicyError(*self.values.faults)
         return Policy(attempts, rulings, text)
 
     def _rulings(self, wider: _Level, content: Any) -> dict[str, Ruling]:
-        tables = dict(self.values.named("questions", content, self.exam.questions, "question"))
+        tables = dict(self.values.named("questions", content, questions(self.exam.asks), "question"))
         rulings: dict[str, Ruling] = {}
-        for question in self.exam.questions:
+        for question in questions(self.exam.asks):
             place, asks = f"questions.{question}", [ask for ask in self.exam.asks if ask.question == question]
             table = self.values.table(place, tables.get(question), ("tolerance", "credit", "void", "asks"))
             level = self._level(place, table).over(wider)
@@ -114,19 +155,15 @@ class _Reader:
         level = self._level(place, table).over(wider)
         points = self.values.amount(f"{place}.points", table.get("points"))
         accepted = tuple(self._accepted(f"{place}.accept", ask, table.get("accept")))
-        return Ruling(level.room, level.void, points, level.wrong_unit or Fraction(0), level.mistakes, accepted)
+        return Ruling(level.room, level.void, points, level.wrong_unit or Fraction(0), level.mistakes, accepted,
+                      Fraction(1) if level.follow_through is None else level.follow_through)
 
     def _level(self, place: str, table: Mapping[str, Any]) -> _Level:
         inside = f"{place}." if place else ""
-        credit = self.values.table(f"{inside}credit", table.get("credit"), ("wrong-unit", "mistakes"))
-        mistakes = self.values.named(f"{inside}credit.mistakes", credit.get("mistakes"), self.mistakes, "mistake")
-        shares = {name: self.values.share(f"{inside}credit.mistakes.{name}", share) for name, share in mistakes}
-        return _Level(
-            self.values.room(f"{inside}tolerance", table.get("tolerance")),
-            self.values.word(f"{inside}void", table.get("void"), _VOIDS),
-            self.values.share(f"{inside}credit.wrong-unit", credit.get("wrong-unit")),
-            {name: share for name, share in shares.items() if share is not None},
-        )
+        credit = self.values.table(f"{inside}credit", table.get("credit"), _CREDITS)
+        credited = _credited(self.values, inside, credit, self.mistakes if "mistakes" in credit else ())
+        return replace(credited, room=self.values.room(f"{inside}tolerance", table.get("tolerance")),
+                       void=self.values.word(f"{inside}void", table.get("void"), _VOIDS))
 
     def _accepted(self, place: str, ask: Ask, content: Any) -> Iterator[Accepted]:
         if not isinstance(content, list | None):

@@ -148,7 +148,8 @@ ENGLISH = ReportWords(
         "with the share of the question's points. p is by random permutations (always the same ones): the share in "
         "which chance does at least as much. Adjusted p: by Holm's method, for the number of tests.",
     ),
-    verdicts={"right": "right", "accepted": "accepted", "mistake": "known mistake", "wrong": "wrong",
+    verdicts={"right": "right", "accepted": "accepted", "follow-through": "follows from an own answer",
+              "mistake": "known mistake", "wrong": "wrong",
               "wrong unit": "wrong unit", "blank": "blank", "unreadable": "unreadable", "void": "void"},
     reasons={"opposite": "sign opposite*", "power of ten": "off by a power of ten*", "twice": "twice the right value*",
              "half": "half the right value*", "degrees for radians": "degrees in place of radians*",
@@ -158,7 +159,8 @@ ENGLISH = ReportWords(
              "another ask": "the value of another quantity asked for*",
              "close": "close, but outside the tolerance", "unexplained": "wrong, not explained",
              "wrong unit": "unit of another kind of quantity", "unreadable": "not a readable number",
-             "blank": "left blank", "accepted": "accepted in part", "mistake": "known mistake", "void": "void"},
+             "blank": "left blank", "accepted": "accepted in part",
+             "follow-through": "follows from an earlier wrong answer", "mistake": "known mistake", "void": "void"},
 )
 
 CHINESE = ReportWords(
@@ -231,15 +233,16 @@ CHINESE = ReportWords(
         "p 由随机置换得到（每次所用置换相同），即偶然情形下差异不小于实际差异的比例；"
         "校正后 p 按检验个数用 Holm 法校正。",
     ),
-    verdicts={"right": "正确", "accepted": "认可", "mistake": "已知错误", "wrong": "错误", "wrong unit": "单位不符",
-              "blank": "空白", "unreadable": "无法识别", "void": "作废"},
+    verdicts={"right": "正确", "accepted": "认可", "follow-through": "由前一答案推得", "mistake": "已知错误",
+              "wrong": "错误", "wrong unit": "单位不符", "blank": "空白", "unreadable": "无法识别", "void": "作废"},
     reasons={"opposite": "符号相反*", "power of ten": "相差 10 的幂次*", "twice": "为正确值的两倍*",
              "half": "为正确值的一半*",
              "degrees for radians": "应为弧度而用了度*", "radians for degrees": "应为度而用了弧度*",
              "revolutions per minute": "应为 rad/s 而用了转每分*", "revolutions per second": "应为 rad/s 而用了转每秒*",
              "another ask": "填成了本题另一个所求量的值*", "close": "接近，但超出允许误差",
              "unexplained": "错误，原因不明", "wrong unit": "单位属于另一种物理量", "unreadable": "不是可识别的数",
-             "blank": "未作答", "accepted": "部分认可", "mistake": "已知错误", "void": "作废"},
+             "blank": "未作答", "accepted": "部分认可", "follow-through": "由前面的错误答案推得",
+             "mistake": "已知错误", "void": "作废"},
 )
 
 

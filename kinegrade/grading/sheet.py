@@ -14,7 +14,7 @@ from unicodedata import normalize
 
 from kinegrade.errors import TableError
 from kinegrade.exam.roster import COLUMN_NAMES, student_key
-from kinegrade.grading.key import Ask, Exam
+from kinegrade.grading.key import Ask, Sitting
 from kinegrade.tables import Complaint, Row, Table, csv_text, header_key, shortened, trimmed
 
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
@@ -55,7 +55,7 @@ class _Columns:
     extra: tuple[int, ...]
 
 
-def read_sheet(table: Table, exam: Exam) -> Sheet:
+def read_sheet(table: Table, exam: Sitting) -> Sheet:
     """Finds everybody's responses.
 
     Raises TableError if there is no student column, no answer column, or the sheet is that of another exam.
@@ -63,7 +63,7 @@ def read_sheet(table: Table, exam: Exam) -> Sheet:
     columns = _columns(table, exam.asks)
     rows, unknown = _rows_by_student(table, columns, exam)
     entries = {
-        examinee.student: _entries(rows.get(examinee.student, []), columns) for examinee in exam.examinees
+        student: _entries(rows.get(student, []), columns) for student in exam.students
     }
     complaints = [
         *table.complaints,
@@ -122,9 +122,9 @@ def _exact_key(column: str) -> str:
 
 
 def _rows_by_student(
-    table: Table, columns: _Columns, exam: Exam
+    table: Table, columns: _Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
-    known = {student_key(examinee.student): examinee.student for examinee in exam.examinees}
+    known = {student_key(student): student for student in exam.students}
     near = _near_ids(known.values())
     rows: dict[str, list[Row]] = defaultdict(list)
     unknown = []

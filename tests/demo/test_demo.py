@@ -138,7 +138,7 @@ def shown(content: str) -> str:
 @pytest.mark.parametrize(("line", "problem", "done"), [
     (TWICE, "another row for this student", "counts; this row is kept here only"),
     (STRANGER[0], f'no student "{STRANGER[0]}" in the exam', "not graded"),
-    (ZEROS_EATEN.lstrip("0"), "no student", f'probably "{ZEROS_EATEN}": correct the id and grade again'),
+    (ZEROS_EATEN.lstrip("0"), "no student", f'probably "{ZEROS_EATEN}": correct the file and grade again'),
 ])
 def test_a_row_that_is_not_graded_is_kept_whole(demo: Demo, line: str, problem: str, done: str) -> None:
     number = line_numbers(line)[0]

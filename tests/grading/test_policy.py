@@ -12,12 +12,14 @@ from hypothesis import strategies as st
 from kinegrade.errors import ExamError, PolicyError
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.decision import decide
+from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judge import judge
 from kinegrade.grading.key import rule
 from kinegrade.grading.marks import Marks
 from kinegrade.grading.policy import Ruling
-from tests.grading.policies import drawn_exam, marked, marks_of, policy_of, regraded, told
+from kinegrade.grading.policy_reading import read_policy, stated_policy
+from tests.grading.policies import CLASS, drawn_exam, marked, marks_of, policy_of, regraded, told
 
 ATTEMPTS = "007,9,0,1\n007,2,0,30\n007,2,9,30\n"
 ACCEPTED = "[questions.q1.asks.v_B]\naccept = [{}]\n"
@@ -219,7 +221,8 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     assert [problem.removeprefix(f"{tmp_path / 'policy.toml'}: ") for problem in caught.value.problems] == [
         'unknown key "tolerence": did you mean "tolerance"? (known here: attempts, credit, questions, tolerance)',
         "attempts: expected last or first or best, not 'lst'",
-        'credit: unknown key "wrong_unit": did you mean "wrong-unit"? (known here: mistakes, wrong-unit)',
+        'credit: unknown key "wrong_unit": did you mean "wrong-unit"? '
+        "(known here: follow-through, mistakes, wrong-unit)",
         'credit.mistakes: unknown mistake "sense-revers": did you mean "sense-reversed"? '
         "(known here: sense-reversed, transport-for-absolute)",
         f"credit.wrong-unit: {SHARE}, not '1.5'",
@@ -353,3 +356,22 @@ def test_every_typed_answer_comes_out_and_points_add_up(
         own = marks_of(marks, grade.student)
         assert grade.total == sum(mark.points for mark in own) <= grade.out_of
         assert all(0 <= mark.points <= mark.ask.points for mark in own)
+
+
+def test_the_credit_of_the_bank_holds_until_a_policy_says_otherwise(tmp_path: Path) -> None:
+    bank = {"wrong-unit": "1/2", "follow-through": "0", "mistakes": {"sense-reversed": "1/4"}}
+    printed = stated_policy(CLASS, Givens(tmp_path), bank).ruling("q1.v_B")
+    assert (printed.wrong_unit, printed.follow_through) == (Fraction(1, 2), 0)
+    assert printed.mistakes == {"sense-reversed": Fraction(1, 4)}
+    (tmp_path / "policy.toml").write_text("credit = { wrong-unit = 0 }", encoding="utf-8")
+    regraded_by = read_policy(tmp_path / "policy.toml", CLASS, Givens(tmp_path), bank).ruling("q1.v_B")
+    assert (regraded_by.wrong_unit, regraded_by.follow_through) == (0, 0)
+    assert regraded_by.mistakes == printed.mistakes
+
+
+def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
+    with pytest.raises(PolicyError) as caught:
+        stated_policy(CLASS, Givens(tmp_path), {"wrong-unit": "2"})
+    assert str(caught.value) == (
+        f"{tmp_path / 'exam.json'}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, \"50 %\" or \"1/2\", "
+        "not '2' - restore the exam folder as it was generated")

@@ -99,7 +99,7 @@ def _unknown(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iterator[
 
 
 def _assumed(table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns) -> Iterator[str]:
-    if source is None:
+    if source is None and name != "sheet":
         yield f"{table.file}: taken for {DIALECTS[name].title}"
     if table.encoding not in ("UTF-8", "XLSX"):
         yield f"{table.file}: read as {table.encoding}"

@@ -1,0 +1,98 @@
+"""Marking a class of 20,000 x 10 asks, against the plain loop that people write for it.
+
+The loop reads the same key and the same sheet, compares by `float` and `math.isclose`, and writes a line for each
+answer and each student. Ours is all of `grade`: it reads and checks the folder, marks by exact rules, knows mistakes,
+units and formulas, gives every reason, and writes all its files. Processor time, in one process; memory is that of the
+command.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import process_time
+
+from benchmarks.figure_of_merit import Figure
+from benchmarks.large_class import COLUMNS, write_class
+from benchmarks.memory import peak_of_tree
+from kinegrade.grading.grade import grade
+
+STUDENTS = 20_000
+ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
+PLAIN_PROMISE, MIXED_PROMISE = 1.0, 1 / 3
+GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
+
+
+def figures() -> Iterator[Figure]:
+    """Seconds for an answer, of plain numbers and of what people really type; memory of twice the class."""
+    with TemporaryDirectory() as name:
+        plain, mixed, double = (Path(name) / part for part in ("plain", "mixed", "double"))
+        for folder, students, odd in ((plain, STUDENTS, 0.0), (mixed, STUDENTS, ODD_SHARE),
+                                      (double, 2 * STUDENTS, ODD_SHARE)):
+            write_class(folder, students, odd)
+        kinds = (plain, "plain numbers", PLAIN_PROMISE), (mixed, "10 % not plain", MIXED_PROMISE)
+        for folder, kind, promise in kinds:
+            yield Figure(f"marking an answer, {STUDENTS} students, {kind}", ours(folder), loop(folder), promise)
+        single, twice = memory(mixed), memory(double)
+        yield Figure(f"marking {2 * STUDENTS} students: memory against {STUDENTS}", twice, GROWTH_PROMISE * single, 1,
+                     "MB")
+
+
+def ours(folder: Path) -> float:
+    """Seconds for an answer by `grade`."""
+    return seconds_per_answer(lambda: grade(folder / "EXAM", folder / "answers.csv", folder / "MARKS", force=True))
+
+
+def loop(folder: Path) -> float:
+    """Seconds for an answer by the plain loop."""
+    return seconds_per_answer(lambda: plain_loop(folder))
+
+
+def seconds_per_answer(work: Callable[[], object]) -> float:
+    """The better of two runs: the first pays for imports and caches."""
+    times = []
+    for _ in range(2):
+        start = process_time()
+        work()
+        times.append(process_time() - start)
+    return min(times) / (STUDENTS * len(COLUMNS))
+
+
+def plain_loop(folder: Path) -> None:
+    """Marks a class as a script of a page does."""
+    keys = {}
+    with (folder / "EXAM" / "key.jsonl").open(encoding="utf-8") as lines:
+        for line in lines:
+            paper = json.loads(line)
+            keys[paper["student"]] = {
+                f"{question['question']}.{ask}": (key["value"], key["tolerance"]["relative"], key["points"])
+                for question in paper["questions"] for ask, key in question["asks"].items()}
+    with ((folder / "answers.csv").open(encoding="utf-8", newline="") as sheet,
+          (folder / "marks.csv").open("w", encoding="utf-8", newline="") as marks,
+          (folder / "grades.csv").open("w", encoding="utf-8", newline="") as grades):
+        each_answer, each_student = csv.writer(marks), csv.writer(grades)
+        for row in csv.DictReader(sheet):
+            total = 0
+            for column, (value, relative, points) in keys[row["student"]].items():
+                try:
+                    right = math.isclose(float(row[column]), value, rel_tol=relative)
+                except ValueError:
+                    right = False
+                got = points if right else 0
+                total += got
+                each_answer.writerow([row["student"], column, row[column], "right" if right else "wrong", got, points])
+            each_student.writerow([row["student"], row["name"], total])
+
+
+def memory(folder: Path) -> float:
+    """The peak of the command in megabytes."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "kinegrade", "grade", str(folder / "EXAM"), str(folder / "answers.csv"), "-o",
+         str(folder / "MARKS"), "--force"], stderr=subprocess.DEVNULL)
+    return peak_of_tree(process)

@@ -1,0 +1,47 @@
+"""Single lines of key.jsonl, found by student: for what is wanted of some papers only, or of one at a time.
+
+`exam_record` and `givens` use it; a class of any size needs memory for one paper, and a number for each of the others.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+
+class _Head(msgspec.Struct, gc=False):
+    student: str
+
+
+class KeyLines:
+    """The lines of one key.jsonl, each read when it is wanted."""
+
+    def __init__(self, path: Path) -> None:
+        """Finds where the line of each student begins. Raises OSError, and ValueError where a line is none."""
+        self._path = path
+        self._places: dict[str, int] = {}
+        decode = msgspec.json.Decoder(_Head).decode
+        with path.open("rb") as stream:
+            place = 0
+            for line in stream:
+                if line.strip():
+                    self._places[decode(line).student] = place
+                place += len(line)
+
+    def __contains__(self, student: str) -> bool:
+        return student in self._places
+
+    def paper(self, student: str, number: Callable[[str], Any] = float) -> Any:
+        """The JSON on a student's line; `number` makes one of the digits of a decimal. Raises KeyError, ValueError."""
+        with self._path.open("rb") as stream:
+            stream.seek(self._places[student])
+            return json.loads(stream.readline(), parse_float=number)
+
+    @property
+    def first(self) -> str:
+        """The student of the first line. Raises StopIteration where there is none."""
+        return next(iter(self._places))

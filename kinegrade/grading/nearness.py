@@ -1,0 +1,118 @@
+"""Thousands of numbers held against thousands of keys at once, in double precision, and what is certain of it.
+
+`block_judge` uses it; what is not certain is decided exactly by `judge`. Certain is a comparison whose verdict, and
+every digit of whose reason, would be the same for all numbers within the errors of double precision: so the outcome
+is always the exact one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.grading.key import Rule
+
+Numbers = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+DIGITS = 6  # significant, in a reason
+_ROUNDING = 1e-15  # relative, of a few operations in double precision; also of reading a number
+_GUARD = 1e-9  # of the numbers compared: a bound that is nearer than this decides nothing
+_ALIKE = 1e-5  # difference and tolerance that agree to so much may be written with the same digits
+_HALF = 1e-6  # of the last digit written: what is so near to a half may be rounded either way
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """The rule of each comparison, as numbers; `figures` is 0 where none are asked for."""
+
+    relative: Numbers
+    absolute: Numbers
+    figures: Numbers
+
+    def at(self, places: NDArray[np.int64]) -> Rules:
+        """The rules at these places."""
+        return Rules(self.relative[places], self.absolute[places], self.figures[places])
+
+
+def rules_of(stated: Sequence[Rule]) -> Rules:
+    """The numbers of these rules, of which few differ."""
+    known = {id(each): each for each in stated}
+    numbers = {name: (float(each.relative), float(each.absolute), float(each.figures or 0))
+               for name, each in known.items()}
+    table = np.array([numbers[id(each)] for each in stated], dtype=np.float64).reshape(-1, 3)
+    return Rules(table[:, 0], table[:, 1], table[:, 2])
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """What came of comparing: `right` holds where `decided` does, and `reasons` holds where `certain` does."""
+
+    right: Flags
+    decided: Flags
+    certain: Flags
+    centres: Numbers
+    difference: Numbers
+    tolerance: Numbers
+    low: Numbers
+    high: Numbers
+    figures: Numbers
+
+    def reasons(self, places: NDArray[np.int64]) -> list[str]:
+        """The comparisons at these places in words, as `judge` words them, without the word "key" before them."""
+        parts = (self.centres, self.difference, self.tolerance, self.low, self.high, self.figures)
+        rows = zip(*(part[places].tolist() for part in parts), strict=True)
+        return [
+            f"{centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}"
+            if figures and centre else
+            f"{centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
+            for centre, difference, tolerance, low, high, figures in rows
+        ]
+
+
+def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
+    """Holds each value against the right one beside it; a value that is not a number gives nothing certain."""
+    with np.errstate(all="ignore"):  # what overflows or is no number is not certain
+        difference, size = np.abs(values - centres), np.abs(centres)
+        tolerance = np.maximum(rules.relative * size, rules.absolute)
+        scale = size + np.abs(values)
+        low, high = centres - tolerance, centres + tolerance
+        decided = np.isfinite(difference)
+        decided &= np.abs(difference - tolerance) > np.maximum(_ALIKE * tolerance, _GUARD * scale)
+        if rules.figures.any():
+            low, high, settled = _to_figures(centres, rules, low, high)
+            decided &= settled & (np.abs(values - low) > _GUARD * scale) & (np.abs(values - high) > _GUARD * scale)
+        right = (low <= values) & (values <= high)
+        alike = _written_alike(difference, _ROUNDING * scale) & _written_alike(tolerance, _ROUNDING * tolerance)
+    return Comparison(right, decided, decided & alike, centres, difference, tolerance, low, high, rules.figures)
+
+
+def _to_figures(
+    centres: Numbers, rules: Rules, low: Numbers, high: Numbers
+) -> tuple[Numbers, Numbers, Flags]:
+    """The bounds where answers have to agree to significant figures, and whether they are certain."""
+    asked = (rules.figures > 0) & (centres != 0)
+    power = np.floor(np.log10(np.abs(centres)))
+    unit = 10.0 ** (power - rules.figures + 1)
+    steps = centres / unit
+    smallest = np.minimum(low, (np.ceil(steps - 0.5) - 0.5) * unit)
+    largest = np.maximum(high, (np.floor(steps + 0.5) + 0.5) * unit)
+    leading = np.abs(centres) / 10.0**power
+    settled = (np.abs(steps - np.floor(steps) - 0.5) > _HALF) & (np.abs(steps) * _ROUNDING < _HALF)
+    settled &= (leading > 1 + _GUARD) & (leading < 10 - _GUARD)
+    for bound in (smallest, largest):
+        settled &= _written_alike(np.abs(bound), _ROUNDING * (np.abs(bound) + np.abs(centres)))
+    return (np.where(asked, smallest, low), np.where(asked, largest, high), settled | ~asked)
+
+
+def _written_alike(numbers: Numbers, error: Numbers) -> Flags:
+    """Whether all that lies within the error of a number is written with the same six digits; zero only if exact."""
+    power = DIGITS - 1 - np.floor(np.log10(numbers))
+    last = numbers * 10.0**power
+    from_half = np.abs(last - np.floor(last) - 0.5)
+    certain: Flags = (from_half > error * 10.0**power + _HALF) & (error * 10.0**power < 1)
+    certain |= (numbers == 0) & (error == 0)
+    return certain

@@ -1,0 +1,96 @@
+"""All cells of many rows read at once: plain numbers in bulk, every other cell by `answers.read`.
+
+`block_judge` uses it. A cell is plain where `answers.read` would take its digits as they stand, whatever else is in
+the file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import nan
+
+import numpy as np
+
+from kinegrade.grading.answers import PLAIN, Reading, read
+from kinegrade.grading.decimal_style import FileStyle
+from kinegrade.grading.key import Ask
+from kinegrade.grading.nearness import Numbers
+from kinegrade.grading.number_text import DecimalStyle
+
+_PLAIN = re.compile(PLAIN)
+
+
+@dataclass(frozen=True, slots=True)
+class TypedCells:
+    """Cells row after row: `values` are NaN where no number is typed, or none that is known exactly.
+
+    `odd` are the readings of the cells that are neither plain nor empty, by place; `styles` those of the rows with such
+    cells, by the row.
+    """
+
+    reader: CellReader
+    typed: Sequence[str]
+    values: Numbers
+    read_as: Sequence[str]
+    odd: Mapping[int, Reading]
+    styles: Mapping[int, DecimalStyle]
+
+    def reading(self, place: int) -> Reading:
+        """The reading of a cell."""
+        return self.odd.get(place) or self.reread(place, self.typed[place])
+
+    def reread(self, place: int, typed: str) -> Reading:
+        """The reading of another text, as if it stood in the cell."""
+        row, number = divmod(place, len(self.reader.asks))
+        ask, style = self.reader.asks[number], self.styles.get(row, self.reader.styles.style)
+        return read(typed, ask.unit, style, ask.sign)
+
+
+@dataclass(frozen=True, slots=True)
+class CellReader:
+    """Reads the cells of rows that answer these asks, in a file of that style."""
+
+    asks: tuple[Ask, ...]
+    styles: FileStyle
+
+    def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
+        """Everything in these rows."""
+        plain_row = re.compile(f"(?:(?:{PLAIN})?\n){{{len(self.asks)}}}")
+        usual = _takes_plain_numbers(self.styles.style)
+        values: list[float] = []
+        read_as: list[str] = []
+        odd: dict[int, Reading] = {}
+        styles: dict[int, DecimalStyle] = {}
+        for number, row in enumerate(rows):
+            if usual and plain_row.fullmatch("\n".join(row) + "\n"):
+                values += [float(cell) if cell else nan for cell in row]
+                read_as += [cell.removeprefix("+") for cell in row]
+                continue
+            styles[number] = self.styles.of_row(row)
+            for place, (value, digits, reading) in enumerate(self._cell_by_cell(row, styles[number]), len(values)):
+                values.append(value)
+                read_as.append(digits)
+                if reading is not None:
+                    odd[place] = reading
+        return TypedCells(self, [cell for row in rows for cell in row], np.array(values), read_as, odd, styles)
+
+    def _cell_by_cell(self, row: Sequence[str], style: DecimalStyle) -> list[tuple[float, str, Reading | None]]:
+        plain = _takes_plain_numbers(style)
+        found: list[tuple[float, str, Reading | None]] = []
+        for cell, ask in zip(row, self.asks, strict=True):
+            if not cell:
+                found.append((nan, "", None))
+            elif plain and _PLAIN.fullmatch(cell):
+                found.append((float(cell), cell.removeprefix("+"), None))
+            else:
+                reading = read(cell, ask.unit, style, ask.sign)
+                known = reading.value is not None and not reading.error
+                found.append((float(reading.value or 0) if known else nan, reading.read_as, reading))
+        return found
+
+
+def _takes_plain_numbers(style: DecimalStyle) -> bool:
+    """Whether 1.234 is a plain number, about which nothing is to be remarked."""
+    return style.point == "decimal" and not style.point_reason

@@ -1,0 +1,100 @@
+"""How an ask is read off a motion into which own values are put, and what of the motion it is read off.
+
+`follow_through` uses it. A quantity can be put in where it says of one moving thing only: a body, a point, a relative
+motion, a Coriolis or a normal part. The difference of the velocities of two points of one body is the body's rotation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.mechanics.followed import FollowedMotion
+from kinegrade.mechanics.mechanism import Body
+from kinegrade.mechanics.own_terms import coriolis_share, normal_share
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities import Quantities, quantities
+
+ROTATION = "rotation_velocity"
+LEVELS: Mapping[str, Level] = {
+    "velocity": "velocity", "omega": "velocity", "relative_velocity": "velocity", ROTATION: "velocity",
+    "acceleration": "acceleration", "alpha": "acceleration", "relative_acceleration": "acceleration",
+    "tangential_acceleration": "acceleration", "coriolis": "acceleration", "normal_acceleration": "acceleration",
+}
+MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
+
+
+@dataclass(frozen=True)
+class OwnQuantities(Quantities):
+    """Reads quantities off a motion into which own values are put."""
+
+    motion: FollowedMotion
+
+    def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
+        """Centripetal part of the acceleration of a point relative to a base point of the same body, as it is taken."""
+        share = self.motion.share(normal_share(self.point(place), self.point(base)))
+        taken: Vector = super().normal(place, base, body) * share
+        return taken
+
+    def rotation(self, place: Vector, base: Vector, body: Any) -> Vector:
+        """Velocity of a point relative to a base point of the same body."""
+        velocity: Vector = (place - base).turned() * self.motion.omega(self.body(body))
+        return velocity
+
+
+def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
+    """What a quantity may say, read off such a motion."""
+    own = OwnQuantities(motion, arithmetic)
+    return {**quantities(motion, arithmetic), "normal_acceleration": own.normal, ROTATION: own.rotation}
+
+
+def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
+    """The tree with each difference of the velocities of two points of one body written as the body's rotation."""
+    if isinstance(tree, Call):
+        return Call(tree.function, tuple(with_rotations(part, bodies) for part in tree.arguments))
+    if not isinstance(tree, Operation):
+        return tree
+    body = common_body(tree, bodies)
+    if body:
+        return Call(ROTATION, (tree.left.arguments[0], tree.right.arguments[0], Name(body)))  # type: ignore[union-attr]
+    return Operation(tree.sign, with_rotations(tree.left, bodies), with_rotations(tree.right, bodies))
+
+
+def common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
+    """The body of which a difference of two velocities is the rotation; None for anything else."""
+    left, right = tree.left, tree.right
+    if tree.sign != "-" or not (isinstance(left, Call) and isinstance(right, Call)) \
+            or {left.function, right.function} != {"velocity"}:
+        return None
+    points = {named(call.arguments[0]) for call in (left, right)}
+    said = {named(call.arguments[1]) for call in (left, right) if len(call.arguments) > 1}
+    fitting = (body.name for body in bodies if points <= set(body.points) and said <= {body.name})
+    return next(fitting, None) if len(points) == 2 else None
+
+
+def motion_calls(tree: Expression) -> Iterator[Call]:
+    """The functions of the motion that are called in a tree."""
+    if isinstance(tree, Operation):
+        yield from motion_calls(tree.left)
+        yield from motion_calls(tree.right)
+    elif isinstance(tree, Call):
+        if tree.function in MOTION:
+            yield tree
+        for part in tree.arguments:
+            yield from motion_calls(part)
+
+
+def share_of(call: Call) -> str | None:
+    """The name of the Coriolis or normal part that a call is of."""
+    arguments = [named(argument) for argument in call.arguments]
+    if call.function == "coriolis":
+        return coriolis_share(arguments[0], arguments[2])
+    return normal_share(arguments[0], arguments[1]) if call.function == "normal_acceleration" else None
+
+
+def named(tree: Expression) -> str:
+    """The name that a tree is, "" where it is none."""
+    return tree.name if isinstance(tree, Name) else ""

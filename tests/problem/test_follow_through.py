@@ -1,0 +1,225 @@
+"""Follow-through, for every template: the plan run on from own answers gives what the same errors lead to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import cache
+from typing import Any
+
+import pytest
+
+from kinegrade.errors import MechanismError
+from kinegrade.exact.elimination import Singular
+from kinegrade.exact.floats import Floats
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.mechanics.mistaken import mistaken
+from kinegrade.mechanics.relations import omega_of
+from kinegrade.mechanics.slips import Slips
+from kinegrade.problem.follow_through import (
+    Follower,
+    connections,
+    followed,
+    generic_plan,
+    generic_values,
+    in_plan_order,
+)
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.mistake_kinds import MISTAKES, Mistake
+from kinegrade.problem.mistakes import Mistakes, as_float
+from kinegrade.problem.own_quantities import LEVELS, motion_calls, named, share_of
+from kinegrade.problem.solving import solve_template
+
+MOVING = [name for name in template_names() if load_template(name).drivers]
+POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone
+TERMS = {"coriolis-halved", "coriolis-reversed"}  # slips in the Coriolis terms alone
+Answers = dict[str, float]
+
+
+@cache
+def followers(name: str) -> tuple[Follower, ...]:
+    """Two instances of a template, drawn at large."""
+    template, plan = load_template(name), generic_plan(load_template(name))
+    found = []
+    for number in range(1, 8):
+        follower = Follower(template, generic_values(template, number), plan)
+        with suppress(MechanismError):
+            if follower.right_motion is not None and len(found) < 2:
+                found.append(follower)
+    return tuple(found)
+
+
+def near(found: float | None, expected: float) -> bool:
+    return found is not None and abs(found - expected) <= 1e-9 * max(abs(expected), 1e-3)
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_from_the_right_answers_the_right_ones_follow(name: str) -> None:
+    template = load_template(name)
+    solution = solve_template(template, {})
+    values = {given: as_float(solution.assembly.values[given]) for given in template.parameters}
+    right = {ask: answer.value for ask, answer in solution.answers.items() if not answer.at_infinity}
+    answered = {ask: value for ask, value in right.items() if abs(value) > 1e-9}
+    follower = Follower(template, values, solution.motion.plan)
+    motion = follower.motion(answered)
+    assert motion is not None
+    for ask, value in right.items():
+        assert near(follower.read(template.asks[ask], motion), value), ask
+        assert near(follower.right(ask), value), ask
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_an_own_answer_is_what_is_then_read_or_changes_nothing(name: str) -> None:
+    for follower in followers(name):
+        for ask in follower.template.asks.values():
+            right = follower.right(ask.name)
+            if right:
+                motion = follower.motion({ask.name: 1.25 * right})
+                assert motion is not None
+                found = follower.read(ask, motion)
+                assert near(found, right) or near(found, 1.25 * right), ask.name
+
+
+def asked_of(follower: Follower) -> Iterator[tuple[str, Any]]:
+    """The asks that are read off one moving thing, with what they call."""
+    for ask, quantity in follower.quantities.items():
+        calls = set(motion_calls(quantity))
+        if len(calls) == 1:
+            yield ask, calls.pop()
+
+
+def rates_asked_for(follower: Follower) -> dict[str, str]:
+    """For the rates of the plan that an ask is about, and about nothing else, that ask."""
+    frames, found = follower.motion({}).frames, {}  # type: ignore[union-attr]
+    for ask, call in asked_of(follower):
+        parts = [named(argument) for argument in call.arguments]
+        if call.function == "omega" and len(parts) == 1:
+            found[omega_of(parts[0])] = ask
+        elif call.function == "relative_velocity" and (parts[0], parts[2]) in frames.relative:
+            found[frames.relative[parts[0], parts[2]].rate] = ask
+        elif call.function == "velocity":
+            chain = frames.chain(*follower.place(call))  # type: ignore[misc]
+            if len(chain) == 1:
+                found[chain[0].rate] = ask
+    return found
+
+
+def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> Answers | None:
+    """The answers through which alone a mistake in the velocities goes on: asks of all the rates that it changes."""
+    floats, asked, right = Floats(), rates_asked_for(follower), follower.right_motion
+    shares = {name: float(floats.number(share)) for name, share in mistake.shares.items()}
+    with floats.context():
+        try:
+            wrong = mistaken(follower.assembly.mechanism, floats, follower.plan, Slips(**shares)).rates
+        except Singular:
+            return None
+    rates = right.rates  # type: ignore[union-attr]
+    changed = {rate: float(value) / rates[rate] for rate, value in wrong.items()
+               if rates[rate] and not near(float(value), rates[rate])}
+    led = {asked[rate]: leads.get(asked[rate], 0.0) for rate in changed if rate in asked}
+    seen = all(near(leads.get(asked[rate], 0.0), ratio * (follower.right(asked[rate]) or 0.0))
+               for rate, ratio in changed.items() if rate in asked and ratio > 1e-9)
+    return led if seen and len(led) == len(changed) and all(ratio > 1e-9 for ratio in changed.values()) else None
+
+
+def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
+    """The Coriolis accelerations through which alone a mistake in them goes on: all that the relations hold."""
+    relations = follower.still.frames.relations
+    terms = {(term.point, term.frame) for relation in relations for term in (*relation.left, *relation.right)
+             if term.frame != GROUND}
+    asked = {(named(call.arguments[0]), named(call.arguments[2])): ask for ask, call in asked_of(follower)
+             if call.function == "coriolis"}
+    if not terms <= asked.keys() or any(relation.frame != GROUND for relation in relations):
+        return None
+    return {asked[term]: leads[asked[term]] for term in terms}
+
+
+def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float, float]]:
+    """Mistake, later ask, what follows from the mistaken earlier answers, what the mistake leads to, what is right."""
+    all_leads = Mistakes(follower.template, follower.template.asks, follower.values, follower.plan).leads
+    for mistake in (each for each in MISTAKES if each.identifier in POLES | TERMS):
+        leads = {ask: values[mistake.identifier] for ask, values in all_leads.items() if mistake.identifier in values}
+        led = led_by_velocities(follower, mistake, leads) if mistake.identifier in POLES else \
+            led_by_coriolis(follower, leads) if leads else None
+        if not led or any(near(value, follower.right(ask) or 0.0) for ask, value in led.items()):
+            continue  # nothing to go on from, or a mistake that an unsigned answer does not show
+        for later, call in asked_of(follower):
+            read_with_slip = mistake.identifier == "transport-for-absolute" and call.function.startswith("relative")
+            if LEVELS.get(call.function) == "acceleration" and not share_of(call) and not read_with_slip \
+                    and later in leads:
+                yield mistake.identifier, later, follower.value(led, later), leads[later], follower.right(later) or 0.0
+
+
+def test_what_follows_from_a_mistaken_answer_is_what_the_mistake_leads_to() -> None:
+    agreeing: dict[str, int] = {}
+    templates = set()
+    for follower in (each for name in MOVING for each in followers(name)):
+        for mistake, later, found, expected, right in compared(follower):
+            if found is None:  # does not depend on it, or vanishes
+                assert near(expected, right) or near(expected, 0.0), (follower.template.name, mistake, later)
+            else:
+                assert near(found, expected), (follower.template.name, mistake, later)
+                agreeing[mistake] = agreeing.get(mistake, 0) + 1
+                templates.add(follower.template.name)
+    assert len(templates) >= 20
+    assert sum(agreeing.values()) >= 250
+    assert min(agreeing[name] for name in (*TERMS, "wrong-pole", "transport-for-absolute")) >= 10
+
+
+def crank(**earlier: float) -> Mapping[str, float | None]:
+    """What follows in a slider-crank at 60 degrees with AB at a right angle to OA: omega_AB = 1/3, a_B = -2/9."""
+    template = load_template("slider-crank")
+    values = solve_template(template, {}).assembly.values
+    given = {name: values[name] for name in template.parameters}
+    return {later: followed(template, given, earlier, later) for later in template.asks}
+
+
+def test_a_slider_crank_worked_out_by_hand() -> None:
+    # with an own omega: alpha = (1 - omega^2)/sqrt 3, a_B = -2 omega^2; v_B is of the same step
+    assert crank(omega_AB=0.5) == pytest.approx({"v_B": None, "omega_AB": None, "alpha_AB": 3**0.5 / 4, "a_B": -0.5})
+    assert crank(omega_AB=-0.4) == pytest.approx(
+        {"v_B": None, "omega_AB": None, "alpha_AB": 0.84 / 3**0.5, "a_B": -0.32})
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-4, 400.0, -400.0])
+def test_nothing_follows_from_zero_or_from_beyond_any_sense(value: float) -> None:
+    assert set(crank(omega_AB=value).values()) == {None}
+
+
+def test_nothing_follows_where_that_would_be_zero_or_the_same_whatever_was_answered() -> None:
+    assert crank(omega_AB=1.0)["alpha_AB"] is None  # 1 - omega^2
+    assert crank(omega_AB=1.0)["a_B"] == pytest.approx(-2)
+    assert set(crank(v_B=5.0, alpha_AB=7.0, a_B=1.0).values()) == {None}
+    assert set(crank().values()) == {None}
+
+
+def test_nothing_follows_in_a_pose_or_where_the_configuration_cannot_be() -> None:
+    pose = load_template("pose-cam-tappet")
+    values = generic_values(pose, 0)
+    asks = list(pose.asks)
+    assert followed(pose, values, {asks[0]: 1.0}, asks[1]) is None
+    template = load_template("slider-crank")
+    impossible = {**generic_values(template, 0), "k": 0.1}
+    assert followed(template, impossible, {"omega_AB": 1.0}, "a_B") is None
+
+
+def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
+    asks = load_template("elliptic-trammel-end-driven").asks
+    name = next(name for name, ask in asks.items() if "velocity" in str(ask.quantity) and "v_BA" in name)
+    assert ("omega_AB", name) in connections(load_template("elliptic-trammel-end-driven"))
+
+
+def test_which_asks_are_connected() -> None:
+    assert connections(load_template("slider-crank")) == {("omega_AB", "alpha_AB"), ("omega_AB", "a_B")}
+    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= connections(load_template("stone-crusher"))
+    rocker = connections(load_template("slotted-rocker-and-slider-two-drivers"))
+    assert {("v_rel", "a_cor"), ("a_cor", "alpha_AB"), ("omega_AB", "alpha_AB")} <= rocker
+    assert ("omega_AB", "v_rel") not in rocker
+    assert not [pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))]
+    assert connections(load_template("pose-cam-tappet")) == frozenset()
+
+
+def test_the_plan_comes_to_velocities_first() -> None:
+    template = load_template("slotted-rocker-and-slider-two-drivers")
+    asks = ("alpha_AB", "a_cor", "v_rel", "omega_AB")
+    assert in_plan_order(template, asks) == ("v_rel", "omega_AB", "a_cor", "alpha_AB")
