@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import chain, islice
+from operator import itemgetter
 from pathlib import Path
 
 from kinegrade.errors import TableError
@@ -46,6 +47,7 @@ _OTHER_FORMATS = (
     (b"\xff\xd8\xff", "a picture"),
     (b"\x1f\x8b", "a compressed file"),
 )
+_QUOTED = re.compile('[,"\r\n]')
 _FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
 _HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 
@@ -127,6 +129,31 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     return Table(file, header.cells, tuple(rows), encoding, separator, tuple(complaints))
 
 
+def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """The cells of these columns of a file that kinegrade grade wrote, with the line at which each record ends.
+
+    One record after the other, so that a million need no memory. Raises TableError, at the line where that is found.
+    """
+    mending = "expected the file as kinegrade grade wrote it - grade again"
+    try:
+        with path.open(encoding="utf-8", newline="") as stream:
+            reader = csv.reader(stream, strict=True)
+            header = next(reader, [])
+            missing = [name for name in columns if name not in header]
+            if missing:
+                raise TableError(f"{path}: no column {', '.join(missing)} - {mending}")
+            chosen = itemgetter(*map(header.index, columns))
+            for cells in reader:
+                if len(cells) != len(header):
+                    raise TableError(f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - {mending}")
+                yield reader.line_num, chosen(cells)
+    except OSError as fault:
+        raise TableError(f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade grade "
+                         "- check the name") from fault
+    except (UnicodeDecodeError, csv.Error) as fault:
+        raise TableError(f"{path}: is not a CSV file in UTF-8 ({fault}) - {mending}") from fault
+
+
 def trimmed(text: str) -> str:
     """Without surrounding blanks of any kind: no-break, ideographic, zero-width, byte-order mark.
 
@@ -173,18 +200,25 @@ def restored(text: str) -> str:
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
-    return csv_lines(chain([header], rows))
-
-
-def csv_lines(rows: Iterable[Sequence[str]]) -> str:
-    """The same without a header."""
     # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
     lines = _Lines()
-    csv.writer(lines, lineterminator="\r\n").writerows(rows)
+    csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
     text = "".join(lines.written)
     if text.count("\r") == len(lines.written):
         return text.replace("\r\n", "\n")
     return "".join(f"{line[:-2]}\n" for line in lines.written)
+
+
+def csv_cell(text: str) -> str:
+    """A cell as `csv_text` writes it among others: in quotation marks only where it has to be.
+
+    >>> csv_cell("0.5"), csv_cell("0,5"), csv_cell("v = 0,5")
+    ('0.5', '"0,5"', '"v = 0,5"')
+    """
+    if _QUOTED.search(text) is None:
+        return text
+    doubled = text.replace('"', '""')
+    return f'"{doubled}"'
 
 
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

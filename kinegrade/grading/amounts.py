@@ -8,14 +8,18 @@ from functools import lru_cache
 PLACES = 4
 
 
-@lru_cache(maxsize=4096)
 def amount_text(amount: Fraction, places: int = PLACES) -> str:
     """The shortest decimal with at most that many places, halves rounded up; amounts are not negative.
 
     >>> amount_text(Fraction(7, 2)), amount_text(Fraction(2, 3))
     ('3.5', '0.6667')
     """
-    whole, decimals = divmod((2 * amount * 10**places + 1) // 2, 10**places)
+    return _amount_text(amount.numerator, amount.denominator, places)
+
+
+@lru_cache(maxsize=4096)  # by whole numbers, because to hash a fraction takes longer than to write it
+def _amount_text(numerator: int, denominator: int, places: int) -> str:
+    whole, decimals = divmod((2 * numerator * 10**places + denominator) // (2 * denominator), 10**places)
     digits = f"{decimals:0{places}d}".rstrip("0")
     return f"{whole}.{digits}" if digits else str(whole)
 

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from itertools import groupby
+from itertools import chain, groupby
 from math import nan
 from operator import itemgetter
 from typing import NamedTuple
@@ -22,15 +22,15 @@ from kinegrade.grading.accepted import Alternative, Alternatives
 from kinegrade.grading.decimal_style import FileStyle
 from kinegrade.grading.decision import BY_POLICY, Decision, decide, voided
 from kinegrade.grading.follow import Decided, Follows, follow_through
-from kinegrade.grading.judge import Kind, Verdict, judge
+from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
-from kinegrade.grading.key import Ask, Key, Rule, StatedKey, rule
-from kinegrade.grading.nearness import Comparison, Flags, Rules, compare, rules_of
+from kinegrade.grading.key import Ask, Key, Paper, Rule, rule
+from kinegrade.grading.nearness import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
+from kinegrade.grading.stated_keys import StatedKeys, stated_mistakes
 from kinegrade.grading.typed_cells import CellReader
 
 Places = NDArray[np.intp]
-Keys = Sequence[Key | StatedKey]
 Open = dict[int, Collection[str] | None]  # places to be decided one by one: the mistakes that come in question, or all
 _LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")  # numbers from which somebody may have gone on
 _TOO_NEAR = 1e-9  # relative: of two mistakes that are nearer together either may be the nearer one
@@ -85,27 +85,32 @@ class BlockJudge:
 
     def _compared(self, block: JudgedBlock) -> Open:
         """Puts down all that is certain, and gives what is not."""
-        keys = [key for paper, _ in block.rows for key in paper.keys]
-        rules = rules_of(self._rules_now(keys))
-        comparison = compare(block.cells.values, np.array(list(map(_centre, keys))), rules)
-        right = np.flatnonzero(comparison.certain & comparison.right)
+        papers = [paper for paper, _ in block.rows]
+        rules, centres = self._rules_now(papers), np.array([_centres(paper) for paper in papers], dtype=np.float64)
+        comparison = compare(block.cells.values, centres.reshape(-1), rules)
+        self._put_numbers(block, comparison)
         wrong = np.flatnonzero(comparison.certain & ~comparison.right)
-        _put_numbers(block, "right", right, comparison, self._suffixes())
-        _put_numbers(block, "wrong", wrong, comparison, self._suffixes())
-        return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, keys, rules)
+        return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, rules)
 
-    def _rules_now(self, keys: Keys) -> list[Rule]:
+    def _rules_now(self, papers: Sequence[Paper]) -> Rules:
         """The rule of each answer by the policy."""
         rulings = [self.policy.ruling(ask.column) for ask in self.asks]
+        stated = [_rules(paper) for paper in papers]
         if all(ruling.room == NO_ROOM for ruling in rulings):
-            return [key.rule or _NO_RULE for key in keys]
-        now: dict[tuple[int, int], Rule] = {}  # few rules serve a whole class, and they are slow to compare
-        for number, key in enumerate(keys):
-            place = number % len(rulings), id(key.rule)
-            if place not in now:
-                stated = key.rule or _NO_RULE
-                now[place] = rulings[place[0]].key(stated.key(Fraction(1))).rule or stated
-        return [now[number % len(rulings), id(key.rule)] for number, key in enumerate(keys)]
+            return rules_of(stated)
+        different = {id(rules): rules for rules in stated}
+        now = {name: tuple(map(_by_policy, rulings, rules)) for name, rules in different.items()}
+        return rules_of([now[id(rules)] for rules in stated])
+
+    def _put_numbers(self, block: JudgedBlock, comparison: Comparison) -> None:
+        certain = np.flatnonzero(comparison.certain)
+        ends, reasons = self._suffixes(), comparison.reasons(certain)
+        if any(ends):
+            places = certain.tolist()
+            reasons = [f"{reason}{ends[place % len(ends)]}" for place, reason in zip(places, reasons, strict=True)]
+        for place, right, reason in zip(certain.tolist(), comparison.right[certain].tolist(), reasons, strict=True):
+            block.kinds[place], block.shares[place] = ("right", FULL_SHARE) if right else ("wrong", NO_SHARE)
+            block.reasons[place] = reason
 
     def _suffixes(self) -> list[str]:
         rulings = (self.policy.ruling(ask.column) for ask in self.asks)
@@ -122,27 +127,33 @@ class BlockJudge:
                 found[place] = None
         return found
 
-    def _mistaken(self, block: JudgedBlock, wrong: Places, keys: Keys, rules: Rules) -> Open:
+    def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> Open:
         """Puts down the wrong answers to which just one mistake leads; gives those with several, or other ways out."""
-        listed = wrong.tolist()
-        names = [name for place in listed for name in keys[place].mistakes]
-        values = np.array([value for place in listed for value in keys[place].mistakes.values()], dtype=np.float64)
-        owners = np.repeat(wrong, [len(keys[place].mistakes) for place in listed])
-        led = compare(block.cells.values[owners], values, rules.at(owners))
-        likely = np.flatnonzero(led.right | ~led.decided)
-        ways = [_Way(*each) for each in zip(
-            owners[likely].tolist(), [names[each] for each in likely.tolist()], led.certain[likely].tolist(),
-            led.difference[likely].tolist(), led.centres[likely].tolist(), led.reasons(likely), strict=True)]
+        listed, none = wrong.tolist(), block.credits[NO_SHARE]
+        credit = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         found: Open = {place: None for place in listed if self._others(block, place)} if self.alternatives else {}
-        for place, group in groupby(ways, _OWNER):
-            leading, shares = list(group), self._ruling(place).mistakes
+        for place, group in groupby(self._ways(block, listed, rules), _OWNER):
+            leading, shares = list(group), credit[place % len(credit)]
             best = _best(leading, shares)
             if best is None:
                 found.setdefault(place, {way.name for way in leading})
             elif place not in found:
-                share = shares.get(best.name, block.credits[NO_SHARE])
-                block.put(place, (Verdict("mistake", f"{best.name}: leads to {best.reason}"), share))
+                block.set(place, "mistake", f"{best.name}: leads to {best.reason}", shares.get(best.name, none))
         return found
+
+    def _ways(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> Iterator[_Way]:
+        """The mistakes that may lead to the wrong answers at these places, in their order."""
+        mistakes = _mistakes([(block.rows[place // len(self.asks)][0], place % len(self.asks)) for place in wrong])
+        names = list(chain.from_iterable(mistakes))
+        values = np.fromiter(chain.from_iterable(each.values() for each in mistakes), np.float64, len(names))
+        owners = np.repeat(np.array(wrong, dtype=np.intp), list(map(len, mistakes)))
+        near = np.flatnonzero(may_agree(block.cells.values[owners], values, rules.at(owners)))
+        names, owners = [names[each] for each in near.tolist()], owners[near]
+        led = compare(block.cells.values[owners], values[near], rules.at(owners))
+        likely = np.flatnonzero(led.right | ~led.decided)
+        reasons = [reason.removeprefix("key ") for reason in led.reasons(likely)]
+        return map(_Way, owners[likely].tolist(), [names[each] for each in likely.tolist()],
+                   led.certain[likely].tolist(), led.difference[likely].tolist(), led.centres[likely].tolist(), reasons)
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))
@@ -182,15 +193,6 @@ class BlockJudge:
                 block.put(place, voided(block.decision(place), ruling, handed_in=entry.line is not None))
 
 
-def _put_numbers(
-    block: JudgedBlock, kind: Kind, places: Places, comparison: Comparison, suffixes: Sequence[str]
-) -> None:
-    share = FULL_SHARE if kind == "right" else NO_SHARE
-    for place, reason in zip(places.tolist(), comparison.reasons(places), strict=True):
-        block.kinds[place], block.shares[place] = kind, share
-        block.reasons[place] = f"key {reason}{suffixes[place % len(suffixes)]}"
-
-
 def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
     """Of the mistakes that lead to an answer the one with the best credit, of equal ones the nearest, then by name.
 
@@ -198,7 +200,9 @@ def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
     """
     if not all(way.certain for way in ways):
         return None
-    best = min(ways, key=lambda way: (-shares.get(way.name, 0), way.difference, way.name)) if ways[1:] else ways[0]
+    if len(ways) == 1:
+        return ways[0]
+    best = min(ways, key=lambda way: (-shares.get(way.name, 0), way.difference, way.name))
     for way in ways:
         near = abs(way.difference - best.difference) < _TOO_NEAR * abs(best.value)
         if near and way.value != best.value:
@@ -206,8 +210,25 @@ def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
     return best
 
 
-def _centre(key: Key | StatedKey) -> float:
-    """The right answer in double precision; NaN where that is not all there is to compare with."""
-    if isinstance(key, StatedKey):
-        return nan if key.period else key.approximately
-    return nan if key.period or key.rule is None else float(key.value)
+def _centres(paper: Paper) -> Sequence[float]:
+    """The right answers in double precision; NaN where that is not all there is to compare with."""
+    if isinstance(paper.keys, StatedKeys):
+        return paper.keys.centres
+    keys = map(paper.key, range(len(paper.keys)))
+    return [nan if key.period or key.rule is None else float(key.value) for key in keys]
+
+
+def _rules(paper: Paper) -> tuple[Rule, ...]:
+    if isinstance(paper.keys, StatedKeys):
+        return paper.keys.terms.rules
+    return tuple(key.rule or _NO_RULE for key in paper.keys)
+
+
+def _by_policy(ruling: Ruling, stated: Rule) -> Rule:
+    return ruling.key(stated.key(Fraction(1))).rule or stated
+
+
+def _mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:
+    """What mistakes lead to in these asks."""
+    stated = [(paper.keys, ask) for paper, ask in wrong if isinstance(paper.keys, StatedKeys)]
+    return stated_mistakes(stated) if len(stated) == len(wrong) else [paper.keys[ask].mistakes for paper, ask in wrong]

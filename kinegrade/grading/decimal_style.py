@@ -19,6 +19,9 @@ Mark = Literal["comma", "point"]
 LONGEST_EVIDENCE = 200
 _NUMBER = re.compile(r"[.,]?[0-9]")
 _USUAL = re.compile(r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)")
+_USUAL_LINES = re.compile(
+    r"(?:[+-]?(?:0\.[0-9]{1,99}|[0-9]{1,99}\.(?:[0-9]{1,2}|[0-9]{4,99})|[0-9]{1,3}(?:\.[0-9]{3})?|)\n)*+")
+_DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
 
 
@@ -28,6 +31,9 @@ class Evidence:
 
     decimal: frozenset[str] = frozenset()
     groups: frozenset[str] = frozenset()
+
+
+_NOTHING, _POINT = Evidence(), Evidence(decimal=frozenset("."))
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +47,7 @@ class FileStyle:
     declared: bool = False
     commas: bool = False
 
-    def of_row(self, cells: Iterable[str]) -> DecimalStyle:
+    def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show themselves, else the file's."""
         if self.declared:
             return self.style
@@ -65,12 +71,15 @@ class FileStyle:
         return self.style.comma, self.style.comma_reason
 
 
-def evidence(cells: Iterable[str]) -> Evidence:
+def evidence(cells: Sequence[str]) -> Evidence:
     """What the numbers that leave no doubt show; `1,234` and `1.234` show nothing.
 
     >>> evidence(["1,234", "0.5"]).decimal
     frozenset({'.'})
     """
+    lines = "\n".join([*cells, ""])
+    if _USUAL_LINES.fullmatch(lines):  # most rows of most files
+        return _POINT if _DECIMAL_LINE.search(lines) else _NOTHING
     decimal, groups = set(), set()
     for cell in cells:
         before_decimals, between_groups = _marks(cell)

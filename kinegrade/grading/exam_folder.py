@@ -20,6 +20,7 @@ from kinegrade.grading.key import Ask, Exam, Examinee, Paper, questions
 from kinegrade.grading.key_decoding import PaperDecoder
 
 FORMAT = 1
+_BUFFER = 2**20  # bytes; lines are long, and the usual buffer is about one line
 _MENDING = "restore the exam folder as it was generated"
 Item = TypeVar("Item")
 
@@ -52,7 +53,7 @@ class ExamFolder:
         Raises ExamError with all faults of key.jsonl, after the last line is read.
         """
         try:
-            with (self.folder / "key.jsonl").open("rb") as stream:
+            with (self.folder / "key.jsonl").open("rb", _BUFFER) as stream:
                 yield from _Papers(self, stream).in_roster_order()
         except (OSError, UnicodeDecodeError) as fault:
             raise _unreadable(self.folder / "key.jsonl", fault) from fault
@@ -89,7 +90,7 @@ class _Papers:
 
     def __init__(self, exam: ExamFolder, stream: BinaryIO) -> None:
         self.exam, self.stream, self.decoder = exam, stream, PaperDecoder(exam.asks)
-        self.early: dict[str, int] = {}
+        self.early: dict[str, tuple[int, int]] = {}
         self.seen: Counter[str] = Counter()
         self.faults: list[str] = []
 
@@ -97,10 +98,10 @@ class _Papers:
         """All papers. Raises ExamError, after the last."""
         waiting = iter(self.exam.names)
         due = next(waiting, None)
-        for place, paper in self._in_file_order():
+        for number, place, paper in self._in_file_order():
             self.seen[paper.student] += 1
             if paper.student != due:
-                self.early.setdefault(paper.student, place)
+                self.early.setdefault(paper.student, (number, place))
                 continue
             yield paper
             due = next(waiting, None)
@@ -111,27 +112,29 @@ class _Papers:
         if faults:
             raise _broken(self.exam.folder, faults)
 
-    def _in_file_order(self) -> Iterator[tuple[int, Paper]]:
-        """Each line's place in the file with the paper on it; none any more after the first fault."""
+    def _in_file_order(self) -> Iterator[tuple[int, int, Paper]]:
+        """Each line's number and place in the file, with the paper on it; none any more after the first fault."""
         place = number = 0
-        for content in self.stream:
-            line = content.decode("utf-8")
-            if line.strip():
+        for line in self.stream:
+            if not line.isspace():
                 number += 1
                 try:
-                    paper = self.decoder.paper(line, self.exam.names)
+                    paper = self._paper(line, number)
                     if not self.faults:
-                        yield place, paper
+                        yield number, place, paper
                 except FieldError as fault:
                     self.faults.append(f"key.jsonl: line {number}: {fault}")
-            place += len(content)
+            place += len(line)
 
     def _early(self, student: str) -> Paper:
-        now = self.stream.tell()
-        self.stream.seek(self.early[student])
-        line = self.stream.readline().decode("utf-8")
+        now, (number, place) = self.stream.tell(), self.early[student]
+        self.stream.seek(place)
+        line = self.stream.readline()
         self.stream.seek(now)
-        return self.decoder.paper(line, self.exam.names)
+        return self._paper(line, number)
+
+    def _paper(self, line: bytes, number: int) -> Paper:
+        return self.decoder.paper(line, f"{self.exam.folder}/key.jsonl: line {number}", self.exam.names)
 
     def _strangers(self) -> Iterator[str]:
         for student in sorted(self.exam.names.keys() - self.seen.keys()):

@@ -37,7 +37,11 @@ class JudgedBlock:
     def put(self, place: int, decision: Decision) -> None:
         """Sets what became of an answer."""
         verdict, share = decision
-        self.kinds[place], self.reasons[place] = verdict.kind, verdict.reason
+        self.set(place, verdict.kind, verdict.reason, share)
+
+    def set(self, place: int, kind: Kind, reason: str, share: Fraction) -> None:
+        """The same without a verdict made for it."""
+        self.kinds[place], self.reasons[place] = kind, reason
         if not share:
             self.shares[place] = NO_SHARE
             return

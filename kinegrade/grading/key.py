@@ -88,20 +88,33 @@ class Key:
 class StatedKey(NamedTuple):
     """A key as it stands in key.jsonl, which is not worked out exactly before that is needed: `key` does it.
 
-    `value` is the right answer as a decimal or a plain fraction, `approximately` the same to double precision; to that
-    mistakes are known anyhow.
+    `value` is the right answer as a decimal or a plain fraction, `mistakes` what mistakes lead to: to double
+    precision, as far as they are known anyhow, or exactly.
     """
 
     value: str
-    approximately: float
     rule: Rule
-    mistakes: Mapping[str, float]
+    mistakes: Mapping[str, float | Fraction]
     period: Fraction | None
 
     def key(self, names: Container[str]) -> Key:
         """The exact key, of the mistakes only with those of these names."""
-        mistakes = {name: Fraction(repr(wrong)) for name, wrong in self.mistakes.items() if name in names}
+        mistakes = {name: wrong if isinstance(wrong, Fraction) else Fraction(repr(wrong))
+                    for name, wrong in self.mistakes.items() if name in names}
         return self.rule.key(Fraction(self.value), self.period, mistakes)
+
+
+class Keys(Protocol):
+    """The keys of one paper: a list, or `stated_keys`."""
+
+    def __getitem__(self, ask: int, /) -> Key | StatedKey:
+        """The key of an ask."""
+
+    def __len__(self) -> int:
+        """How many there are."""
+
+    def __iter__(self) -> Iterator[Key | StatedKey]:
+        """All of them, in the order of the asks."""
 
 
 class Paper(NamedTuple):
@@ -109,7 +122,7 @@ class Paper(NamedTuple):
 
     student: str
     name: str
-    keys: Sequence[Key | StatedKey]
+    keys: Keys
 
     def key(self, ask: int, names: Container[str] | None = None) -> Key:
         """The exact key of an ask; of the mistakes with those of these names, or with all."""

@@ -43,7 +43,7 @@ def _key(ask: Ask, entry: Any) -> Key:
         value = _value(entry)
         stated = rule_of(field(entry, "tolerance", dict))
         period = not_negative(entry, "period") if "period" in entry else None
-        mistakes = _mistakes(entry)
+        mistakes = mistakes_of(entry)
     except FieldError as fault:
         raise FieldError(f"{ask.column}: {fault}") from fault
     return stated.key(value, period, mistakes)
@@ -58,8 +58,8 @@ def rule_of(tolerance: Any) -> Rule:
     return rule(relative, absolute, None if figures is None else int(figures))
 
 
-def _mistakes(entry: Any) -> Mapping[str, Fraction]:
-    """What known mistakes lead to, by the mistake's id; exams of earlier versions do not state it."""
+def mistakes_of(entry: Any) -> Mapping[str, Fraction]:
+    """What known mistakes lead to, by the mistake's id; earlier versions do not state it. Raises FieldError."""
     if "mistakes" not in entry:
         return {}
     mistakes = field(entry, "mistakes", dict)

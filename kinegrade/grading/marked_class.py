@@ -6,7 +6,6 @@ later version adds do no harm; cells are given as they were before they were mad
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -16,7 +15,7 @@ from operator import attrgetter
 from pathlib import Path
 
 from kinegrade.errors import TableError
-from kinegrade.tables import Complaint, restored
+from kinegrade.tables import Complaint, restored, written_records
 
 _ANSWERS = ("student", "question", "ask", "response", "read_as", "unit", "verdict", "points", "out_of", "reason")
 _TOTALS = ("student", "name", "total", "out_of")
@@ -67,7 +66,7 @@ def answers_by_student(folder: Path) -> Iterator[tuple[str, tuple[MarkedAnswer, 
 def marked_answers(folder: Path) -> Iterator[MarkedAnswer]:
     """The lines of marks.csv one by one. Raises TableError as `answers_by_student` does."""
     path = folder / "marks.csv"
-    for line, cells in _records(path, _ANSWERS):
+    for line, cells in written_records(path, _ANSWERS):
         student, question, ask, typed, read_as, unit, verdict, points, out_of, reason = cells
         yield MarkedAnswer(student, question, ask, restored(typed), read_as, unit, verdict,
                            _amount(points, path, line), _amount(out_of, path, line), restored(reason))
@@ -77,40 +76,19 @@ def student_totals(folder: Path) -> dict[str, StudentTotal]:
     """The totals of grades.csv by student, in the order of the roster. Raises TableError."""
     path = folder / "grades.csv"
     return {student: StudentTotal(student, restored(name), _amount(total, path, line), _amount(out_of, path, line))
-            for line, (student, name, total, out_of) in _records(path, _TOTALS)}
+            for line, (student, name, total, out_of) in written_records(path, _TOTALS)}
 
 
 def complaints(folder: Path) -> tuple[Complaint, ...]:
     """The lines of complaints.csv. Raises TableError."""
     path = folder / "complaints.csv"
     found = []
-    for line, cells in _records(path, _COMPLAINTS):
+    for line, cells in written_records(path, _COMPLAINTS):
         file, number, column, content, problem, done = map(restored, cells)
         if number and not number.isdecimal():
             raise TableError(f'{path}:{line}: line is "{number}" - {_MENDING}')
         found.append(Complaint(file, int(number) if number else None, column, content, problem, done))
     return tuple(found)
-
-
-def _records(path: Path, columns: tuple[str, ...]) -> Iterator[tuple[int, tuple[str, ...]]]:
-    """The cells of these columns with the line where each record ends; a million records need no memory."""
-    try:
-        with path.open(encoding="utf-8", newline="") as stream:
-            reader = csv.reader(stream, strict=True)
-            header = next(reader, [])
-            missing = [name for name in columns if name not in header]
-            if missing:
-                raise TableError(f"{path}: no column {', '.join(missing)} - {_MENDING}")
-            places = [header.index(name) for name in columns]
-            for cells in reader:
-                if len(cells) != len(header):
-                    raise TableError(f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - {_MENDING}")
-                yield reader.line_num, tuple(cells[place] for place in places)
-    except OSError as fault:
-        raise TableError(f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade grade "
-                         "- check the name") from fault
-    except (UnicodeDecodeError, csv.Error) as fault:
-        raise TableError(f"{path}: is not a CSV file in UTF-8 ({fault}) - {_MENDING}") from fault
 
 
 def _amount(text: str, path: Path, line: int) -> Fraction:

@@ -144,8 +144,10 @@ def marked_blocks(
 def added(amounts: Iterable[Fraction]) -> Fraction:
     """Their sum: by whole numbers over the common denominator, several times faster than one after the other."""
     listed = tuple(amounts)
-    common = lcm(*(amount.denominator for amount in listed))
-    return Fraction(sum(amount.numerator * (common // amount.denominator) for amount in listed), common)
+    common = lcm(*[amount.denominator for amount in listed])
+    if common == 1:
+        return Fraction(sum([amount.numerator for amount in listed]))
+    return Fraction(sum([amount.numerator * (common // amount.denominator) for amount in listed]), common)
 
 
 def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
@@ -177,7 +179,8 @@ class _Marker:
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
-            complaint for paper, entry in rows for complaint in repeated(self.sheet.file, self._entries(paper), entry)
+            complaint for paper, entry in rows if len(self._entries(paper)) > 1
+            for complaint in repeated(self.sheet.file, self._entries(paper), entry)
         ]
         return MarkedBlock(self.asks, judged, grades, [*complaints, *self._doubts(judged)])
 
@@ -200,10 +203,10 @@ class _Marker:
 
     def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
         """The points of each row by question; there are few ways to share them out, and each is added up once."""
-        known: dict[tuple[int, ...], Fraction] = {}
+        questions, known = self.judge.questions, dict[tuple[int, ...], Fraction]()
         for first in range(0, len(judged.shares), len(self.asks)):
             points = []
-            for question in self.judge.questions:
+            for question in questions:
                 way = question.start, *judged.shares[first + question.start : first + question.stop]
                 if way not in known:
                     known[way] = added(judged.credits[share] * self.asks[number].points

@@ -22,6 +22,7 @@ DIGITS = 6  # significant, in a reason
 _ROUNDING = 1e-15  # relative, of a few operations in double precision; also of reading a number
 _GUARD = 1e-9  # of the numbers compared: a bound that is nearer than this decides nothing
 _ALIKE = 1e-5  # difference and tolerance that agree to so much may be written with the same digits
+_ALLOWED = "key %.6g, difference %.6g, allowed %.6g\n"
 _HALF = 1e-6  # of the last digit written: what is so near to a half may be rounded either way
 
 
@@ -38,12 +39,12 @@ class Rules:
         return Rules(self.relative[places], self.absolute[places], self.figures[places])
 
 
-def rules_of(stated: Sequence[Rule]) -> Rules:
-    """The numbers of these rules, of which few differ."""
-    known = {id(each): each for each in stated}
-    numbers = {name: (float(each.relative), float(each.absolute), float(each.figures or 0))
-               for name, each in known.items()}
-    table = np.array([numbers[id(each)] for each in stated], dtype=np.float64).reshape(-1, 3)
+def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
+    """The numbers of the rules of these papers; most have the same, and those are one object."""
+    known = {id(rules): rules for rules in papers}
+    numbers = {name: np.array([(float(each.relative), float(each.absolute), float(each.figures or 0))
+                               for each in rules], dtype=np.float64).reshape(-1, 3) for name, rules in known.items()}
+    table = np.concatenate([np.empty((0, 3)), *(numbers[id(rules)] for rules in papers)])
     return Rules(table[:, 0], table[:, 1], table[:, 2])
 
 
@@ -61,16 +62,27 @@ class Comparison:
     high: Numbers
     figures: Numbers
 
-    def reasons(self, places: NDArray[np.int64]) -> list[str]:
-        """The comparisons at these places in words, as `judge` words them, without the word "key" before them."""
-        parts = (self.centres, self.difference, self.tolerance, self.low, self.high, self.figures)
-        rows = zip(*(part[places].tolist() for part in parts), strict=True)
-        return [
-            f"{centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}"
-            if figures and centre else
-            f"{centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
-            for centre, difference, tolerance, low, high, figures in rows
-        ]
+    def reasons(self, places: NDArray[np.intp]) -> list[str]:
+        """The comparisons at these places in words, as `judge` words them."""
+        numbers = [each[places] for each in (self.centres, self.difference, self.tolerance)]
+        if not self.figures.any():
+            listed: list[float] = np.column_stack(numbers).ravel().tolist()
+            return str(_ALLOWED * len(places) % tuple(listed)).splitlines()
+        numbers += [self.low[places], self.high[places], (self.figures[places] != 0) & (numbers[0] != 0)]
+        return [f"key {centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}" if figures else
+                f"key {centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
+                for centre, difference, tolerance, low, high, figures in np.column_stack(numbers).tolist()]
+
+
+def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
+    """False only where `compare` would certainly find no agreement; it costs a fraction of comparing."""
+    with np.errstate(all="ignore"):
+        size = np.abs(centres)
+        room = np.maximum(rules.relative * size, rules.absolute)
+        if rules.figures.any():
+            room += np.where(rules.figures > 0, 11 * size / 10.0**rules.figures, 0)
+        beyond: Flags = np.abs(values - centres) > 1.01 * room + 1e-8 * (size + np.abs(values))
+    return ~beyond
 
 
 def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:

@@ -7,19 +7,21 @@ formula in a spreadsheet; ids and numbers are written as they are. A response lo
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 
 from kinegrade.grading.amounts import amount_text
+from kinegrade.grading.answers import Reading
+from kinegrade.grading.key import Ask
 from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
 from kinegrade.grading.marks_folder import KEPT
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.typed_cells import TypedCells
-from kinegrade.tables import Complaint, csv_lines, csv_text, encoded, neutralised, shortened, write_csv
+from kinegrade.tables import Complaint, csv_cell, csv_text, encoded, neutralised, shortened, write_csv
 
 _MARKS = (
     "student",
@@ -33,6 +35,7 @@ _MARKS = (
     "out_of",
     "reason",
 )
+_BLANKS = 6  # in a line of marks.csv: student, response, read_as, verdict, points, reason
 POLICY = "policy.toml"
 _NO_POLICY = "# No policy: marked as the papers say.\n"
 _KEPT = ("student", "name", "before", "before_out_of", "by_this_marking", "out_of", "stands", "reason")
@@ -44,7 +47,7 @@ def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedB
     with (folder / "marks.csv").open("wb") as stream:
         stream.write(encoded(csv_text(_MARKS, [])))
         for block in blocks:
-            stream.write(encoded(csv_lines(_mark_rows(block))))
+            stream.write(encoded(_mark_lines(block)))
             yield block
 
 
@@ -58,43 +61,51 @@ def write_grades(folder: Path, grades: ClassGrades, policy: Policy, kept: Iterab
         write_csv(folder / KEPT, _KEPT, map(_kept_row, kept))
 
 
-def _mark_rows(block: MarkedBlock) -> Iterator[tuple[str, ...]]:
-    """A row for each answer, put together column by column."""
-    judged, asks = block.judged, block.asks
-    count = len(judged.rows)
+def _mark_lines(block: MarkedBlock) -> str:
+    """A line for each answer: one pattern holds all that is the same in the block, its blanks are filled by columns."""
+    judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[amount_text(share * ask.points) for share in judged.credits] for ask in asks]
-    return zip(
-        chain.from_iterable([paper.student] * len(asks) for paper, _ in judged.rows),
-        [ask.question for ask in asks] * count,
-        [ask.ask for ask in asks] * count,
-        _responses(judged.cells),
-        judged.cells.read_as,
-        [ask.unit for ask in asks] * count,
+    blanks = [""] * (_BLANKS * len(judged.kinds))
+    columns = (
+        chain.from_iterable([csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows),
+        _with_odd(judged.cells.typed, judged.cells, lambda reading: neutralised(shortened(reading.typed))),
+        _with_odd(judged.cells.read_as, judged.cells, lambda reading: reading.read_as),
         judged.kinds,
         [texts[share] for texts, share in zip(points * count, judged.shares, strict=True)],
-        [amount_text(ask.points) for ask in asks] * count,
-        [reason if reason[:4] == "key " else neutralised(reason) for reason in judged.reasons],
-        strict=True,
+        [f'"{reason}"' if reason[:4] == "key " and '"' not in reason else csv_cell(neutralised(reason))
+         for reason in judged.reasons],
     )
+    for place, column in enumerate(columns):
+        blanks[place::_BLANKS] = column
+    return "".join(map(_line_pattern, asks)) * count % tuple(blanks)
 
 
-def _responses(cells: TypedCells) -> list[str]:
-    """What was typed, fit for a spreadsheet; plain numbers, which are most of it, are so as they stand."""
-    responses = list(cells.typed)
+def _line_pattern(ask: Ask) -> str:
+    """A line of marks.csv with %s for what differs from student to student."""
+    question, name, unit, out_of = (
+        csv_cell(text).replace("%", "%%") for text in (ask.question, ask.ask, ask.unit, amount_text(ask.points)))
+    return f"%s,{question},{name},%s,%s,{unit},%s,%s,{out_of},%s\n"
+
+
+def _with_odd(texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]) -> list[str]:
+    """A column of cells fit for a file; those of plain numbers, which are most, are so as they stand."""
+    column = list(texts)
     for place, reading in cells.odd.items():
-        responses[place] = neutralised(shortened(reading.typed))
-    return responses
+        column[place] = csv_cell(text_of(reading))
+    return column
 
 
 def _grade_row(grade: Grade) -> tuple[str, ...]:
-    total = grade.total
-    points = map(amount_text, (*grade.points, total, grade.out_of))
-    return (grade.student, neutralised(grade.name), *points, _percent(total, grade.out_of))
+    total, out_of = grade.total, grade.out_of
+    points = map(amount_text, (*grade.points, total, out_of))
+    share = _percent(total.numerator, total.denominator, out_of.numerator, out_of.denominator)
+    return (grade.student, neutralised(grade.name), *points, share)
 
 
 @lru_cache(maxsize=4096)
-def _percent(total: Fraction, out_of: Fraction) -> str:
-    return amount_text(percent(total, out_of), places=2)
+def _percent(total: int, part: int, out_of: int, part_of_it: int) -> str:
+    """Of two fractions, in whole numbers, which are found again faster."""
+    return amount_text(percent(Fraction(total, part), Fraction(out_of, part_of_it)), places=2)
 
 
 def _kept_row(kept: Kept) -> tuple[str, ...]:

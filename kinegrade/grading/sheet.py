@@ -125,16 +125,16 @@ def _rows_by_student(
     table: Table, columns: _Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
     known = {student_key(student): student for student in exam.students}
-    near = _near_ids(known.values())
     rows: dict[str, list[Row]] = defaultdict(list)
-    unknown = []
+    strangers = []
     for row in table.rows:
         key = student_key(row.cell(columns.student))
         if key in known:
             rows[known[key]].append(row)
         else:
-            unknown.append(_unknown(table, row, columns, key, near.get(_bare(key))))
-    return rows, unknown
+            strangers.append((row, key))
+    near = _near_ids(known.values()) if strangers else {}
+    return rows, [_unknown(table, row, columns, key, near.get(_bare(key))) for row, key in strangers]
 
 
 def _near_ids(students: Iterable[str]) -> dict[str, str]:
@@ -168,7 +168,8 @@ def _entries(rows: Sequence[Row], columns: _Columns) -> tuple[Entry, ...]:
 
 
 def _responses(row: Row, columns: _Columns) -> tuple[str, ...]:
-    return tuple("" if index is None else row.cell(index) for index in columns.asks)
+    cells, width = row.cells, len(row.cells)
+    return tuple([cells[index] if index is not None and index < width else "" for index in columns.asks])
 
 
 def _missing_columns(table: Table, columns: _Columns, asks: Sequence[Ask]) -> Iterator[Complaint]:

@@ -64,9 +64,10 @@ class CellReader:
         odd: dict[int, Reading] = {}
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
-            if usual and plain_row.fullmatch("\n".join(row) + "\n"):
-                values += [float(cell) if cell else nan for cell in row]
-                read_as += [cell.removeprefix("+") for cell in row]
+            lines = "\n".join(row)
+            if usual and plain_row.fullmatch(f"{lines}\n"):
+                values += [float(cell) if cell else nan for cell in row] if "" in row else map(float, row)
+                read_as += [cell.removeprefix("+") for cell in row] if "+" in lines else row
                 continue
             styles[number] = self.styles.of_row(row)
             for place, (value, digits, reading) in enumerate(self._cell_by_cell(row, styles[number]), len(values)):

@@ -12,12 +12,16 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
+from itertools import groupby
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.tables import Row, Table, read_table, restored, trimmed
+from kinegrade.tables import Row, Table, read_table, restored, trimmed, written_records
 
+Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
 TOTAL = ""  # the item that is the sum of all questions
 _NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent"}
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
@@ -59,13 +63,12 @@ def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
     Raises TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     grades = _table(folder / "grades.csv", ("student", "name", "total"))
-    marks = _table(folder / "marks.csv", ("student", "question", "response", "out_of"))
-    available, filled = _available(marks), _filled(marks)
+    available, filled = _marked(folder / "marks.csv")
     questions = tuple(name for name in grades.header if name not in _NOT_QUESTIONS)
     students = []
     for row in grades.rows:
         cells = {name: row.cell(place) for place, name in enumerate(grades.header)}
-        student, out_of = cells["student"], dict(available[cells["student"]])
+        student, out_of = cells["student"], dict(available.get(cells["student"], {}))
         points = {name: _amount(grades, row, name) for name in questions}
         points[TOTAL] = _amount(grades, row, "total")
         out_of[TOTAL] = sum(out_of.values(), Fraction(0))
@@ -110,25 +113,36 @@ def _amount(table: Table, row: Row, name: str) -> Fraction:
     cell = row.cell(table.header.index(name))
     if _AMOUNT.fullmatch(cell):
         return Fraction(cell)
-    raise TableError(
-        f'{table.file}:{row.line}: {name} is "{one_line(cell[:40])}" - expected a number - grade again'
-    )
+    raise _no_amount(f"{table.file}:{row.line}", name, cell)
 
 
-def _available(marks: Table) -> Mapping[str, Mapping[str, Fraction]]:
-    """The points each student could get in each question."""
-    available: dict[str, dict[str, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
-    student, question = map(marks.header.index, ("student", "question"))
-    for row in marks.rows:
-        available[row.cell(student)][row.cell(question)] += _amount(marks, row, "out_of")
-    return available
+def _no_amount(place: str, name: str, cell: str) -> TableError:
+    return TableError(f'{place}: {name} is "{one_line(cell[:40])}" - expected a number - grade again')
 
 
-def _filled(marks: Table) -> set[str]:
-    """The students who wrote something besides blanks and dashes."""
-    student, response = map(marks.header.index, ("student", "response"))
-    return {row.cell(student) for row in marks.rows
-            if trimmed(restored(row.cell(response))).strip(f"{_DASHES} ")}
+def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]:
+    """The points each student could get in each question, and who wrote something besides blanks and dashes."""
+    worth: dict[str, Worth] = defaultdict(tuple)
+    filled: set[str] = set()
+    records = written_records(path, ("student", "question", "response", "out_of"))
+    for student, lines in groupby(records, lambda record: record[1][0]):
+        found: Worth = ()
+        for line, (_, question, response, out_of) in lines:
+            if not _AMOUNT.fullmatch(out_of):
+                raise _no_amount(f"{path.name}:{line}", "out_of", out_of)
+            found = (*found, (question, out_of))
+            if student not in filled and trimmed(restored(response)).strip(f"{_DASHES} "):
+                filled.add(student)
+        worth[student] += found
+    return {student: _available(parts) for student, parts in worth.items()}, filled
+
+
+@lru_cache(maxsize=64)  # mostly the same for everybody
+def _available(worth: Worth) -> Mapping[str, Fraction]:
+    available: dict[str, Fraction] = defaultdict(Fraction)
+    for question, out_of in worth:
+        available[question] += Fraction(out_of)
+    return MappingProxyType(dict(available))
 
 
 def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:

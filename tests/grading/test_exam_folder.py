@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Callable
 from fractions import Fraction
@@ -12,6 +13,7 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.grade import grade
 from kinegrade.grading.key import Ask, Key
 from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
 
@@ -200,3 +202,38 @@ def test_significant_figures_give_the_numbers_that_agree(tmp_path: Path) -> None
     keys = read_exam(write_exam(tmp_path / "EXAM", exam(), papers)).examinees[0].keys
     assert keys["q1.v_B"].interval == (Fraction("1.725"), Fraction("1.735"))  # of 1.73205
     assert keys["q1.omega_AB"].interval == (Fraction("-0.002"), Fraction("0.002"))  # zero has no figures
+
+
+def folder_with_mistakes(tmp_path: Path, mistakes: Any) -> Path:
+    papers = [paper(student) for student in STUDENTS]
+    asks(papers[1])["v_B"]["mistakes"] = mistakes
+    return write_exam(tmp_path / "EXAM", exam(), papers)
+
+
+@pytest.mark.parametrize(("mistakes", "fault"), [
+    ({"sense-reversed": "fast"}, "\"sense-reversed\" is 'fast'"),
+    (3, 'no "mistakes" that is an object'),
+])
+def test_what_is_wrong_with_mistakes_is_found_where_an_answer_is_held_against_them(
+    tmp_path: Path, mistakes: Any, fault: str
+) -> None:
+    folder = folder_with_mistakes(tmp_path, mistakes)
+    with pytest.raises(ExamError) as caught:
+        read_exam(folder)
+    assert str(caught.value).startswith(f'{folder}/key.jsonl: line 2: student "0012": q1.v_B: {fault} - expected ')
+    assert str(caught.value).endswith(" - restore the exam folder as it was generated")
+
+
+@pytest.mark.parametrize(("typed", "verdict"), [
+    ("1.7320508", "right"), ("1.9", "mistake"), ("0.33333", "mistake"), ("2.5", "wrong"),
+])
+def test_a_mistake_that_is_written_as_a_fraction_is_compared_too(
+    tmp_path: Path, typed: str, verdict: str
+) -> None:
+    folder = folder_with_mistakes(tmp_path, {"sense-reversed": "1/3", "coriolis-dropped": "1.9"})
+    sheet = tmp_path / "answers.csv"
+    sheet.write_text(f"student,q1.v_B,q1.omega_AB,q2.a_B\n0012,{typed},0,-0.125\n", encoding="utf-8")
+    grade(folder, sheet, tmp_path / "MARKS")
+    with (tmp_path / "MARKS" / "marks.csv").open(encoding="utf-8") as stream:
+        verdicts = {(row["student"], row["ask"]): row["verdict"] for row in csv.DictReader(stream)}
+    assert verdicts["0012", "v_B"] == verdict

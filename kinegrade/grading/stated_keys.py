@@ -1,0 +1,83 @@
+"""The keys of one paper as they stand on its line of key.jsonl, taken no further than they are needed.
+
+`key_decoding` makes them, and `block_judge` takes them by columns: one list for all asks is quicker than a key for
+each. Mistakes, of which there are ten for every answer, are decoded where an answer is wrong, and only there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain
+from math import isfinite
+
+import msgspec
+
+from kinegrade.errors import ExamError
+from kinegrade.grading.json_fields import FieldError, parsed
+from kinegrade.grading.key import Ask, Rule, StatedKey
+from kinegrade.grading.key_line import mistakes_of
+
+_all_decoded = msgspec.json.Decoder(list[dict[str, float]], strict=False).decode
+_decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """The rule and the period of each ask; they are one and the same object for papers on which they are the same."""
+
+    asks: Sequence[Ask]
+    rules: tuple[Rule, ...]
+    periods: tuple[Fraction | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StatedKeys:
+    """The keys in the order of the asks; `place` tells the file and the line, for messages.
+
+    `values` are the right answers as decimals or plain fractions, `centres` the same rightly rounded to doubles, or NaN
+    where a number of turns is right too; `written_mistakes` are JSON.
+    """
+
+    place: str
+    values: Sequence[str]
+    centres: Sequence[float]
+    terms: Terms
+    written_mistakes: Sequence[msgspec.Raw]
+
+    def __getitem__(self, ask: int) -> StatedKey:
+        """The key of an ask. Raises ExamError if its mistakes are no numbers."""
+        return StatedKey(self.values[ask], self.terms.rules[ask], self.mistakes(ask), self.terms.periods[ask])
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __iter__(self) -> Iterator[StatedKey]:
+        return map(self.__getitem__, range(len(self)))
+
+    def mistakes(self, ask: int) -> Mapping[str, float | Fraction]:
+        """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises ExamError."""
+        written = self.written_mistakes[ask]
+        try:
+            usual = _decoded(written)
+            if isfinite(sum(usual.values())):
+                return usual
+        except (msgspec.MsgspecError, ValueError):
+            pass
+        try:
+            return mistakes_of({"mistakes": parsed(bytes(written).decode())})
+        except (FieldError, ValueError) as fault:
+            raise ExamError(f"{self.place}: {self.terms.asks[ask].column}: {fault} "
+                            "- restore the exam folder as it was generated") from fault
+
+
+def stated_mistakes(asks: Sequence[tuple[StatedKeys, int]]) -> Sequence[Mapping[str, float | Fraction]]:
+    """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes` does."""
+    try:
+        found = _all_decoded(b"[%b]" % b",".join([keys.written_mistakes[ask] for keys, ask in asks]))
+        if isfinite(sum(chain.from_iterable([each.values() for each in found]))):
+            return found
+    except (msgspec.MsgspecError, ValueError):
+        pass
+    return [keys.mistakes(ask) for keys, ask in asks]
