@@ -67,7 +67,6 @@ def unit_text(unit: str) -> str:
     return {"deg": "°", "1": "–"}.get(unit, raised.replace("*", "·"))
 
 
-@lru_cache(maxsize=4096)
 def formula(latex: str, where: str) -> str:
     """Typst math (to stand between dollar signs) for `latex`, LaTeX math without dollar signs.
 
@@ -76,6 +75,19 @@ def formula(latex: str, where: str) -> str:
     >>> formula(r"v_B = \\frac{2\\sqrt{3}}{3}\\,\\mathrm{m/s}", "q1")
     'v_(B) = frac(2 sqrt(3), 3)thin upright(m slash s)'
     """
+    try:
+        return _converted(latex)
+    except TypesetError:
+        return _convert(latex, where)
+
+
+@lru_cache(maxsize=8192)
+def _converted(latex: str) -> str:
+    """The same wherever it stands, so that a class's papers share it."""
+    return _convert(latex, "")
+
+
+def _convert(latex: str, where: str) -> str:
     texts = ["".join(groups) for groups in TEXT.findall(checked(latex, where))]
     converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TextIO
@@ -17,7 +17,7 @@ from kinegrade.errors import BankError
 from kinegrade.exam.attendance import seldom_collected
 from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
-from kinegrade.exam.join import join
+from kinegrade.exam.join import joining
 from kinegrade.exam.key_record import amount
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
@@ -94,19 +94,18 @@ def write_papers(setting: Setting, run: PrintRun, press: Press, folder: Path, *,
                  progress: Progress) -> list[KeyPaper]:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
-    The instructor's book is typeset while papers are printed. Gives the key of each paper without its questions.
+    The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key of each paper
+    without its questions.
     """
     printouts = [run.papers, run.solutions] if run.extras.solutions else [run.papers]
     for place in printouts:
         place.mkdir()
     keys: list[KeyPaper] = []
     with (closing(printed(run, setting, press, jobs)) as results,
-          (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines):
+          (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines, ExitStack() as books):
+        volumes = {place: books.enter_context(joining(place.with_suffix(".pdf"), duplex=True)) for place in printouts}
         papers = noted(progress(results, len(setting.roster.students)), lines, keys)
-        press.key(key_book(run.bank, papers, run.language), folder / "key.pdf")
-    for place in printouts:
-        files = (place / f"{student.file_name}.pdf" for student in setting.roster.students)
-        join(files, place.with_suffix(".pdf"), duplex=True)
+        press.key(key_book(run.bank, bound(papers, setting.roster, volumes), run.language), folder / "key.pdf")
     return keys
 
 
@@ -116,6 +115,15 @@ def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> It
         lines.write(result.record + "\n")
         keys.append(replace(result.key, entries=()))
         yield result.key
+
+
+def bound(papers: Iterator[KeyPaper], roster: Roster,
+          volumes: Mapping[Path, Callable[[Path], None]]) -> Iterator[KeyPaper]:
+    """The same keys; what was printed for each student goes into the volumes, by the folders where it lies."""
+    for student, paper in zip(roster.students, papers, strict=True):
+        for place, append in volumes.items():
+            append(place / f"{student.file_name}.pdf")
+        yield paper
 
 
 def source_files(setting: Setting) -> dict[str, str]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
 
@@ -10,16 +11,26 @@ import pikepdf
 
 
 def join(pdfs: Iterable[Path], target: Path, *, duplex: bool = False) -> None:
-    """Write to `target` the pages of all `pdfs` in order; same input, same bytes.
+    """Write to `target` the pages of all `pdfs` in order; same input, same bytes. `duplex` as `joining` takes it."""
+    with joining(target, duplex=duplex) as append:
+        for pdf in pdfs:
+            append(pdf)
+
+
+@contextmanager
+def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], None]]:
+    """What takes the pages of one PDF after the other as they come; at the end they are written to `target`.
 
     For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows an odd one.
     """
     with pikepdf.new() as whole:
-        for pdf in pdfs:
+        def append(pdf: Path) -> None:
             _append(whole, pdf)
             if duplex and len(whole.pages) % 2:
                 left, bottom, right, top = map(float, whole.pages[-1].mediabox)
                 whole.add_blank_page(page_size=(right - left, top - bottom))
+
+        yield append
         whole.save(target, deterministic_id=True)
 
 

@@ -7,6 +7,7 @@ other thing is refused by name. `kinegrade.exam.typst_source` puts the pieces of
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 from unicodedata import east_asian_width
@@ -45,6 +46,7 @@ REFUSED = {
     "hr": "a rule across the page",
     "math_block_label": "a labelled formula",
 }
+_MATH = re.compile(r"\$([^$\n]+)\$")
 EXPECTED = "expected text, **bold**, *emphasis*, lists and $math$"
 
 
@@ -60,21 +62,51 @@ def prose(markdown: str, where: str) -> str:
     return "{" + _join(read_prose(markdown, where), where).removesuffix("parbreak();") + "}"
 
 
-@lru_cache(maxsize=4096)
 def line(markdown: str, where: str) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
     >>> print(line("speed of $B$", "q1"))
     {"speed of ";box($B$);}
     """
-    return "{" + _join(read_line(markdown, where), where) + "}"
+    try:
+        return _line(markdown)
+    except TypesetError:
+        read_line(markdown, where)
+        raise
+
+
+@lru_cache(maxsize=4096)
+def _line(markdown: str) -> str:
+    """The same wherever it stands, so that a class's papers share it."""
+    return "{" + _join(read_line(markdown, ""), "") + "}"
 
 
 def read_prose(markdown: str, where: str) -> list[Token]:
     """The tokens of several paragraphs, none of them in `REFUSED`. Raises TypesetError as `prose` does."""
-    tokens = _reader().parse(markdown)
+    tokens = _with_math(markdown) or _reader().parse(markdown)
     _refuse_faults(tokens, where)
     return tokens
+
+
+def _with_math(markdown: str) -> list[Token] | None:
+    """The tokens of a text, whose words are read once for all its formulas: papers differ in these alone. None where
+    what stands between dollar signs may be no formula.
+    """
+    formulas = _MATH.findall(markdown)
+    tokens = [token.copy() for token in _read_words(_MATH.sub("$0$", markdown))]
+    found = sum(leaf.type == "math_inline" for token in tokens for leaf in token.children or ())
+    if markdown.count("$") != 2 * len(formulas) or found != len(formulas) or "\\$" in markdown or "`" in markdown:
+        return None
+    following = iter(formulas)
+    for token in tokens:
+        token.children = token.children and [leaf.copy(content=next(following)) if leaf.type == "math_inline" else leaf
+                                             for leaf in token.children]
+    return tokens
+
+
+@lru_cache(maxsize=1024)
+def _read_words(markdown: str) -> tuple[Token, ...]:
+    return tuple(_reader().parse(markdown))
 
 
 def read_line(markdown: str, where: str) -> list[Token]:

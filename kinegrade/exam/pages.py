@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -20,8 +20,11 @@ from kinegrade.exam.document import (
 from kinegrade.exam.rules import rules
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.exam.words import words_of
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import Ask, Language
@@ -31,12 +34,13 @@ WARNING = {
     "zh": "仅供教师使用：本册含全部答案。",
 }
 
+Sketcher = Callable[[Mechanism, FigureHints], Scene]
 FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
 
 
-def paper_pages(bank: Bank, paper: SetPaper, language: Language) -> Paper:
-    """The pages of one student."""
-    sheets = tuple(question_sheet(number, question, language)
+def paper_pages(bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch) -> Paper:
+    """The pages of one student; `figure` draws as `sketch` does."""
+    sheets = tuple(question_sheet(number, question, language, figure)
                    for number, question in enumerate(paper.printed, start=1))
     return Paper(language, bank.course.in_language(language), paper_title(bank, paper, language), bank.date,
                  paper.student.student, paper.student.name, paper.code, rules(bank, language), sheets)
@@ -53,13 +57,13 @@ def version_name(letter: str, language: Language) -> str:
     return words_of(language).version.format(letter)
 
 
-def question_sheet(number: int, question: SetQuestion, language: Language) -> QuestionSheet:
+def question_sheet(number: int, question: SetQuestion, language: Language, figure: Sketcher = sketch) -> QuestionSheet:
     """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
-    figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
+    drawn = figure(drawable_mechanism(solution.assembly.mechanism), template.figure)
     rows = tuple(answer_row(template.asks[entry.ask.name], entry.ask.points, language) for entry in question.asks)
     return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
-                         question.question.points, statement(template, solution.parameters, language), figure, rows,
+                         question.question.points, statement(template, solution.parameters, language), drawn, rows,
                          template=template.name)
 
 

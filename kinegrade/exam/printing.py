@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from kinegrade.exam.blueprint import Bank
@@ -15,6 +16,8 @@ from kinegrade.exam.pages import key_paper, paper_pages
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.typst import TypstPress
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.sketchbook import sketch_once
 from kinegrade.problem.template import Language, Method
 
 
@@ -47,7 +50,7 @@ class Extras:
 
 @dataclass(frozen=True)
 class PrintRun:
-    """All that holds for every paper of an exam."""
+    """All that holds for every paper of an exam; `sketchbook` is a private folder where processes share figures."""
 
     bank: Bank
     language: Language
@@ -55,6 +58,7 @@ class PrintRun:
     papers: Path
     solutions: Path
     extras: Extras
+    sketchbook: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -70,7 +74,8 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
 
     Raises TypesetError with all faults of their texts.
     """
-    pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language) for paper in papers}
+    figure = partial(sketch_once, run.sketchbook) if run.sketchbook else sketch
+    pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language, figure) for paper in papers}
     press.papers(pages, run.papers)
     if run.extras.solutions:
         from kinegrade.exam.solution_pages import solution_sheet  # loads the whole of worked solutions

@@ -12,8 +12,7 @@ from kinegrade.errors import DrawError
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.versions import version_letters, version_of
-from kinegrade.mechanics.doubles import in_doubles
-from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.doubles import MotionInDoubles
 from kinegrade.problem.drawing import Deck, Drawn, address
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.tolerance import Tolerance, effective
@@ -128,12 +127,11 @@ def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
 def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
     """A question drawn for a student, or for a version."""
     drawn = deck.draw(whose)
-    motion = in_doubles(drawn.solution.motion)
-    asks = tuple(set_ask(question, ask, drawn.solution[ask.name], motion) for ask in question.asks)
+    asks = tuple(set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles) for ask in question.asks)
     return SetQuestion(question, drawn, asks)
 
 
-def set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: Motion) -> SetAsk:
+def set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles) -> SetAsk:
     """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is next to zero."""
     tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)

@@ -35,6 +35,7 @@ from kinegrade.exam.markup import line, prose
 from kinegrade.exam.words import GalleryWords, Words, gallery_words_of, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst, to_typst_picture
+from kinegrade.worked.formula_width import width
 
 BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
 PAGE = 225.0  # millimetres: what any page holds between its margins, with something to spare
@@ -43,7 +44,7 @@ COLUMNS_OF_MARKS = 13  # the total among them: as many as stand side by side in 
 LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
 PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+[.)])\s)")  # or item of a list
 PLAIN_SYMBOL = 7  # letters of a symbol that surely fits its column
-PLAIN_EXACT = 24  # letters of an exact value: a longer one may be wider than its column in the key
+PLAIN_EXACT = 26  # letters' widths of an exact value: a wider one may be too wide for its column in the key
 
 
 def paper_source(paper: Paper, size: PaperSize = "a4") -> str:
@@ -146,9 +147,9 @@ def _height_at_most(question: QuestionSheet) -> float:
     """
     figure = question.figure
     beside = figure is not None and _beside(figure)
-    width = MEASURE - figure.width + 40 if figure and beside else MEASURE
+    measure = MEASURE - figure.width + 40 if figure and beside else MEASURE
     paragraphs = PARAGRAPH.split(question.statement)
-    text = sum(6 + 6 * _columns(_seen(paragraph)) / (width / 2) for paragraph in paragraphs)
+    text = sum(6 + 6 * _columns(_seen(paragraph)) / (measure / 2) for paragraph in paragraphs)
     text += 8 * question.statement.count("frac") + 8 * question.statement.count("$$")
     rows = sum(10 + 5 * _lines_at_most(row) for row in question.rows)
     height = figure.height if figure else 0.0
@@ -213,7 +214,7 @@ def _key_answer(answer: KeyAnswer, where: str) -> Sheet:
     return {
         "symbol": f"${formula(answer.symbol, where)}$",
         "exact": None if answer.exact is None else f"${formula(answer.exact, where)}$",
-        "wide": len(_seen(answer.symbol)) > PLAIN_SYMBOL or len(_seen(answer.exact or "")) > PLAIN_EXACT,
+        "wide": len(_seen(answer.symbol)) > PLAIN_SYMBOL or width(answer.exact or "") > PLAIN_EXACT,
         "decimal": _signed(answer.decimal),
         "unit": unit_text(answer.unit),
         "interval": _signed(answer.interval),

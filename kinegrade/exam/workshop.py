@@ -2,6 +2,7 @@
 
 Each task is a part of the class. Workers are started afresh (no fork: a typesetter has threads), a few tasks are under
 way at any time, so memory does not grow with the class, and a worker ends when the process that it works for is gone.
+What several of them need to draw, the first one draws and keeps for the others in a folder of their own.
 """
 
 from __future__ import annotations
@@ -10,10 +11,11 @@ import gc
 from collections import deque
 from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from multiprocessing import get_context
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.attendance import attend
@@ -59,7 +61,8 @@ def printed(run: PrintRun, setting: Setting, press: Press, jobs: int) -> Generat
     parts = [range(first, min(first + CHUNK, count)) for first in range(0, count, CHUNK)]
     workers = min(jobs, count // CHUNK)
     if workers > 1:
-        yield from by_workers(run, setting, press, parts, workers)
+        with TemporaryDirectory(prefix="kinegrade-") as sketchbook:
+            yield from by_workers(replace(run, sketchbook=Path(sketchbook)), setting, press, parts, workers)
         return
     papers = setting.papers()
     for part in parts:

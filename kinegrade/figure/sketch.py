@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
@@ -38,14 +39,19 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
+    return sized(drawn, mechanism, hints)
+
+
+def sized(draw_subject: Callable[[Subject], Scene], mechanism: Mechanism, hints: FigureHints) -> Scene:
+    """The figure of a mechanism from the figure that `draw_subject` gives of it in unit size."""
     shown, size = subject(in_view(mechanism, hints), hints)
-    scene = _sketched(shown)
+    scene = draw_subject(shown)
     return replace(scene, scale=scene.scale / size)
 
 
-@lru_cache(maxsize=256)
-def _sketched(shown: Subject) -> Scene:
-    """The figure of a mechanism of unit size."""
+@lru_cache(maxsize=1024)
+def drawn(shown: Subject) -> Scene:
+    """The figure of a mechanism of unit size. Raises TemplateError as `sketch` does."""
     mechanism, hints = shown.mechanism, shown.hints
     span = span_of(mechanism, hints)
     scale = _first_scale(mechanism, hints, span)

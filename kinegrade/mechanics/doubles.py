@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.mechanics.frames import Base, Frames
@@ -11,7 +12,14 @@ from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 
-def in_doubles(motion: Motion) -> Motion:
+@dataclass(frozen=True, eq=False)
+class MotionInDoubles(Motion):
+    """A motion in doubles, which is equal to no other, so that what is found of it can be kept."""
+
+    __hash__, __eq__ = object.__hash__, object.__eq__
+
+
+def in_doubles(motion: Motion) -> MotionInDoubles:
     """The same motion with every number a double. Joints and drivers of the mechanism keep theirs: the relations,
     which are converted, say all that they state."""
     mechanism, frames = motion.frames.mechanism, motion.frames
@@ -20,9 +28,9 @@ def in_doubles(motion: Motion) -> Motion:
     plain = Frames(Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers), bases,
                    tuple(relation_in_doubles(relation) for relation in frames.relations))
     if not motion.plan.steps:  # a pose, of which no rate is known
-        return Motion(plain, motion.plan, motion.rates, motion.changes)
-    return Motion(plain, motion.plan, {name: float(rate) for name, rate in motion.rates.items()},
-                  {name: float(change) for name, change in motion.changes.items()})
+        return MotionInDoubles(plain, motion.plan, motion.rates, motion.changes)
+    return MotionInDoubles(plain, motion.plan, {name: float(rate) for name, rate in motion.rates.items()},
+                           {name: float(change) for name, change in motion.changes.items()})
 
 
 def relation_in_doubles(relation: Relation) -> Relation:

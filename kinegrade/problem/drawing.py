@@ -8,8 +8,10 @@ do is drawn again with the next attempt, and the reason is counted.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 from hmac import digest
 from typing import Any
 
@@ -19,6 +21,7 @@ from kinegrade.expression import Operation, elementary, evaluate
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.foresight import Foresight, foresight
 from kinegrade.problem.honest import stray
+from kinegrade.problem.honest_together import FEW, surely_honest
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, certified, parameter_values, read_values, solve_template
 from kinegrade.problem.template import Condition, Template
@@ -66,6 +69,8 @@ class Deck:
     plan: Plan | None = None
     tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
     foresight: Foresight | None = None
+    drawn: dict[tuple[str, int], Mapping[str, str]] = field(default_factory=dict)
+    examined: dict[tuple[str, ...], Solution | Refused] = field(default_factory=dict)
 
     def draw(self, student: str) -> Drawn:
         """The instance of a student. Raises DrawError when none of MAX_ATTEMPTS will do."""
@@ -86,9 +91,39 @@ class Deck:
 
     def foresee(self, students: Iterable[str]) -> None:
         """Look at the first draws of many students at once; drawing for them one after the other is faster then."""
+        students = tuple(students)
+        self.drawn.clear()
+        self.examined.clear()
         self.sight.seen.clear()
         self.sight.look(self.values(student, attempt) for student in students
                         for attempt in range(self.sight.attempts))
+        if len(students) >= FEW:
+            self.plan = self.plan or self.plan_for(students[0])
+            self.examine_ahead(students)
+
+    def plan_for(self, student: str) -> Plan | None:
+        """The plan of the instance that a student would be given first of all."""
+        for attempt in range(MAX_ATTEMPTS):
+            values = self.values(student, attempt)
+            with suppress(Refused):
+                self.require_apart(student, attempt, values)
+                return examine(self.template, values, self.asks, None, self.tolerances).motion.plan
+        return None
+
+    def examine_ahead(self, students: Iterable[str]) -> None:
+        """Examine what each student would be given, many instances at once; then the next ones of those refused."""
+        waiting = [self.unconfused(student) for student in students]
+        while len(waiting) >= FEW:
+            offers = [(attempts, values) for attempts in waiting if (values := next(attempts, None))]
+            found = examine_together(self.template, [values for _, values in offers], self.asks, self.plan,
+                                     self.tolerances)
+            self.examined.update(zip((tuple(values.values()) for _, values in offers), found, strict=True))
+            waiting = [attempts for (attempts, _), one in zip(offers, found, strict=True) if isinstance(one, Refused)]
+
+    def unconfused(self, student: str) -> Iterator[Mapping[str, str]]:
+        """The first draws of a student that no mistake confuses."""
+        drawn = (self.values(student, attempt) for attempt in range(self.sight.attempts))
+        return (values for values in drawn if not self.sight.seen[tuple(values.values())])
 
     @property
     def sight(self) -> Foresight:
@@ -106,10 +141,13 @@ class Deck:
         if self.sight.seen[key]:
             raise Refused("mistake", "a known mistake leads to an answer within tolerance")
 
-    def values(self, student: str, attempt: int) -> dict[str, str]:
+    def values(self, student: str, attempt: int) -> Mapping[str, str]:
         """The values that an attempt gives to a student."""
-        return {name: choices[address(self.secret, student, self.question, name, attempt) % len(choices)]
+        if (student, attempt) not in self.drawn:
+            self.drawn[student, attempt] = {
+                name: choices[address(self.secret, student, self.question, name, attempt) % len(choices)]
                 for name, choices in self.domains().items()}
+        return self.drawn[student, attempt]
 
     def sampled(self, number: int) -> dict[str, str]:
         """The values of one instance of a sample, which does not depend on the secret."""
@@ -119,7 +157,7 @@ class Deck:
             values[name] = choices[place]
         return values
 
-    def domains(self) -> dict[str, tuple[str, ...]]:
+    def domains(self) -> Mapping[str, tuple[str, ...]]:
         """What may be drawn for each parameter."""
         return {name: self.fixed.get(name, parameter.choices) for name, parameter in self.template.parameters.items()}
 
@@ -132,22 +170,57 @@ class Deck:
 
     def accept(self, values: Mapping[str, str]) -> Solution:
         """The solution of an instance that will do. Raises Refused with the reason."""
-        if tuple(values.values()) in self.taken:
+        key = tuple(values.values())
+        if key in self.taken:
             raise Refused("duplicate", "another student has these values")
-        solution = examine(self.template, values, self.asks, self.plan, self.tolerances)
-        self.plan = solution.motion.plan
-        return solution
+        found = self.examined.get(key) or examine(self.template, values, self.asks, self.plan, self.tolerances)
+        if isinstance(found, Refused):
+            raise found
+        self.plan = self.plan or found.motion.plan
+        return found
 
 
 def address(secret: str, *parts: str | int) -> int:
     """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256 bits."""
-    message = b"".join(len(text).to_bytes(4, "big") + text for text in (str(part).encode() for part in parts))
+    message = b"".join(map(framed, parts))
     return int.from_bytes(digest(secret.encode(), message, "sha256"), "big")
+
+
+@lru_cache(maxsize=4096)
+def framed(part: str | int) -> bytes:
+    """A part of an address with its length in front."""
+    text = str(part).encode()
+    return len(text).to_bytes(4, "big") + text
 
 
 def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None,
             tolerances: Mapping[str, Tolerance] | None = None) -> Solution:
     """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused with the reason."""
+    solution = sensible(template, values, asks, plan)
+    if strayed := stray(solution, tolerances or {}):
+        raise Refused("rounding", str(strayed), strayed.ask)
+    return solution
+
+
+def examine_together(template: Template, draws: Iterable[Mapping[str, str]], asks: Iterable[str], plan: Plan | None,
+                     tolerances: Mapping[str, Tolerance]) -> list[Solution | Refused]:
+    """For each of many instances what `examine` gives or raises."""
+    wanted = tuple(asks)
+    found: list[Solution | Refused] = []
+    for values in draws:
+        try:
+            found.append(sensible(template, values, wanted, plan))
+        except Refused as refusal:
+            found.append(refusal)
+    sure = iter(surely_honest([one for one in found if isinstance(one, Solution)], tolerances))
+    for place, one in enumerate(found):
+        if isinstance(one, Solution) and not next(sure) and (strayed := stray(one, tolerances)):
+            found[place] = Refused("rounding", str(strayed), strayed.ask)
+    return found
+
+
+def sensible(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None) -> Solution:
+    """The solution of an instance that meets the conditions and has answers to be asked for. Raises Refused."""
     try:
         for condition in template.conditions:
             if not holds(template, condition, values):
@@ -163,8 +236,6 @@ def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], 
                 raise Refused("degenerate", f"{name} is zero")
         elif not SMALLEST <= abs(answer.value) <= LARGEST:
             raise Refused("absurd", f"{name} is {sized(answer)}")
-    if strayed := stray(solution, tolerances or {}):
-        raise Refused("rounding", str(strayed), strayed.ask)
     return solution
 
 

@@ -16,16 +16,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees, tau
+from math import degrees, pi, tau
 from typing import Any
+
+import numpy as np
 
 from kinegrade.errors import KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.elimination import Singular
-from kinegrade.exact.rounding import Rounded, Sparing
+from kinegrade.exact.rounding import NOTHING, Rounded, Sparing
 from kinegrade.expression import Call, Expression, Operation, elementary, evaluate
 from kinegrade.mechanics.by_hand import solve_by_hand, write
-from kinegrade.mechanics.doubles import double, in_doubles
+from kinegrade.mechanics.doubles import MotionInDoubles, double
 from kinegrade.mechanics.frames import build
 from kinegrade.mechanics.geometry import constructions
 from kinegrade.mechanics.motion import Motion
@@ -37,6 +39,9 @@ from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
+DEGREES = 180 / pi  # as `math.degrees` has it
+DISPLAY = 10  # significant figures that a calculator shows and somebody may type
+SAFELY = 0.5000001  # of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
 LOST = (KinegradeError, Singular, ValueError, ZeroDivisionError)  # rounded circles that do not meet, a dead point
 
 
@@ -66,32 +71,48 @@ class Target:
     figures: int
 
     def met(self, worked: float | None, figures: int) -> bool:
-        """Whether an answer is right, both as it came out and written to so many significant figures."""
+        """Whether an answer is right as it came out, and written to so many significant figures or to more."""
         if worked is None:
             return False
-        near = (nearest_turn(number, self.exact, self.turn) for number in (worked, Rounded(figures).written(worked)))
-        return all(self.low <= number <= self.high for number in near)
+        near = nearest_turn(worked, self.exact, self.turn)
+        room = safe_room(abs(worked), figures)
+        if self.low + room <= near <= self.high - room:
+            return True
+        typed = (worked, *(Rounded(count).written(worked) for count in range(figures, DISPLAY + 1)))
+        return all(self.low <= nearest_turn(number, self.exact, self.turn) <= self.high for number in typed)
+
+
+def safe_room(size: Any, figures: int) -> Any:
+    """More than a number of that size, or numbers, can change when written to so many significant figures."""
+    return SAFELY * size * 10.0 ** (1 - figures) + NOTHING
 
 
 def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
-    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if there is one.
-
-    Three figures are carried, or as many as the tolerance takes to be met at all, and one more.
-    """
-    motion = in_doubles(solution.motion)
-    targets = {name: target(solution.template.asks[name], answer, tolerances.get(name, ONE_PER_CENT), motion)
-               for name, answer in solution.answers.items()}
-    least = {aim.figures for aim in targets.values()}
-    for figures in sorted(least | {count + 1 for count in least}):
-        concerned = {name: aim for name, aim in targets.items() if aim.figures in (figures, figures - 1)}
-        for worked in workings(solution, motion, figures, every=figures in least):
+    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if there is one."""
+    aims = targets(solution, tolerances)
+    for figures, every in carried_figures(aims):
+        concerned = {name: aim for name, aim in aims.items() if aim.figures in (figures, figures - 1)}
+        for worked in workings(solution, solution.doubles, figures, every=every):
             for name, aim in concerned.items():
                 if not aim.met(worked.get(name), figures):
                     return Stray(name, figures, worked.get(name))
     return None
 
 
-def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: Motion) -> Target:
+def targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str, Target]:
+    """What is right for every ask of an instance, where nothing is stated within 1 %."""
+    return {name: target(solution.template.asks[name], answer, tolerances.get(name, ONE_PER_CENT), solution.doubles)
+            for name, answer in solution.answers.items()}
+
+
+def carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
+    """The significant figures that are carried: three, or as many as a tolerance takes to be met at all, and then all
+    ways of working are followed; and one more."""
+    least = {aim.figures for aim in aims.values()}
+    return [(figures, figures in least) for figures in sorted(least | {count + 1 for count in least})]
+
+
+def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles) -> Target:
     """What is right for one ask of an instance; `motion` gives the scale next to zero."""
     exact = plain(answer.number)
     if isinstance(answer.number, Angle) and ask.unit.degrees:
@@ -148,10 +169,11 @@ def worked_answer(ask: Ask, answer: Quantity, values: Mapping[str, Any], functio
     if calls(ask.quantity, "circle_of_poles"):
         return answer.value
     try:
-        number = float(evaluate(ask.quantity, values, functions, rounded))
+        number = plain(evaluate(ask.quantity, values, functions, rounded))
     except LOST:
         return None
-    return degrees(number) if ask.unit.degrees else number / plain(ask.unit.factor)
+    answered: float = number * DEGREES if ask.unit.degrees else number / plain(ask.unit.factor)
+    return answered
 
 
 def turn_of(ask: Ask) -> float:
@@ -161,9 +183,12 @@ def turn_of(ask: Ask) -> float:
     return 360.0 if ask.unit.degrees else tau
 
 
-def nearest_turn(number: float, exact: float, turn: float) -> float:
-    """The angle, with the number of full turns that brings it next to the exact one."""
-    return number - round((number - exact) / turn) * turn if turn else number
+def nearest_turn(number: Any, exact: Any, turn: float) -> Any:
+    """The angle, or angles, with the number of full turns that brings it next to the exact one."""
+    if not turn:
+        return number
+    nearest = np.rint if isinstance(number, np.ndarray) else round
+    return number - nearest((number - exact) / turn) * turn
 
 
 def calls(tree: Expression, function: str) -> bool:
@@ -180,6 +205,8 @@ def in_double(value: Any) -> Any:
     return double(value) if isinstance(value, Vector) else plain(value)
 
 
-def plain(number: Any) -> float:
-    """A number of any arithmetic as a double, angles in radians."""
+def plain(number: Any) -> Any:
+    """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they are."""
+    if isinstance(number, np.ndarray):
+        return number
     return float(number.ball() if isinstance(number, Angle) else number)

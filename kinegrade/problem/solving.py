@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from flint import arb, fmpq
@@ -24,6 +24,7 @@ from kinegrade.exact.balls import PRECISIONS, Balls, Undecided
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.expression import Expression, evaluate, read
+from kinegrade.mechanics.doubles import MotionInDoubles, in_doubles
 from kinegrade.mechanics.motion import Motion, pose, solve
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.assemble import Assembly, assemble, parameter_value
@@ -49,6 +50,11 @@ class Solution:
     assembly: Assembly
     motion: Motion
     arithmetic: Any
+
+    @cached_property
+    def doubles(self) -> MotionInDoubles:
+        """The motion in doubles: for scales, and for working it out again by hand."""
+        return in_doubles(self.motion)
 
     def __getitem__(self, ask: str) -> Quantity:
         """The answer of an ask."""
@@ -115,12 +121,18 @@ def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expre
     for name, parameter in template.parameters.items():
         text = given.get(name, parameter.default)
         try:
-            trees[name] = read(text)
+            trees[name] = read_again(text)
         except ExpressionError as error:
             faults += [f"{template.name}: {name} = {one_line(text[:60])}: {problem}" for problem in error.problems]
     if faults:
         raise TemplateError(*faults)
     return trees
+
+
+@lru_cache(maxsize=4096)
+def read_again(text: str) -> Expression:
+    """The tree of a value, read once: few values are drawn often. Raises ExpressionError."""
+    return read(text)
 
 
 def parameter_values(template: Template, trees: Mapping[str, Expression], arithmetic: Any) -> dict[str, Any]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from math import floor, log10
 
 from kinegrade.exact.figures import figures_interval
-from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.doubles import MotionInDoubles
 from kinegrade.problem.scale import scale
 from kinegrade.units import Unit
 
@@ -59,14 +60,20 @@ class Tolerance:
 ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
 
-def effective(tolerance: Tolerance, value: float, unit: Unit, motion: Motion) -> Tolerance:
+def effective(tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles) -> Tolerance:
     """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's share of the mechanism's
     own scale is allowed. Next to zero is what is smaller than that.
     """
-    room = tolerance.share * two_figures(scale(motion, unit))
+    room = tolerance.share * own_scale(motion, unit)
     if abs(value) >= room:
         return tolerance
     return replace(tolerance, absolute=max(tolerance.absolute, room))
+
+
+@lru_cache(maxsize=1024)
+def own_scale(motion: MotionInDoubles, unit: Unit) -> Fraction:
+    """The mechanism's own scale in a unit, to two figures."""
+    return two_figures(scale(motion, unit))
 
 
 def two_figures(size: float) -> Fraction:

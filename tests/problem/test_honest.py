@@ -84,6 +84,13 @@ def test_the_bounds_are_right(worked: float | None, right: bool) -> None:
     assert Target(0.995, 1.005, 1.0, 0.0, 4).met(worked, 4) is right
 
 
+def test_an_answer_may_be_typed_with_more_figures_than_were_carried() -> None:
+    aim = Target(1.0, 1.03449, 1.01, 0.0, 3)
+    assert aim.met(1.03444, 3)  # 1.03, 1.034, 1.0344
+    assert not aim.met(1.034486, 3)  # 1.03 is right, and so is all of it, but not 1.0345
+    assert not aim.met(1.0351, 3)
+
+
 def test_angles_are_compared_without_full_turns() -> None:
     assert nearest_turn(-179.9, 180.0, 360.0) == pytest.approx(180.1)
     assert nearest_turn(radians(3), radians(1), 0.0) == radians(3)

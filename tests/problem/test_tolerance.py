@@ -61,7 +61,7 @@ def test_the_share_is_what_the_rule_allows_whatever_the_value(rule: Tolerance, s
 ])
 def test_an_answer_next_to_zero_gets_room_from_the_mechanisms_scale(value: float, absolute: str) -> None:
     template = crank()
-    motion = solve_template(template, {"r": "5", "h": "3", "omega": "2"}).motion  # the fastest point has 10 m/s
+    motion = solve_template(template, {"r": "5", "h": "3", "omega": "2"}).doubles  # the fastest point has 10 m/s
     rule = effective(ONE_PER_CENT, value, template.asks["v_x"].unit, motion)
     assert rule == tolerance("1/100", absolute)
 

@@ -1,0 +1,61 @@
+"""Figures that several processes need are drawn by the first of them, and kept in a folder for the others."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from kinegrade.figure.alike import Subject
+from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
+from kinegrade.figure.sketch import PLAIN, drawn, sized
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.hints import FigureHints
+
+KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
+
+
+def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
+    """The figure that `sketch` gives, from the folder `book` where another process has drawn it.
+
+    Raises TemplateError as `sketch` does.
+    """
+    return sized(lambda shown: _kept(book, shown), mechanism, hints)
+
+
+@lru_cache(maxsize=1024)
+def _kept(book: Path, shown: Subject) -> Scene:
+    """The figure of a mechanism of unit size, from the book or into it. A page appears in it whole."""
+    page = book / sha256(shown.text.encode()).hexdigest()
+    try:
+        scene: Scene = _scene_part(json.loads(page.read_text(encoding="utf-8")))
+    except FileNotFoundError:
+        scene = drawn(shown)
+        draft = page.with_suffix(f".{os.getpid()}")
+        draft.write_text(json.dumps(_record(scene)), encoding="utf-8")
+        draft.replace(page)
+    return scene
+
+
+def _record(part: Any) -> Any:
+    """A part of a scene in lists and dictionaries; every number keeps all its digits."""
+    if is_dataclass(part) and not isinstance(part, type):
+        named = {entry.name: _record(getattr(part, entry.name)) for entry in fields(part)}
+        return {"kind": type(part).__name__, **named}
+    if isinstance(part, Vector):
+        return {"kind": "Vector", "x": part.x, "y": part.y}
+    return list(map(_record, part)) if isinstance(part, tuple) else part
+
+
+def _scene_part(record: Any) -> Any:
+    """The part of a scene that a record is of."""
+    if isinstance(record, list):
+        return tuple(map(_scene_part, record))
+    if isinstance(record, dict):
+        return KINDS[record.pop("kind")](**{name: _scene_part(value) for name, value in record.items()})
+    return record

@@ -1,0 +1,156 @@
+"""Honest work with rounded numbers for many instances at once: for which of them all answers surely come out right.
+
+The ways of working are those of `kinegrade.problem.honest`, in arithmetic that gives every instance what it gives
+alone, to the last bit; so it does not matter which instances are looked at together. What is not settled here, or not
+right, is left to `honest.stray`.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.exact.rounded_arrays import RoundedArrays
+from kinegrade.expression import Call, Expression, Operation
+from kinegrade.mechanics.stacked import stacked, stacked_numbers, stacked_vector, structure
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.honest import (
+    Target,
+    by_arms,
+    by_coordinates,
+    calls,
+    carried_figures,
+    in_double,
+    nearest_turn,
+    safe_room,
+    targets,
+)
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Template
+from kinegrade.problem.tolerance import Tolerance
+
+FEW = 4  # so few instances are worked out sooner one by one
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Instance:
+    """An instance solved, and what is right in it."""
+
+    solution: Solution
+    targets: Mapping[str, Target]
+
+    @property
+    def kind(self) -> Hashable:
+        """What instances that are worked out together have in common."""
+        figures = tuple((name, aim.figures) for name, aim in self.targets.items())
+        return structure(self.solution.doubles), tuple(self.solution.assembly.values), figures
+
+
+def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolerance]) -> list[bool]:
+    """For each solution of a template whether all honest work surely comes out right; else `honest.stray` decides."""
+    sure = [False] * len(solutions)
+    if not solutions or not together(solutions[0].template, solutions[0].answers):
+        return sure
+    kinds: dict[Hashable, list[int]] = defaultdict(list)
+    instances = [Instance(solution, targets(solution, tolerances)) for solution in solutions]
+    for place, instance in enumerate(instances):
+        kinds[instance.kind].append(place)
+    for places in kinds.values():
+        for place, flag in zip(places, passed([instances[place] for place in places]), strict=True):
+            sure[place] = bool(flag)
+    return sure
+
+
+def together(template: Template, asks: Iterable[str]) -> bool:
+    """Whether a template's instances can be worked out together: powers of arrays may differ in the last bit, and a
+    centrode is known alone."""
+    quantities = [template.asks[name].quantity for name in asks]
+    sentences = [getattr(sentence, part) for sentence in (*template.joints, *template.drivers)
+                 for part in ("on", "circle", "velocity", "acceleration", "along") if hasattr(sentence, part)]
+    trees = (*template.lengths.values(), *template.points.values(), *quantities, *sentences)
+    return not (any(map(has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities))
+
+
+def has_power(tree: Expression | None) -> bool:
+    """Whether something in an expression is raised to a power."""
+    if isinstance(tree, Call):
+        return any(map(has_power, tree.arguments))
+    return isinstance(tree, Operation) and (tree.sign == "**" or has_power(tree.left) or has_power(tree.right))
+
+
+def passed(instances: Sequence[Instance]) -> Flags:
+    """Which instances of one kind surely come out right. Where one that is not settled leads to what is no number,
+    the others are looked at again without it."""
+    sure = np.zeros(len(instances), dtype=bool)
+    places = np.arange(len(instances))
+    while len(places) >= FEW:
+        chosen = [instances[place] for place in places.tolist()]
+        settled: Flags = np.ones(len(places), dtype=bool)
+        try:
+            for right, arithmetic in verdicts(chosen):
+                settled &= right & ~arithmetic.unsettled
+        except FloatingPointError as error:
+            doubtful = getattr(error, "unsettled", None)
+            if doubtful is None or not doubtful.any():
+                return sure
+            places = places[~doubtful]
+            continue
+        sure[places] = settled
+        return sure
+    return sure
+
+
+def verdicts(instances: Sequence[Instance]) -> Iterator[tuple[Flags, RoundedArrays]]:
+    """For every way of working the instances in which all answers are right, and its arithmetic.
+
+    Raises FloatingPointError with the instances that are `unsettled` so far.
+    """
+    whole = stacked_solution([instance.solution for instance in instances])
+    aims = {name: [instance.targets[name] for instance in instances] for name in instances[0].targets}
+    for figures, every in carried_figures(instances[0].targets):
+        concerned = {name: same for name, same in aims.items() if same[0].figures in (figures, figures - 1)}
+        for sparing, by in ((False, "arms"), (True, "arms"), (False, "coordinates"))[:3 if every else 1]:
+            arithmetic = RoundedArrays(figures, len(instances), sparing=sparing)
+            try:
+                with arithmetic.context():
+                    worked = (by_arms(whole, whole.motion, arithmetic) if by == "arms" else
+                              by_coordinates(whole, arithmetic))
+            except FloatingPointError as error:
+                error.unsettled = arithmetic.unsettled  # type: ignore[attr-defined]
+                raise
+            yield np.all([met(same, worked.get(name), figures) for name, same in concerned.items()], axis=0), arithmetic
+
+
+def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
+    """Where an answer is right, as it came out and however it is written; next to its bounds one by one."""
+    if worked is None:
+        return np.zeros(len(aims), dtype=bool)
+    worked = np.broadcast_to(worked, len(aims))
+    low, high, exact = np.array([(aim.low, aim.high, aim.exact) for aim in aims]).T
+    near, room = nearest_turn(worked, exact, aims[0].turn), safe_room(np.abs(worked), figures)
+    right: Flags = (low + room <= near) & (near <= high - room)
+    for place in np.flatnonzero(~right).tolist():
+        right[place] = aims[place].met(float(worked[place]), figures)
+    return right
+
+
+def stacked_solution(solutions: Sequence[Solution]) -> Solution:
+    """The solutions, in doubles, as one whose numbers are arrays; answers are the first one's."""
+    first = solutions[0]
+    values = {name: stacked_values([in_double(solution.assembly.values[name]) for solution in solutions])
+              for name in first.assembly.values}
+    return replace(first, motion=stacked([solution.doubles for solution in solutions]),
+                   assembly=replace(first.assembly, values=values))
+
+
+def stacked_values(values: Sequence[Any]) -> Any:
+    """Numbers, points or words (which are the same in all) as one."""
+    if isinstance(values[0], str):
+        return values[0]
+    return stacked_vector(values) if isinstance(values[0], Vector) else stacked_numbers(values)

@@ -1,0 +1,32 @@
+"""Figures that processes share: the same as ever, drawn once, kept whole."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kinegrade.figure import sketchbook
+from kinegrade.figure.alike import Subject
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.sketchbook import sketch_once
+from kinegrade.mechanics.numeric import drawable_mechanism
+from kinegrade.problem.library import load_template
+from kinegrade.problem.solving import solve_template
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "flat-faced-follower-curvature-radius", "pin-in-two-rings"])
+def test_a_figure_from_the_book_is_the_figure(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    template = load_template(name)
+    mechanism = drawable_mechanism(solve_template(template, {}, []).assembly.mechanism)
+    expected = sketch(mechanism, template.figure)
+    assert sketch_once(tmp_path, mechanism, template.figure) == expected
+    assert len(list(tmp_path.iterdir())) == 1
+    sketchbook._kept.cache_clear()  # as another process has it
+    monkeypatch.setattr(sketchbook, "drawn", refuse)
+    assert repr(sketch_once(tmp_path, mechanism, template.figure)) == repr(expected)
+
+
+def refuse(shown: Subject) -> Scene:
+    raise AssertionError(shown.text)
