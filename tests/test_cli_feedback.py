@@ -39,6 +39,21 @@ def test_everybody_gets_a_sheet(exam: Path, form: str) -> None:
     assert len(list((folder / "sheets").iterdir())) == 4
 
 
+def test_solutions_are_handed_out_where_the_bank_says_so(exam: Path) -> None:
+    head, folder = exam / "exam.json", exam.parent / "FEEDBACK"
+    head.write_text(head.read_text(encoding="utf-8").replace("{", '{"solutions": true,', 1), encoding="utf-8")
+    wanted = kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md")
+    assert (wanted.exit_code, "generate the exam with --solutions" in wanted.stderr) == (2, True)
+    (exam / "solutions").mkdir()
+    for paper in (exam / "papers").iterdir():
+        shutil.copy(paper, exam / "solutions")
+    assert kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md").exit_code == 0
+    assert len(list((folder / "sheets").glob("*-solution.pdf"))) == 4
+    without = kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md", "--no-solutions",
+                        "--force")
+    assert (without.exit_code, list((folder / "sheets").glob("*-solution.pdf"))) == (0, [])
+
+
 def test_what_cannot_be_done_is_told_in_one_line(exam: Path) -> None:
     marks = exam.parent / "MARKS"
     swapped = kinegrade("report", marks, exam, "-o", exam.parent / "report.html")

@@ -31,7 +31,8 @@ EXAM_LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"
 @click.option("--decimal", type=click.Choice(["point", "comma"]),
               help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]")
 @click.option("--policy", type=FILE, metavar="FILE", help="Mark by this policy (TOML): tolerances, credits ...")
-@click.option("--never-lower", type=FILE, metavar="MARKS", help="Nobody falls below the total in this earlier MARKS.")
+@click.option("--never-lower", type=FILE, metavar="MARKS",
+              help="Nobody's share of the points falls below that in this earlier MARKS.")
 @FORCE
 @refusing
 def grade(*, exam: Path, answers: Path, output: Path, source: str | None, encoding: str | None, unfinished: bool,
@@ -113,13 +114,14 @@ def class_report(exam: Path, marks: Path, output: Path, language: Language | Non
 @click.option("-o", "--output", type=FILE, required=True, metavar="FEEDBACK", help="The folder of sheets to write.")
 @click.option("--format", "form", type=click.Choice(["pdf", "html", "md"]), default="pdf", show_default=True,
               help="What the sheets are written as.")
-@click.option("--solutions/--no-solutions", default=False, show_default=True,
-              help="Also hand out the worked solutions that EXAM holds.")
+@click.option("--solutions/--no-solutions", default=None,
+              help="Also hand out the worked solutions that EXAM holds.  [default: what the bank says, else "
+                   "no-solutions]")
 @EXAM_LANGUAGE
 @FORCE
 @refusing
-def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solutions: bool, language: Language | None,
-             force: bool) -> None:
+def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solutions: bool | None,
+             language: Language | None, force: bool) -> None:
     """Write everybody a sheet: own answers, right answers, what probably went wrong, points.
 
     \b
@@ -127,10 +129,12 @@ def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solut
     """
     from kinegrade.exam.exam_wording import exam_language, exam_wording
     from kinegrade.exam.feedback_pages import FeedbackPress
+    from kinegrade.grading.exam_record import read_exam_record
     from kinegrade.grading.feedback_folder import write_feedback
 
+    wanted = read_exam_record(exam).solutions if solutions is None else solutions
     chosen = language or exam_language(exam)
     printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form
     count = write_feedback(exam, marks, output, exam_wording(exam, chosen), printed, language=chosen,
-                           solutions=solutions, force=force)
+                           solutions=wanted, force=force)
     click.echo(f"{output}: {count} sheets; {output / 'feedback.csv'} says which is whose", err=True)

@@ -27,8 +27,8 @@ SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
               help="For Moodle: a question for each mechanism, or for each number asked for.")
 @click.option("--mistakes/--no-mistakes", default=True, show_default=True,
               help="Whether answers that known mistakes lead to are told what went wrong.")
-@click.option("--mistake-credit", "credit", type=click.FloatRange(0, 100), default=0, show_default=True,
-              metavar="PERCENT", help="What such an answer earns of its points.")
+@click.option("--mistake-credit", "credit", type=click.FloatRange(0, 100), metavar="PERCENT",
+              help="What such an answer earns of its points.  [default: what the bank says, else 0]")
 @click.option("--solutions/--no-solutions", default=False, show_default=True,
               help="Whether the worked solutions are shown after the quiz.")
 @METHOD
@@ -38,8 +38,9 @@ SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
               help="How many processes work on a large class.  [default: one for each core]")
 @FORCE
 @refusing
-def quiz(*, exam: Path, system: str, output: Path, variants: int | None, form: Form, mistakes: bool, credit: float,
-         solutions: bool, method: Method | None, language: Language | None, jobs: int | None, force: bool) -> None:
+def quiz(*, exam: Path, system: str, output: Path, variants: int | None, form: Form, mistakes: bool,
+         credit: float | None, solutions: bool, method: Method | None, language: Language | None, jobs: int | None,
+         force: bool) -> None:
     """Write the papers of EXAM as a quiz that a learning management system imports.
 
     \b
@@ -56,12 +57,14 @@ def quiz(*, exam: Path, system: str, output: Path, variants: int | None, form: F
     from kinegrade.lms.quiz.writers import WRITERS
 
     require_free(output, force=force)
-    wishes = QuizWishes(mistakes, Fraction(str(credit)) / 100, solutions, method)
+    wishes = QuizWishes(mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method)
     written = read_quiz(exam, language, variants=variants, wishes=wishes, jobs=jobs or cpu_count() or 1,
                         progress=progress)
     writer = partial(write_moodle_xml, form=form) if system == "moodle-xml" else WRITERS[system]
     remarks = writer(written, output)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
+    click.echo("marked there, every number stands alone: kinegrade grade on its responses knows follow-through",
+               err=True)
     finish(tuple(remarks))
 
 

@@ -40,25 +40,24 @@ Record = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class QuizWishes:
-    """What a quiz shall hold: known mistakes, each with a share of the points; worked solutions, by `method` where
-    several serve."""
+    """What a quiz shall hold: known mistakes, each with a share of the points, the bank's where none is wished; worked
+    solutions, by `method` where several serve."""
 
     mistakes: bool = True
-    credit: Fraction = NO_CREDIT
+    credit: Fraction | None = None
     solutions: bool = False
     method: Method | None = None
 
 
 def quiz_paper(source: QuizSource, wishes: QuizWishes, record: Record, *, pooled: bool = False) -> QuizPaper:
-    """The questions of one paper in the order in which they are printed; of nobody where they are pooled.
+    """The questions of one paper, of nobody where they are pooled.
 
-    Raises ExamError where the line is broken, TypesetError for texts that cannot be shown.
+    They stand in the bank's order even where the paper is shuffled, for in that order responses are read again. Raises
+    ExamError where the line is broken, TypesetError for texts that cannot be shown.
     """
     try:
         student = str(record["student"])
-        entries = {question["question"]: question for question in record["questions"]}
-        questions = tuple(_question(source, wishes, str(record["paper"]), entries[name])
-                          for name in record.get("printed", entries))
+        questions = tuple(_question(source, wishes, str(record["paper"]), entry) for entry in record["questions"])
         owner = ("", "") if pooled else (student, source.names[student])
     except BROKEN as fault:
         raise ExamError(f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
@@ -72,7 +71,7 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
     given = {parameter: given_text(value) for parameter, value in entry["parameters"].items()}
     try:
         parameters, mechanism = shown(template, given)
-        asks = tuple(_ask(template, ask, stated, wishes, language) for ask, stated in entry["asks"].items())
+        asks = tuple(_ask(template, ask, stated, wishes, source) for ask, stated in entry["asks"].items())
         tolerances = {template.asks[ask].symbol: source.tolerances[name, ask] for ask in entry["asks"]}
         solution = (solution_html(template, given, tuple(entry["asks"]), language, wishes.method)
                     if wishes.solutions else "")
@@ -111,12 +110,12 @@ def _figure(template: Template, mechanism: Mechanism, language: Language) -> Qui
     return QuizFigure(to_svg(scene).encode(), scene.width, scene.height, FIGURE[language].format(title))
 
 
-def _ask(template: Template, name: str, entry: Record, wishes: QuizWishes, language: Language) -> QuizAsk:
-    row = answer_row(template.asks[name], Fraction(entry["points"]), language)
+def _ask(template: Template, name: str, entry: Record, wishes: QuizWishes, source: QuizSource) -> QuizAsk:
+    row = answer_row(template.asks[name], Fraction(entry["points"]), source.language)
     value = right_value(entry)
     low, high = tolerance_of(entry).interval(value)
     period = Fraction(entry["period"]) if "period" in entry else None
-    mistakes = tuple(_mistakes(entry, wishes.credit, language)) if wishes.mistakes else ()
+    mistakes = tuple(_mistakes(entry, wishes.credit, source)) if wishes.mistakes else ()
     return QuizAsk(name, row.symbol, row.meaning, entry["unit"], row.sign, row.points, value, low, high, period,
                    mistakes)
 
@@ -127,12 +126,13 @@ def right_value(entry: Record) -> Fraction:
     return Fraction(exact if exact is not None and _RATIONAL.fullmatch(exact) else entry["decimal"])
 
 
-def _mistakes(entry: Record, credit: Fraction, language: Language) -> Iterator[QuizMistake]:
+def _mistakes(entry: Record, wished: Fraction | None, source: QuizSource) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
     tolerance, words = tolerance_of(entry), sentences()
     right = tolerance.interval(right_value(entry))
     for identifier, stated in entry.get("mistakes", {}).items():
         value = Fraction(stated)
         if not right[0] <= value <= right[1]:
-            sentence = words[identifier][language] if identifier in words else identifier
+            sentence = words[identifier][source.language] if identifier in words else identifier
+            credit = source.credits.get(identifier, NO_CREDIT) if wished is None else wished
             yield QuizMistake(identifier, value, credit, sentence, *tolerance.interval(value))

@@ -28,7 +28,8 @@ MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 class QuizSource:
     """An exam folder; `identifier` tells it from other exams, and tells nothing of its secret.
 
-    `templates` and `names` go by question and by student, `tolerances` by question and ask.
+    `templates` and `names` go by question and by student, `tolerances` by question and ask, `credits`, the shares of
+    the points that the bank gives for known mistakes, by mistake.
     """
 
     folder: Path
@@ -40,6 +41,7 @@ class QuizSource:
     templates: Mapping[str, Template]
     names: Mapping[str, str]
     tolerances: Mapping[tuple[str, str], Tolerance]
+    credits: Mapping[str, Fraction]
 
 
 def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSource:
@@ -57,10 +59,11 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         templates = _templates(folder, head)
         names = {str(student["student"]): str(student["name"]) for student in head["students"]}
         versions = tuple(map(str, head.get("versions", ())))
+        credits = {str(name): Fraction(share) for name, share in head.get("credit", {}).get("mistakes", {}).items()}
     except BROKEN as fault:
         raise ExamError(f"{folder / 'exam.json'}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
     return QuizSource(folder, sha256(bank.encode()).hexdigest()[:8], language or spoken, title, course, versions,
-                      templates, names, _tolerances(folder))
+                      templates, names, _tolerances(folder), credits)
 
 
 def key_lines(folder: Path) -> Iterator[tuple[int, str]]:

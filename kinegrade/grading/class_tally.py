@@ -97,7 +97,7 @@ def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
                              "others - expected the same asks for everybody - grade again")
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
             sitter = record.students.get(student)
-            count.include(totals[student], answers, papers.paper(student), sitter.version if sitter else "")
+            count.include(totals[student], answers, papers.marked(student, columns), sitter.version if sitter else "")
         else:
             count.silent.append(totals[student])
     return _closed(count)

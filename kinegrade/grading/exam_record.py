@@ -7,7 +7,7 @@ memory for one paper. Marks are not decided here: that is `exam_folder` and `jud
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -36,7 +36,10 @@ class Sitter:
 
 @dataclass(frozen=True)
 class ExamRecord:
-    """The head of an exam; `language` is that of its papers, `students` in the order of the roster."""
+    """The head of an exam; `language` is that of its papers, `students` in the order of the roster.
+
+    With `solutions` the bank wants feedback to hold the worked solutions.
+    """
 
     title: str
     course: str
@@ -45,6 +48,7 @@ class ExamRecord:
     questions: tuple[str, ...]
     versions: tuple[str, ...]
     students: Mapping[str, Sitter]
+    solutions: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +83,8 @@ def read_exam_record(folder: Path) -> ExamRecord:
     except _BROKEN as fault:
         raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}") from fault
     texts = {name: str(exam.get(name, "")) for name in ("title", "course", "date", "language")}
-    return ExamRecord(**texts, questions=questions, versions=tuple(exam.get("versions", ())), students=students)
+    return ExamRecord(**texts, questions=questions, versions=tuple(exam.get("versions", ())), students=students,
+                      solutions=exam.get("solutions") is True)
 
 
 def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
@@ -110,6 +115,15 @@ class PaperRecords:
         except _BROKEN as fault:
             raise ExamError(f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
                             f"{fault}) - {_MENDING}") from fault
+
+    def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
+        """The paper of a student whose answers stand in these columns. Raises ExamError where it does not ask them."""
+        paper = self.paper(student)
+        unknown = next((column for column in columns if column not in paper.answers), None)
+        if unknown is not None:
+            raise ExamError(f'{self._path}: the paper of student "{student}" does not ask {unknown}, which was marked '
+                            "- expected the marks of this exam - name the exam folder by which they were made")
+        return paper
 
 
 def _paper(record: Mapping[str, Any]) -> PaperRecord:

@@ -26,7 +26,7 @@ from kinegrade.grading.exam_record import (
     Sitter,
     read_exam_record,
 )
-from kinegrade.grading.feedback_words import FeedbackWords, feedback_words_of
+from kinegrade.grading.feedback_words import FULL, FeedbackWords, feedback_words_of
 from kinegrade.grading.hints import Hint
 from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
 from kinegrade.grading.math_html import unit_text
@@ -96,10 +96,11 @@ def feedback_sheets(marks: Path, exam: Path, wording: Wording, language: Literal
             raise ExamError(f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the marks of '
                             f"this exam - grade again with {exam}")
         sitter, total = record.students[student], totals[student]
+        paper = papers.marked(student, (answer.column for answer in answers))
         kept = total.total > sum(answer.points for answer in answers)
         yield sitter, FeedbackSheet(words, record.course, record.title, record.date, student, sitter.name, sitter.code,
                                     share_of(total.total, total.out_of), kept,
-                                    tuple(_questions(answers, papers.paper(student), wording, words)))
+                                    tuple(_questions(answers, paper, wording, words)))
 
 
 def _questions(answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
@@ -138,6 +139,8 @@ def _remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: F
         return (hint_text(found, answer, right, wording, words) if found and right else ""), ""
     if answer.verdict in ("right", "blank"):
         return "", ""
+    if answer.verdict == "void" and answer.out_of:
+        return words.explained[FULL], ""
     if answer.verdict in words.explained:
         told = words.reasons_are_told and answer.verdict in ("wrong unit", "unreadable")
         return words.explained[answer.verdict], answer.reason if told else ""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+FULL = "void, full points"  # in `explained`: of an ask that is void and still gives its points
+
 
 @dataclass(frozen=True)
 class FeedbackWords:
@@ -68,7 +70,8 @@ ENGLISH = FeedbackWords(
                "unreadable": "This could not be read as one number.",
                "accepted": "This answer was accepted as well.",
                "follow-through": "This follows from your own answer to an earlier part, which was wrong.",
-               "void": "This was taken out of the marking."},
+               "void": "This was taken out of the marking.",
+               FULL: "This was not marked: everybody who handed in gets the points."},
     reasons_are_told=True,
     hints={
         "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or the sign convention "
@@ -116,7 +119,8 @@ CHINESE = FeedbackWords(
                "unreadable": "所填内容无法读作一个数。",
                "accepted": "该答案也予以认可。",
                "follow-through": "该答案由你前一问的错误答案正确推得。",
-               "void": "该小问不参与评分。"},
+               "void": "该小问不参与评分。",
+               FULL: "该小问不评分，凡交卷者均得满分。"},
     reasons_are_told=False,
     hints={
         "opposite": "数值大小正确，符号相反：可能把转向（方向）弄反了，或没有注意正负号的约定。",

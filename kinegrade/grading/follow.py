@@ -3,7 +3,7 @@
 `follow_through` is pure and is called with the answers to one question as they were decided by the key, the policy and
 the known mistakes. What follows is worked out by whoever is given as `follows` (`kinegrade.exam.follow_through`); here
 stands what counts: the key is tried first, an error is charged once, and no credit comes from an earlier answer that is
-right, missing, zero or beyond any sense.
+right, missing, zero, beyond any sense, or such that it makes the rest trivial (`kinegrade.grading.triviality`).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.key import Ask, Key
 from kinegrade.grading.policy import Ruling
+from kinegrade.grading.triviality import Later, is_trivial
 
 FARTHEST = 1000  # times the right answer, or below its thousandth part: no follow-through from there
 SAME = Fraction(1, 10**9)  # relative: what is closer is the same but for rounding
@@ -92,9 +93,10 @@ def follow_through(student: str, answers: Sequence[Decided], follows: Follows) -
     found: dict[str, Decision] = {}
     wrong: dict[str, Fraction] = {}
     right: dict[str, Fraction] = {}
+    earlier = _Earlier(wrong, right, {answer.ask.ask: answer.key.value for answer in answers})
     for answer in follows.sorted(answers):
         if wrong and answer.may_follow:
-            verdict = next(_verdicts(student, answer, wrong, right, follows), None)
+            verdict = next(_verdicts(student, answer, earlier, follows), None)
             if verdict:
                 found[answer.ask.ask] = verdict, answer.ruling.follow_through
         value = answer.own_value
@@ -103,13 +105,30 @@ def follow_through(student: str, answers: Sequence[Decided], follows: Follows) -
     return found
 
 
-def _verdicts(student: str, answer: Decided, wrong: Own, right: Own, follows: Follows) -> Iterator[Verdict]:
-    """Agreements with what follows from own answers, of which one at least is wrong."""
-    for own, value in _followed(student, answer.ask, wrong, right, follows):
-        verdict = judge(answer.reading, answer.ruling.beside(answer.key, value))
-        if verdict.kind == "right":
+@dataclass(frozen=True, slots=True)
+class _Earlier:
+    """The student's own answers so far, the wrong ones and the right ones, and what would be right."""
+
+    wrong: Own
+    right: Own
+    keys: Own
+
+
+def _verdicts(student: str, answer: Decided, earlier: _Earlier, follows: Follows) -> Iterator[Verdict]:
+    """Agreements with what follows from own answers, of which one at least is wrong and none makes the rest trivial."""
+    def what_follows(own: Own) -> Fraction | None:
+        return follows(student, answer.ask.question, own, answer.ask.ask)
+
+    def compared(value: Fraction) -> Verdict:
+        return judge(answer.reading, answer.ruling.beside(answer.key, value))
+
+    later = Later(what_follows, lambda value: compared(value).kind == "right")
+    for own, value in _followed(student, answer.ask, earlier.wrong, earlier.right, follows):
+        if later.agrees(value):
             used = _used(student, answer.ask, own, value, follows)
-            yield Verdict("follow-through", _reason(answer.ask.question, used, verdict))
+            wrong = used.keys() & earlier.wrong.keys()
+            if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
+                yield Verdict("follow-through", _reason(answer.ask.question, used, compared(value)))
 
 
 def _followed(student: str, later: Ask, wrong: Own, right: Own, follows: Follows) -> Iterator[tuple[Own, Fraction]]:

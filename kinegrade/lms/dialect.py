@@ -47,10 +47,10 @@ class Download:
 
     `item` recognises the header of a grade column (groups title and maybe maximum), from position `first_item` on.
     `any_item` lets another column be named, where a person maps columns in the system anyway. `required` are the
-    headers by which this kind of file is known. Patterns of rows look at the first cell; `closed` says of which cells a
-    grade is not written, and why. `beginning` is what the header, joined by commas, has to begin with;
-    `broken_beginning` is a beginning of the text that the system cannot read; `misread` is a cell that it
-    takes for another number.
+    headers by which this kind of file is known; `percentages`, with {title}, those of the same grades in per cent.
+    Patterns of rows look at the first cell; `closed` says of which cells a grade is not written, and why, `locked` of
+    which rows: header and text. `beginning` is what the header, joined by commas, has to begin with; `broken_beginning`
+    is a beginning of the text that the system cannot read; `misread` is a cell that it takes for another number.
     """
 
     keys: tuple[Key, ...]
@@ -61,9 +61,11 @@ class Download:
     required: tuple[str, ...] = ()
     maximum_row: re.Pattern[str] | None = None
     maximum_column: str = ""
+    percentages: tuple[str, ...] = ()
     read_only: re.Pattern[str] | None = None
     skipped_row: re.Pattern[str] | None = None
     closed: Mapping[str, str] = field(default_factory=dict)
+    locked: tuple[str, str] = ("", "")
     channel: Channel | None = None
     encodings: tuple[str, ...] = ()
     beginning: re.Pattern[str] | None = None

@@ -66,8 +66,16 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     complaints = (*matching.complaints, *closed, *_misread(task, rows))
     if not changes:
         raise TableError(f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
-                         "name another file or other keys (--by)", *map(str, complaints[:20]))
+                         f"name another file or other keys (--by){_unknown_addresses(keys, grades)}",
+                         *map(str, complaints[:20]))
     return Filled(_content(task, changes), _count(rows, changes), complaints)
+
+
+def _unknown_addresses(keys: Sequence[KeyColumn], grades: ClassGrades) -> str:
+    """What else may help where people are known by addresses, and nobody's is known."""
+    by_address = any(column.key.field == "email" for column in keys)
+    return ", or the exam that knows the addresses (--exam)" if by_address and not any(
+        each.email for each in grades.students) else ""
 
 
 def _download(dialect: Dialect, table: CellTable) -> Download:
@@ -156,13 +164,20 @@ def _changes(
             continue
         for item, column in task.columns.items():
             cell = row.cells[column.place]
-            reason = task.download.closed.get(trimmed(cell.text).upper())
+            reason = task.download.closed.get(trimmed(cell.text).upper()) or _locked(task, row)
             if reason:
                 complaints.append(_closed(task, row, column, grade, reason))
                 continue
             changes[cell] = task.written(grade, item)
             changes |= _comments(task, row, grade, grades)
     return changes, complaints
+
+
+def _locked(task: _Task, row: Record) -> str:
+    """Why the system would pass over a whole row; "" where it would not."""
+    header, text = task.download.locked
+    places = [place for place, title in enumerate(task.table.titles) if title == header != ""]
+    return f'has "{text}" under "{header}"' if any(trimmed(row.cells[place].text) == text for place in places) else ""
 
 
 def _comments(task: _Task, row: Record, grade: StudentGrade, grades: ClassGrades) -> dict[Cell, str]:

@@ -10,6 +10,7 @@ from kinegrade.errors import TableError, did_you_mean, one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Channel, Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
+from kinegrade.lms.implied_maximum import implied_maximum
 from kinegrade.tables import trimmed
 
 
@@ -83,8 +84,21 @@ def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
                 or (download.read_only and download.read_only.search(told))):
             continue
         maximum = shape.groupdict().get("maximum") or told or _same_everywhere(table, download)
-        found.append(ItemColumn(place, header, shape["title"], number(maximum)))
+        stated = number(maximum)
+        found.append(ItemColumn(place, header, shape["title"],
+                                _implied(table, download, place, shape["title"]) if stated is None else stated))
     return found
+
+
+def _implied(table: CellTable, download: Download, place: int, title: str) -> Fraction | None:
+    """The maximum that follows from grades in points and, in another column, in per cent."""
+    headers = {shape.format(title=title) for shape in download.percentages}
+    others = [other for other, header in enumerate(table.titles) if header in headers]
+    if len(others) != 1:
+        return None
+    pairs = ((number(trimmed(row.cells[place].text)), number(trimmed(row.cells[others[0]].text.replace("%", ""))))
+             for row in table.rows)
+    return implied_maximum((points, share) for points, share in pairs if points is not None and share is not None)
 
 
 def _maximum_row(table: CellTable, download: Download) -> Record | None:

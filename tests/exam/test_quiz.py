@@ -25,6 +25,7 @@ from kinegrade.exam.roster import read_roster
 from kinegrade.exam.setting import set_exam
 from kinegrade.figure.svg import to_svg
 from kinegrade.grading.exam_folder import read_exam
+from kinegrade.lms.responses.exam_asks import read_exam_asks
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.mistake_kinds import mistake_sentence
@@ -125,8 +126,21 @@ def test_a_quiz_in_the_other_language(small_class: Path) -> None:
 def test_mistakes_earn_what_is_wished_or_stay_out(small_class: Path) -> None:
     half = papers(small_class / "EXAM", wishes=QuizWishes(credit=Fraction(1, 2)))[0]
     assert {mistake.credit for ask in asks(half).values() for mistake in ask.mistakes} == {Fraction(1, 2)}
+    assert {mistake.credit for ask in asks(papers(small_class / "EXAM")[0]).values() for mistake in ask.mistakes} == {0}
     none = papers(small_class / "EXAM", wishes=QuizWishes(mistakes=False))[0]
     assert not [ask for ask in asks(none).values() if ask.mistakes]
+
+
+def test_mistakes_earn_what_the_bank_says_unless_something_else_is_wished(small_class: Path, tmp_path: Path) -> None:
+    exam = copied(small_class, tmp_path)
+    head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
+    head["credit"] = {"follow-through": "1/3", "mistakes": {"sense-reversed": "1/2"}}
+    (exam / "exam.json").write_text(json.dumps(head), encoding="utf-8")
+    found = [mistake for ask in asks(papers(exam)[0]).values() for mistake in ask.mistakes]
+    assert {mistake.credit for mistake in found if mistake.identifier == "sense-reversed"} == {Fraction(1, 2)}
+    assert {mistake.credit for mistake in found if mistake.identifier != "sense-reversed"} == {0}
+    wished = papers(exam, wishes=QuizWishes(credit=Fraction(0)))[0]
+    assert {mistake.credit for ask in asks(wished).values() for mistake in ask.mistakes} == {0}
 
 
 def test_a_mistake_within_what_is_right_is_none(small_class: Path, tmp_path: Path) -> None:
@@ -168,7 +182,7 @@ def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
         read_quiz(small_class / "EXAM", variants=5)
 
 
-def test_a_version_is_put_once_and_shuffled_questions_as_they_are_printed(tmp_path: Path) -> None:
+def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are_read(tmp_path: Path) -> None:
     folder = write_class(tmp_path)
     bank = (folder / "bank.toml").read_text(encoding="utf-8")
     (folder / "bank.toml").write_text("versions = 2\nshuffle = true\n" + bank, encoding="utf-8")
@@ -176,9 +190,10 @@ def test_a_version_is_put_once_and_shuffled_questions_as_they_are_printed(tmp_pa
     put = papers(folder / "EXAM")
     assert [(paper.code, paper.student, paper.name) for paper in put] == [
         ("A", "", "Version A"), ("B", "", "Version B")]
-    lines = {record["version"]: record for _, line in key_lines(folder / "EXAM") for record in [json.loads(line)]}
-    for paper in put:
-        assert [question.question for question in paper.questions] == lines[paper.code]["printed"]
+    orders = {tuple(json.loads(line)["printed"]) for _, line in key_lines(folder / "EXAM")}
+    read = list(read_exam_asks(folder / "EXAM").questions)
+    assert orders - {tuple(read)}
+    assert [[question.question for question in paper.questions] for paper in put] == [read, read]
     assert len(papers(folder / "EXAM", variants=2)) == 2
     with pytest.raises(ExamError, match="has 2 different papers"):
         read_quiz(folder / "EXAM", variants=3)

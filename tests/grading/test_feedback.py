@@ -6,13 +6,15 @@ import csv
 import json
 from fractions import Fraction
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from markdown_it import MarkdownIt
 
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.exam_wording import ExamWording
-from kinegrade.grading.exam_record import PaperRecords, RightAnswer
+from kinegrade.grading.class_tally import tally
+from kinegrade.grading.exam_record import PaperRecords, RightAnswer, read_exam_record
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets, right_text
 from kinegrade.grading.feedback_folder import write_feedback
 from kinegrade.grading.feedback_html import feedback_html
@@ -114,6 +116,23 @@ def test_a_known_mistake_is_told_by_its_sentence(tmp_path: Path) -> None:
     assert (row.verdict, row.points, row.remark) == ("wrong", "2 / 4", "The Coriolis acceleration was left out.")
 
 
+@pytest.mark.parametrize(("out_of", "language", "remark"), [
+    ("0", "en", "This was taken out of the marking."),
+    ("4", "en", "This was not marked: everybody who handed in gets the points."),
+    ("4", "zh", "该小问不评分，凡交卷者均得满分。"),
+])
+def test_a_void_answer_is_told_what_became_of_its_points(
+    tmp_path: Path, out_of: str, language: Literal["en", "zh"], remark: str
+) -> None:
+    exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
+    file = marks / "marks.csv"
+    lines = file.read_text(encoding="utf-8").splitlines()
+    lines[1] = f"7,q1,v_B,1,1,m/s,void,{out_of},{out_of},void by the policy"
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (_, sheet), = feedback_sheets(marks, exam, WORDING, language)
+    assert sheet.questions[0].rows[0].remark == remark
+
+
 def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     grades = (marks / "grades.csv").read_text(encoding="utf-8")
@@ -201,6 +220,18 @@ def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
         list(feedback_sheets(marks, exam, WORDING, "en"))
     with pytest.raises(ExamError, match='no paper of student "8" - expected one for everybody who is marked'):
         PaperRecords(exam).paper("8")
+
+
+def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_and_report(tmp_path: Path) -> None:
+    exam, marks = mark_class(tmp_path, {"7": RIGHT})
+    file = marks / "marks.csv"
+    file.write_text(file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8")
+    message = (r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the marks of '
+               "this exam - name the exam folder by which they were made")
+    with pytest.raises(ExamError, match=message):
+        list(feedback_sheets(marks, exam, WORDING, "en"))
+    with pytest.raises(ExamError, match=message):
+        tally(marks, exam, read_exam_record(exam))
 
 
 @pytest.mark.parametrize(("text", "message"), [

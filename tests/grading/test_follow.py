@@ -168,3 +168,10 @@ def test_what_stands_nearer_to_the_ask_goes_first(tmp_path: Path, text: str, sha
     policy = policy_of(text, tmp_path)
     found = [policy.ruling(column).follow_through for column in ("q1.v_B", "q1.omega_AB", "q2.phi")]
     assert found == [Fraction(share) for share in shares]
+
+
+def test_no_credit_for_going_on_from_next_to_nothing() -> None:
+    # a_B = omega^2 + alpha + 12: with omega gone and alpha right, 20 is a forgotten omega^2, or one of 0.02^2
+    assert followed(omega_AB="0.02", alpha_AB="8", a_B="20") == {}
+    assert list(followed(omega_AB="3", alpha_AB="8", a_B="29")) == ["a_B"]
+    assert list(followed(omega_AB="0.02", phi="3.5")) == ["phi"]  # in proportion to it: nothing is forgotten

@@ -9,6 +9,8 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.lms.dialect import ExportOptions
+from kinegrade.lms.fill_in import fill_in
+from kinegrade.lms.grades import read_grades
 from kinegrade.lms.moodle import MOODLE, export
 from kinegrade.tables import parse_table
 from tests.golden_files import Hold
@@ -115,6 +117,17 @@ def test_a_downloaded_gradebook_keeps_every_byte_but_grades_and_feedback(
     assert len(told) == (0 if by == "id" else 2), told
 
 
+def test_a_maximum_that_only_points_beside_per_cent_tell_is_not_overlooked(tmp_path: Path) -> None:
+    of_twenty = sample("en").replace(b"29.41 %", b"14.71 %").replace(b"52.94 %", b"26.47 %")
+    with pytest.raises(TableError) as refusal:
+        filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",)))
+    assert refusal.value.problems == (
+        'download.csv: "Quiz: Kinematics quiz (Real)": counts 20 there, 10 in the exam - expected the same - add '
+        "--scale to scale the grades, or correct the item",)
+    filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",), scale=True))
+    assert changed(tmp_path)[5, "Quiz: Kinematics quiz (Real)"] == "16.5"
+
+
 def test_an_encoding_that_moodle_can_be_told_is_kept(tmp_path: Path) -> None:
     result = filled(tmp_path, MOODLE, sample("zh_cn").decode().encode("gb18030"), ExportOptions(by=("id",)))
     assert len(changed(tmp_path)) == 6
@@ -156,6 +169,20 @@ def test_the_assignment_worksheet_is_filled_by_email_and_keeps_its_marks(tmp_pat
         'old, and ""long""', "q1: 4/7; q2: 0/3").encode() in result.content
     assert [str(each) for each in result.complaints] == [
         'download.csv: no row for student "0012348" by Email address - not exported']
+
+
+def test_a_row_of_the_worksheet_that_moodle_would_pass_over_in_silence_is_told(tmp_path: Path) -> None:
+    result = filled(tmp_path, MOODLE, WORKSHEET.replace('3.00,10.00,Yes', '3.00,10.00,No'))
+    assert {line for line, _ in changed(tmp_path)} == {2}
+    assert str(result.complaints[-1]) == (
+        'download.csv:3: Grade: student "0012346" has "No" under "Grade can be changed" (3.00) - left as it is; 4 '
+        "would be the grade")
+
+
+def test_where_nobodys_address_is_known_the_exam_is_asked_for(tmp_path: Path) -> None:
+    (tmp_path / "download.csv").write_text(WORKSHEET, encoding="utf-8", newline="")
+    with pytest.raises(TableError, match=r"other keys \(--by\), or the exam that knows the addresses \(--exam\)"):
+        fill_in(MOODLE, read_grades(write_marks(tmp_path)), tmp_path / "download.csv", ExportOptions())
 
 
 def test_a_worksheet_states_its_maximum(tmp_path: Path) -> None:

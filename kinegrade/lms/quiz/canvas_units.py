@@ -18,8 +18,16 @@ def fits(ask: QuizAsk) -> bool:
     """Whether four decimals are enough: for the answer, and for what counts as right on either side of it."""
     if ask.low == ask.high:
         return (ask.value / KEPT).denominator == 1
-    reach = min(ask.value - ask.low, ask.high - ask.value)
-    return reach >= KEPT and (ask.value == 0 or abs(ask.value) >= SMALLEST)
+    return (_wide_enough(ask) or _kept(ask.low, ask.high)) and (ask.value == 0 or abs(ask.value) >= SMALLEST)
+
+
+def _wide_enough(ask: QuizAsk) -> bool:
+    return min(ask.value - ask.low, ask.high - ask.value) >= KEPT
+
+
+def _kept(low: Fraction, high: Fraction) -> bool:
+    """Whether rounding to four decimals makes nothing wrong that is right, for the bounds are kept as they are."""
+    return high - low >= 2 * KEPT and all((bound / KEPT).denominator == 1 for bound in (low, high))
 
 
 def fitted(ask: QuizAsk) -> QuizAsk | None:

@@ -21,8 +21,8 @@ NO_BANDS = ("qti12: Canvas gives a number all points or none - credit and commen
             "give them with kinegrade grade, from the students' responses")
 CHANGED = "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {} where that is too coarse"
 TOO_COARSE = ("{}: {} = {} {}, right from {} to {}, is finer than the four decimals that Canvas keeps - expected an "
-              "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side - draw larger numbers, or "
-              "allow more")
+              "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side, or 0.0002 between bounds "
+              "of four decimals - draw larger numbers, or allow more")
 
 
 def numerical_items(question: QuizQuestion, language: Language, remarks: Remarks, *,

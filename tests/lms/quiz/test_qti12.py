@@ -149,9 +149,24 @@ def test_an_answer_whose_unit_has_no_finer_one_is_refused_with_all_others(tmp_pa
     first, second = refusal.value.problems
     assert first == ("exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is finer than the four "
                      "decimals that Canvas keeps - expected an answer of 0 or of 0.001 and more, with 0.0001 or more "
-                     "allowed on either side - draw larger numbers, or allow more")
+                     "allowed on either side, or 0.0002 between bounds of four decimals - draw larger numbers, or "
+                     "allow more")
     assert second.startswith("exam-P-q2: A = 0.00004 m^2, ")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("low", "high", "taken"), [
+    ("0.2235", "0.2245", True), ("0.22435", "0.22455", False), ("0.2244", "0.2245", False),
+])
+def test_bounds_that_canvas_keeps_are_taken_near_the_right_number_too(low: str, high: str, taken: bool,
+                                                                      tmp_path: Path) -> None:
+    ask = replace(a_quiz.LOST, value=Fraction("0.224488"), low=Fraction(low), high=Fraction(high))
+    if taken:
+        write(one_ask(ask), tmp_path / "quiz.zip")
+        assert f">{low}</vargte>" in listing(tmp_path / "quiz.zip")
+    else:
+        with pytest.raises(ExportError, match="is finer than the four decimals"):
+            write(one_ask(ask), tmp_path / "quiz.zip")
 
 
 def test_hundreds_of_refusals_are_told_by_the_first_and_a_count(tmp_path: Path) -> None:

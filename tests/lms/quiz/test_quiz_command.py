@@ -29,6 +29,7 @@ def test_every_form_is_written(small_class: Path, tmp_path: Path, system: str) -
     result = put(small_class / "EXAM", "--to", system, "-o", target, "--no-mistakes")
     assert result.exit_code in (0, 1), result.stderr
     assert f"{target}: written; it gives the key away, for instructors only" in result.stderr
+    assert "marked there, every number stands alone: kinegrade grade on its responses knows" in result.stderr
     assert target.stat().st_size > 2000
 
 

@@ -1,0 +1,29 @@
+"""The maximum of an item where a download does not state it, but tells grades in points and in per cent side by side.
+
+Moodle's gradebook is such a file. `implied_maximum` is called by `kinegrade.lms.item_columns`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from math import ceil
+
+HALF_A_PLACE = Fraction(1, 200)  # points and per cent are rounded to two decimals
+STEP = Fraction(1, 2)  # maxima are whole numbers or halves
+NARROW = Fraction(1, 10)  # what is told no better tells nothing
+
+
+def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | None:
+    """The maximum that all grades, each in points and in per cent, agree with; None where they tell none.
+
+    >>> implied_maximum([(Fraction("2.94"), Fraction("29.41"))])
+    Fraction(10, 1)
+    """
+    told = [(points, share) for points, share in grades if points > HALF_A_PLACE and share > HALF_A_PLACE]
+    if not told:
+        return None
+    least = max(100 * (points - HALF_A_PLACE) / (share + HALF_A_PLACE) for points, share in told)
+    most = min(100 * (points + HALF_A_PLACE) / (share - HALF_A_PLACE) for points, share in told)
+    found = ceil(least / STEP) * STEP
+    return found if least <= found <= most <= least + NARROW else None
