@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 
@@ -47,6 +49,15 @@ def test_a_long_answer_stays_inside_its_column(tmp_path: Path, press: FeedbackPr
     pdf = press.feedback(sheet_of(tmp_path, ("9" * 500, "张" * 79, "😀\U000e0001")))
     assert len(PdfReader(BytesIO(pdf)).pages) == 1
     assert "[U+1F600]" in text_of(pdf)
+
+
+def test_a_number_and_its_unit_stand_on_one_line(tmp_path: Path, press: FeedbackPress) -> None:
+    sheet = sheet_of(tmp_path, RIGHT)
+    question = sheet.questions[0]
+    rows = [replace(question.rows[0], right=f"{exact} ≈ 5.57615\u202fm/s²")
+            for exact in ("√3", "4√2 − 4√34", "4√2 − 4√34/289", "4√2 − 4√34/289 + √2", "4√2 − 4√34/289 + 23√2/17")]
+    text = text_of(press.feedback(replace(sheet, questions=(replace(question, rows=tuple(rows)),))))
+    assert len(re.findall(r"≈ 5\.57615\s?m/s²", text.replace("\n", "|"))) == len(rows)
 
 
 def test_chinese_sheets_are_printed(tmp_path: Path, press: FeedbackPress) -> None:
