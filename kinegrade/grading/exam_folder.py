@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
-from typing import Any, BinaryIO, TypeVar
+from typing import Any, BinaryIO, NamedTuple, TypeVar
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.roster import student_key
@@ -20,7 +20,7 @@ from kinegrade.grading.key import Ask, Exam, Examinee, Paper, questions
 from kinegrade.grading.key_decoding import PaperDecoder
 
 FORMAT = 1
-_BUFFER = 2**20  # bytes; lines are long, and the usual buffer is about one line
+_BUFFER = 2**17  # bytes: some lines, which are long, and not more than stays in the fast memory of a processor
 _MENDING = "restore the exam folder as it was generated"
 Item = TypeVar("Item")
 
@@ -85,61 +85,83 @@ def open_exam(folder: Path) -> ExamFolder:
     return ExamFolder(folder, tuple(asks), dict(students), exam.get("credit"))
 
 
+class _Line(NamedTuple):
+    """A line of key.jsonl: its number, and where it begins in the file."""
+
+    number: int
+    begin: int
+    text: bytes
+
+
 class _Papers:
     """Puts the lines of key.jsonl into the order of the roster; where one is early, its place is kept, not its text."""
 
     def __init__(self, exam: ExamFolder, stream: BinaryIO) -> None:
-        self.exam, self.stream, self.decoder = exam, stream, PaperDecoder(exam.asks)
-        self.early: dict[str, tuple[int, int]] = {}
-        self.seen: Counter[str] = Counter()
+        self.exam, self.stream, self.decoder = exam, stream, PaperDecoder(exam.asks, exam.names)
+        self.early: dict[str, _Line] = {}
+        self.seen: list[str] = []
         self.faults: list[str] = []
 
     def in_roster_order(self) -> Iterator[Paper]:
         """All papers. Raises ExamError, after the last."""
         waiting = iter(self.exam.names)
         due = next(waiting, None)
-        for number, place, paper in self._in_file_order():
-            self.seen[paper.student] += 1
+        for line, paper in self._in_file_order():
+            self.seen.append(paper.student)
             if paper.student != due:
-                self.early.setdefault(paper.student, (number, place))
+                self.early.setdefault(paper.student, line._replace(text=b""))
                 continue
             yield paper
             due = next(waiting, None)
             while due is not None and due in self.early:
-                yield self._early(due)
+                yield self._early(self.early[due])
                 due = next(waiting, None)
-        faults = self.faults or [*_repetitions("key.jsonl: student", self.seen.elements()), *self._strangers()]
+        faults = self.faults or [*_repetitions("key.jsonl: student", self.seen), *self._strangers()]
         if faults:
             raise _broken(self.exam.folder, faults)
 
-    def _in_file_order(self) -> Iterator[tuple[int, int, Paper]]:
-        """Each line's number and place in the file, with the paper on it; none any more after the first fault."""
-        place = number = 0
-        for line in self.stream:
-            if not line.isspace():
-                number += 1
+    def _in_file_order(self) -> Iterator[tuple[_Line, Paper]]:
+        """Each line with the paper on it; none any more after the first fault."""
+        for lines in self._lines():
+            papers = self.decoder.usual([line.text for line in lines], [self._place(line) for line in lines])
+            if papers is not None and not self.faults:
+                yield from zip(lines, papers, strict=True)
+                continue
+            for line in lines:
                 try:
-                    paper = self._paper(line, number)
+                    paper = self.decoder.paper(line.text, self._place(line))
                     if not self.faults:
-                        yield number, place, paper
+                        yield line, paper
                 except FieldError as fault:
-                    self.faults.append(f"key.jsonl: line {number}: {fault}")
-            place += len(line)
+                    self.faults.append(f"key.jsonl: line {line.number}: {fault}")
 
-    def _early(self, student: str) -> Paper:
-        now, (number, place) = self.stream.tell(), self.early[student]
-        self.stream.seek(place)
-        line = self.stream.readline()
+    def _lines(self) -> Iterator[list[_Line]]:
+        """The lines that are not empty, some at a time."""
+        begin = number = 0
+        while texts := self.stream.readlines(_BUFFER):
+            lines = []
+            for text in texts:
+                if not text.isspace():
+                    number += 1
+                    lines.append(_Line(number, begin, text))
+                begin += len(text)
+            yield lines
+
+    def _early(self, line: _Line) -> Paper:
+        now = self.stream.tell()
+        self.stream.seek(line.begin)
+        text = self.stream.readline()
         self.stream.seek(now)
-        return self._paper(line, number)
+        return self.decoder.paper(text, self._place(line))
 
-    def _paper(self, line: bytes, number: int) -> Paper:
-        return self.decoder.paper(line, f"{self.exam.folder}/key.jsonl: line {number}", self.exam.names)
+    def _place(self, line: _Line) -> str:
+        return f"{self.exam.folder}/key.jsonl: line {line.number}"
 
     def _strangers(self) -> Iterator[str]:
-        for student in sorted(self.exam.names.keys() - self.seen.keys()):
+        seen = set(self.seen)
+        for student in sorted(self.exam.names.keys() - seen):
             yield f'key.jsonl: no line for student "{student}" - expected one'
-        for student in sorted(self.seen.keys() - self.exam.names.keys()):
+        for student in sorted(seen - self.exam.names.keys()):
             yield f'key.jsonl: student "{student}" is not in exam.json - expected only its students'
 
 

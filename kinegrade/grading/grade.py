@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import gc
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from types import MappingProxyType
 
@@ -25,6 +27,7 @@ MARKER = "complaints.csv"
 FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT)
 Export = Callable[[Path], str]  # a folder with these files -> the text of one more
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
+_NEW_OBJECTS = 100_000  # between two searches for cyclic rubbish; usually some 700
 
 
 def grade(
@@ -49,7 +52,8 @@ def grade(
     below whose totals nobody falls; `follows` works out what follows from own answers. Same input, same bytes.
     Raises ExamError, PolicyError, TableError, OutputError.
     """
-    with output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force) as folder:
+    contents = (*FILES, *exports)
+    with _seldom_collected(), output_folder(output, marker=MARKER, contents=contents, force=force) as folder:
         known, givens = open_exam(exam), Givens(exam)
         sheet = read_sheet(read_table(answers) if isinstance(answers, Path) else answers, known)
         rules = (read_policy(policy, known, givens, known.credit) if policy
@@ -64,3 +68,16 @@ def grade(
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
     return grades
+
+
+@contextmanager
+def _seldom_collected() -> Iterator[None]:
+    """Meanwhile, cyclic rubbish is seldom looked for: a class makes a million objects, and hardly any of it."""
+    usual = gc.get_threshold()
+    gc.freeze()
+    gc.set_threshold(_NEW_OBJECTS)
+    try:
+        yield
+    finally:
+        gc.set_threshold(*usual)
+        gc.unfreeze()

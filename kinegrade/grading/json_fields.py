@@ -14,7 +14,8 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, TypeVar
 
-NUMBER = r"-?[0-9]{1,100}(?:\.[0-9]{1,100})?(?:[eE][+-]?[0-9]{1,2})?"
+MOST_DIGITS = 100
+NUMBER = rf"-?[0-9]{{1,{MOST_DIGITS}}}(?:\.[0-9]{{1,{MOST_DIGITS}}})?(?:[eE][+-]?[0-9]{{1,2}})?"
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
 _NUMBER = re.compile(NUMBER)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")

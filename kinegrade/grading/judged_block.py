@@ -18,6 +18,7 @@ from kinegrade.grading.typed_cells import TypedCells
 
 Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # places in `JudgedBlock.credits`
+USUAL_CREDITS = 2  # as many there are where every answer has all or nothing
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,50 +1,31 @@
 """Lines of key.jsonl as `generate` writes them, decoded by their types: a class of 100,000 has a million keys.
 
-`PaperDecoder` is used by `exam_folder`. What is not of the usual shape, and every fault, is left to `key_line`, so that
-a line means the same whichever reads it. Only mistakes are looked at later, by `stated_keys`: a fault in them is found
-where an answer is held against them.
+`PaperDecoder` is used by `exam_folder`, with many lines at once. What is not of the usual shape, and every fault, is
+left to `key_line`, so that a line means the same whichever reads it. Only mistakes are looked at later, by
+`stated_keys`: a fault in them is found where an answer is held against them.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
+from itertools import chain, groupby, islice
 from math import isclose, nan
+from operator import attrgetter
+from types import GenericAlias
+from typing import Any
 
 import msgspec
+from msgspec.structs import astuple
 
-from kinegrade.grading.json_fields import NUMBER, RATIONAL, FieldError, not_negative, parsed
-from kinegrade.grading.key import Ask, Keys, Paper
+from kinegrade.grading.json_fields import MOST_DIGITS, FieldError, not_negative, parsed
+from kinegrade.grading.key import Ask, Paper
 from kinegrade.grading.key_line import exact_paper, rule_of
-from kinegrade.grading.stated_keys import StatedKeys, Terms
+from kinegrade.grading.stated_keys import Entry, StatedKeys, Terms
 
-_DECIMALS = re.compile(rf"{NUMBER}(?:\n{NUMBER})*+")
+_REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten with which no number is taken
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each
-_PARTS = 4  # of the terms of an ask: unit, points, tolerance, period
-
-
-class _Entry(msgspec.Struct, gc=False):
-    """The key of one ask; what is mostly the same, or not wanted, stays as it is written."""
-
-    unit: msgspec.Raw
-    points: msgspec.Raw
-    value: float
-    decimal: str
-    tolerance: msgspec.Raw
-    exact: str | None = None
-    period: msgspec.Raw = msgspec.Raw(b"null")
-    mistakes: msgspec.Raw = msgspec.Raw(b"{}")
-
-
-class _Question(msgspec.Struct, gc=False):
-    question: str
-    asks: dict[str, _Entry]
-
-
-class _Line(msgspec.Struct, gc=False):
-    student: str
-    questions: list[_Question]
+_STATED, _TERMS = attrgetter("unit", "points"), attrgetter("tolerance", "period")
 
 
 class _UnusualError(Exception):
@@ -57,42 +38,47 @@ _UNUSUAL = (
 
 
 class PaperDecoder:
-    """Reads the lines of one key.jsonl."""
+    """Reads the lines of one key.jsonl; `names` give the students'."""
 
-    def __init__(self, asks: Sequence[Ask]) -> None:
-        self._asks = asks
-        self._columns = [(ask.question, ask.ask) for ask in asks]
-        self._decode = msgspec.json.Decoder(_Line, strict=False).decode
+    def __init__(self, asks: Sequence[Ask], names: Mapping[str, str]) -> None:
+        self._asks, self._names = asks, names
+        self._questions = list(dict.fromkeys(ask.question for ask in asks))
+        self._stated = [(ask.unit, float(ask.points)) for ask in asks]
+        self._decode = msgspec.json.Decoder(_line_type(asks), strict=False).decode
         self._terms: dict[bytes, Terms] = {}
 
-    def paper(self, line: bytes, place: str, names: Mapping[str, str]) -> Paper:
-        """The paper on a line; `place` is the line's in messages, `names` give the student's.
-
-        Raises FieldError, and UnicodeDecodeError where it is not UTF-8.
-        """
-        keys: Keys
-        text = "" if line.isascii() else line.decode("utf-8")
+    def usual(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper] | None:
+        """The papers on these lines, or None if one is not of the usual shape; `places` are the lines' in messages."""
         try:
-            student, keys = self._usual(line, place)
+            return self._papers(lines, places)
         except _UNUSUAL:
-            student, keys = exact_paper(self._asks, text or line.decode("utf-8"))
-        return Paper(student, names.get(student, ""), keys)
+            return None
 
-    def _usual(self, line: bytes, place: str) -> tuple[str, StatedKeys]:
-        found = self._decode(line)
-        if [(each.question, name) for each in found.questions for name in each.asks] != self._columns:
+    def paper(self, line: bytes, place: str) -> Paper:
+        """The paper on a line of any shape. Raises FieldError, and UnicodeDecodeError where it is not UTF-8."""
+        for paper in self.usual([line], [place]) or ():
+            return paper
+        student, keys = exact_paper(self._asks, line.decode("utf-8"))
+        return Paper(student, self._names.get(student, ""), keys)
+
+    def _papers(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper]:
+        found = [self._decode(line) for line in lines if line.isascii() or line.decode("utf-8")]
+        if any([question.question for question in line.questions] != self._questions for line in found):
             raise _UnusualError
-        entries = [entry for each in found.questions for entry in each.asks.values()]
-        decimals = [entry.decimal for entry in entries]
-        if not _DECIMALS.fullmatch("\n".join(decimals)):
+        papers = [[*chain.from_iterable([astuple(each.asks) for each in line.questions])] for line in found]
+        entries = [*chain.from_iterable(papers)]
+        if [*map(_STATED, entries)] != self._stated * len(found):
             raise _UnusualError
-        terms = self._terms_of(b"\0".join([
-            part for entry in entries for part in (entry.unit, entry.points, entry.tolerance, entry.period)]))
-        values, centres = _values(entries, decimals)
+        centres = iter(_centres(entries))
+        return [Paper(line.student, self._names.get(line.student, ""),
+                      self._keys(f'{place}: student "{line.student}"', keys, [*islice(centres, len(keys))]))
+                for line, place, keys in zip(found, places, papers, strict=True)]
+
+    def _keys(self, place: str, entries: list[Entry], centres: list[float]) -> StatedKeys:
+        terms = self._terms_of(b"\0".join(chain.from_iterable(map(_TERMS, entries))))
         if any(terms.periods):
             centres = [nan if period else centre for centre, period in zip(centres, terms.periods, strict=True)]
-        where = f'{place}: student "{found.student}"'
-        return found.student, StatedKeys(where, values, centres, terms, [entry.mistakes for entry in entries])
+        return StatedKeys(place, entries, centres, terms)
 
     def _terms_of(self, stated: bytes) -> Terms:
         """Rule and period of each ask; they are the same on most papers."""
@@ -100,32 +86,36 @@ class PaperDecoder:
             if len(self._terms) > _MOST_TERMS:
                 self._terms.clear()
             parts = [parsed(part.decode()) for part in stated.split(b"\0")]
-            units, points, tolerances, periods = (parts[place::_PARTS] for place in range(_PARTS))
-            for ask, unit, worth in zip(self._asks, units, points, strict=True):
-                if unit != ask.unit or _number(worth) != ask.points:
-                    raise _UnusualError
-            self._terms[stated] = Terms(self._asks, tuple(map(rule_of, tolerances)),
-                                        tuple(None if period is None else _number(period) for period in periods))
+            periods = tuple(None if period is None else not_negative({"": period}, "") for period in parts[1::2])
+            self._terms[stated] = Terms(self._asks, tuple(map(rule_of, parts[::2])), periods)
         return self._terms[stated]
 
 
-def _number(item: object) -> Fraction:
-    return not_negative({"": item}, "")
+def _line_type(asks: Sequence[Ask]) -> Any:
+    """The type of a line with these asks: its questions are a tuple, their asks in the order of the paper."""
+    questions = []
+    for _, group in groupby(asks, attrgetter("question")):
+        names = {f"ask_{number}": ask.ask for number, ask in enumerate(group)}
+        keys = msgspec.defstruct("Keys", [(field, Entry) for field in names], rename=names, gc=False,
+                                 forbid_unknown_fields=True)
+        questions.append(msgspec.defstruct("Question", [("question", str), ("asks", keys)], gc=False))
+    listed = GenericAlias(tuple, tuple(questions))
+    return msgspec.defstruct("Line", [("student", str), ("questions", listed)], gc=False)
 
 
-def _values(entries: Sequence[_Entry], decimals: list[str]) -> tuple[list[str], list[float]]:
-    """The exact values where they are plain numbers, else the decimals: as texts, and rightly rounded to doubles."""
-    rounded = list(map(float, decimals))
-    values, centres = decimals, rounded
-    plain = [number for number, entry in enumerate(entries) if entry.exact is not None and "(" not in entry.exact]
-    if plain:
-        values, centres = decimals.copy(), rounded.copy()
-    for number in plain:
-        exact = entries[number].exact or ""
-        if RATIONAL.fullmatch(exact):
-            numerator, _, denominator = exact.partition("/")
-            values[number], centres[number] = exact, int(numerator) / int(denominator or 1)
+def _centres(entries: Sequence[Entry]) -> list[float]:
+    """The right answers rightly rounded to doubles: of the exact value where it is a plain number, else the decimal."""
+    decimals = [entry.decimal for entry in entries]
+    digits = "\n".join(decimals)
+    if max(map(len, decimals)) > MOST_DIGITS or (("e" in digits or "E" in digits) and _REMOTE.search(digits)):
+        raise _UnusualError
+    rounded = msgspec.convert(decimals, list[float], strict=False)
+    centres = rounded.copy()
+    for number, entry in enumerate(entries):
+        if entry.exact is not None and "(" not in entry.exact and (plain := entry.plain):
+            numerator, _, denominator = plain.partition("/")
+            centres[number] = int(numerator) / int(denominator or 1)
     close = all(map(isclose, centres, rounded)) and all(map(isclose, centres, [entry.value for entry in entries]))
     if not close:  # isclose compares to 1e-9 of itself, as key_line does; to be told so makes it four times slower
         raise _UnusualError
-    return values, centres
+    return centres

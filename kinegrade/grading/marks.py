@@ -7,7 +7,7 @@ all at once. `report` writes what they give.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, islice
 from math import lcm
@@ -20,7 +20,7 @@ from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.decimal_style import file_style
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.judge import Verdict
-from kinegrade.grading.judged_block import JudgedBlock, Row
+from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.key import Ask, Paper, Sitting, questions
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.sheet import Entry, Sheet, repeated
@@ -135,7 +135,8 @@ def marked_blocks(
     """The same in blocks, in the order of the roster. Raises what reading the papers raises: ExamError."""
     styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
     judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
-    marker = _Marker(sheet, judge, tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks))
+    asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
+    marker = _Marker(sheet, judge, asks, added(ask.points for ask in asks))
     papers = exam.papers()
     while block := list(islice(papers, BLOCK)):
         yield marker.block(block)
@@ -163,19 +164,23 @@ def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Marker:
-    """What it takes to mark a class; `asks` have the points they have by the policy."""
+    """What it takes to mark a class; `asks` have the points they have by the policy.
+
+    `known` are the points of rows in which every answer has all or nothing, by their places in `JudgedBlock.credits`.
+    """
 
     sheet: Sheet
     judge: BlockJudge
     asks: tuple[Ask, ...]
+    out_of: Fraction
+    known: dict[tuple[int, ...], tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
         """The marks of some papers."""
         rows = self._counted(papers)
         judged = self.judge.judged(rows)
-        out_of = added(ask.points for ask in self.asks)
         grades = [
-            Grade(paper.student, paper.name, points, out_of)
+            Grade(paper.student, paper.name, points, self.out_of)
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
@@ -202,17 +207,17 @@ class _Marker:
         return [best[row[0].student][1] if row[0].student in best else row for row in rows]
 
     def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
-        """The points of each row by question; there are few ways to share them out, and each is added up once."""
-        questions, known = self.judge.questions, dict[tuple[int, ...], Fraction]()
+        """The points of each row by question; there are few ways to get them, and each is added up once."""
+        known = self.known if len(judged.credits) == USUAL_CREDITS else {}
         for first in range(0, len(judged.shares), len(self.asks)):
-            points = []
-            for question in questions:
-                way = question.start, *judged.shares[first + question.start : first + question.stop]
-                if way not in known:
-                    known[way] = added(judged.credits[share] * self.asks[number].points
-                                       for number, share in zip(question, way[1:], strict=True))
-                points.append(known[way])
-            yield tuple(points)
+            way = tuple(judged.shares[first : first + len(self.asks)])
+            if way not in known:
+                known[way] = tuple([self._question_points(judged, question, way) for question in self.judge.questions])
+            yield known[way]
+
+    def _question_points(self, judged: JudgedBlock, question: range, way: tuple[int, ...]) -> Fraction:
+        shares = [judged.credits[share] for share in way[question.start : question.stop]]
+        return added(share * self.asks[number].points for number, share in zip(question, shares, strict=True) if share)
 
     def _doubts(self, judged: JudgedBlock) -> Iterator[Complaint]:
         for place, reading in judged.cells.odd.items():

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 
@@ -54,7 +53,7 @@ def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedB
 def write_grades(folder: Path, grades: ClassGrades, policy: Policy, kept: Iterable[Kept] | None) -> None:
     """Writes the other files; `kept` is None where totals may fall."""
     header = ("student", "name", *grades.questions, "total", "out_of", "percent")
-    write_csv(folder / "grades.csv", header, map(_grade_row, grades.grades))
+    write_csv(folder / "grades.csv", header, _grade_rows(grades.grades))
     write_csv(folder / "complaints.csv", _COMPLAINTS, _complaint_rows(grades.complaints))
     (folder / POLICY).write_bytes((policy.text or _NO_POLICY).encode("utf-8"))
     if kept is not None:
@@ -95,17 +94,20 @@ def _with_odd(texts: Sequence[str], cells: TypedCells, text_of: Callable[[Readin
     return column
 
 
-def _grade_row(grade: Grade) -> tuple[str, ...]:
+def _grade_rows(grades: Sequence[Grade]) -> Iterator[tuple[str, ...]]:
+    """Most students share their points, as one and the same tuple, with others: such amounts are written once."""
+    known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
+    for grade in grades:
+        which = id(grade.points), id(grade.out_of), grade.kept
+        if which not in known:
+            known[which] = _amounts(grade)
+        yield (grade.student, neutralised(grade.name), *known[which])
+
+
+def _amounts(grade: Grade) -> tuple[str, ...]:
+    """Points by question, in all, out of, and in per cent."""
     total, out_of = grade.total, grade.out_of
-    points = map(amount_text, (*grade.points, total, out_of))
-    share = _percent(total.numerator, total.denominator, out_of.numerator, out_of.denominator)
-    return (grade.student, neutralised(grade.name), *points, share)
-
-
-@lru_cache(maxsize=4096)
-def _percent(total: int, part: int, out_of: int, part_of_it: int) -> str:
-    """Of two fractions, in whole numbers, which are found again faster."""
-    return amount_text(percent(Fraction(total, part), Fraction(out_of, part_of_it)), places=2)
+    return *map(amount_text, (*grade.points, total, out_of)), amount_text(percent(total, out_of), places=2)
 
 
 def _kept_row(kept: Kept) -> tuple[str, ...]:

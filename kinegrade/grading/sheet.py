@@ -128,7 +128,8 @@ def _rows_by_student(
     rows: dict[str, list[Row]] = defaultdict(list)
     strangers = []
     for row in table.rows:
-        key = student_key(row.cell(columns.student))
+        cell = row.cell(columns.student)
+        key = cell if cell in known else student_key(cell)
         if key in known:
             rows[known[key]].append(row)
         else:

@@ -15,12 +15,30 @@ from math import isfinite
 import msgspec
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.json_fields import FieldError, parsed
+from kinegrade.grading.json_fields import RATIONAL, FieldError, parsed
 from kinegrade.grading.key import Ask, Rule, StatedKey
 from kinegrade.grading.key_line import mistakes_of
 
 _all_decoded = msgspec.json.Decoder(list[dict[str, float]], strict=False).decode
 _decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
+
+
+class Entry(msgspec.Struct, frozen=True, gc=False):
+    """The key of one ask; what is mostly the same on all papers, or not wanted, stays as it is written."""
+
+    unit: str
+    points: float
+    value: float
+    decimal: str
+    tolerance: msgspec.Raw
+    exact: str | None = None
+    period: msgspec.Raw = msgspec.Raw(b"null")
+    mistakes: msgspec.Raw = msgspec.Raw(b"{}")
+
+    @property
+    def plain(self) -> str:
+        """The exact value where it is a plain number or fraction, else empty."""
+        return self.exact if self.exact is not None and RATIONAL.fullmatch(self.exact) else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,33 +50,32 @@ class Terms:
     periods: tuple[Fraction | None, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class StatedKeys:
+class StatedKeys(msgspec.Struct, frozen=True, gc=False):
     """The keys in the order of the asks; `place` tells the file and the line, for messages.
 
-    `values` are the right answers as decimals or plain fractions, `centres` the same rightly rounded to doubles, or NaN
-    where a number of turns is right too; `written_mistakes` are JSON.
+    `centres` are the right answers rightly rounded to doubles, or NaN where a number of turns is right too.
     """
 
     place: str
-    values: Sequence[str]
+    entries: Sequence[Entry]
     centres: Sequence[float]
     terms: Terms
-    written_mistakes: Sequence[msgspec.Raw]
 
     def __getitem__(self, ask: int) -> StatedKey:
         """The key of an ask. Raises ExamError if its mistakes are no numbers."""
-        return StatedKey(self.values[ask], self.terms.rules[ask], self.mistakes(ask), self.terms.periods[ask])
+        entry = self.entries[ask]
+        return StatedKey(entry.plain or entry.decimal, self.terms.rules[ask], self.mistakes(ask),
+                         self.terms.periods[ask])
 
     def __len__(self) -> int:
-        return len(self.values)
+        return len(self.entries)
 
     def __iter__(self) -> Iterator[StatedKey]:
         return map(self.__getitem__, range(len(self)))
 
     def mistakes(self, ask: int) -> Mapping[str, float | Fraction]:
         """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises ExamError."""
-        written = self.written_mistakes[ask]
+        written = self.entries[ask].mistakes
         try:
             usual = _decoded(written)
             if isfinite(sum(usual.values())):
@@ -75,7 +92,7 @@ class StatedKeys:
 def stated_mistakes(asks: Sequence[tuple[StatedKeys, int]]) -> Sequence[Mapping[str, float | Fraction]]:
     """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes` does."""
     try:
-        found = _all_decoded(b"[%b]" % b",".join([keys.written_mistakes[ask] for keys, ask in asks]))
+        found = _all_decoded(b"[%b]" % b",".join([keys.entries[ask].mistakes for keys, ask in asks]))
         if isfinite(sum(chain.from_iterable([each.values() for each in found]))):
             return found
     except (msgspec.MsgspecError, ValueError):

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import nan
 
+import msgspec
 import numpy as np
 
 from kinegrade.grading.answers import PLAIN, Reading, read
@@ -66,7 +67,7 @@ class CellReader:
         for number, row in enumerate(rows):
             lines = "\n".join(row)
             if usual and plain_row.fullmatch(f"{lines}\n"):
-                values += [float(cell) if cell else nan for cell in row] if "" in row else map(float, row)
+                values += _plain_values(row)
                 read_as += [cell.removeprefix("+") for cell in row] if "+" in lines else row
                 continue
             styles[number] = self.styles.of_row(row)
@@ -90,6 +91,14 @@ class CellReader:
                 known = reading.value is not None and not reading.error
                 found.append((float(reading.value or 0) if known else nan, reading.read_as, reading))
         return found
+
+
+def _plain_values(cells: Sequence[str]) -> list[float]:
+    """What plain or empty cells hold; spelled as in JSON, as most are, they are read several times faster."""
+    try:
+        return msgspec.convert(cells, list[float], strict=False)
+    except msgspec.ValidationError:
+        return [float(cell) if cell else nan for cell in cells]
 
 
 def _takes_plain_numbers(style: DecimalStyle) -> bool:

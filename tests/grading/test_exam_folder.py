@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
+from kinegrade.grading import exam_folder as exam_folder_reading
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.grade import grade
 from kinegrade.grading.key import Ask, Key
@@ -112,6 +113,18 @@ CHANGES: list[tuple[Change, str]] = [
         "q1.v_B: \"decimal\" is '1e' - expected a number",
     ),
     (
+        lambda _, papers: asks(papers[1])["v_B"].update(value=0, decimal="1e-999"),
+        "q1.v_B: \"decimal\" is '1e-999' - expected a number",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(value=0, decimal=f"0.{101 * '0'}"),
+        "000' - expected a number",
+    ),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].update(decimal="inf"),
+        "q1.v_B: \"decimal\" is 'inf' - expected a number",
+    ),
+    (
         lambda _, papers: asks(papers[1])["v_B"].update(decimal=None, value=None),
         'neither "decimal" nor "value"',
     ),
@@ -150,6 +163,22 @@ def test_all_faults_are_reported_at_once(tmp_path: Path) -> None:
         asks(papers[3])["v_B"]["unit"] = "m"
 
     assert [each.split(":")[1] for each in faults(tmp_path, change)] == [" line 1", " line 2", " line 4"]
+
+
+@pytest.mark.parametrize("size", [100, 1500, 2**17])
+def test_papers_come_in_the_order_of_the_roster_however_many_lines_are_read_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: int
+) -> None:
+    papers = [paper(student) for student in reversed(STUDENTS)]
+    del asks(papers[1])["v_B"]["decimal"]
+    folder = write_exam(tmp_path / "EXAM", exam(), papers)
+    lines = (folder / "key.jsonl").read_text(encoding="utf-8").splitlines()
+    (folder / "key.jsonl").write_text("\n \n".join(lines), encoding="utf-8")
+    monkeypatch.setattr(exam_folder_reading, "_BUFFER", size)
+    found = read_exam(folder)
+    assert found.students == tuple(STUDENTS)
+    exact = [each.keys["q1.v_B"].value == Fraction(HALF_ROOT_12) for each in found.examinees]
+    assert exact == [True, True, False, True]
 
 
 def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
