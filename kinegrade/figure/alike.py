@@ -1,12 +1,12 @@
 """Mechanisms that differ only in size and speed have one figure, and a class's papers hold many such.
 
 A figure is to scale, but the scale is chosen to fill the paper, so it shows shape alone; of given motions it shows the
-sense. What it shows is brought here to a form in which alike mechanisms are equal.
+sense, and none that an arrow's hint tells. What it shows is brought here to a form in which alike mechanisms are equal.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import dataclass, field, is_dataclass, replace
 from typing import Any
 
 from kinegrade.figure.paper import to_paper
@@ -14,7 +14,7 @@ from kinegrade.figure.plane import unit
 from kinegrade.mechanics.joints import Circle, Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.hints import FigureHints, Moving, Turning
 
 DECIMALS = 10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
 
@@ -33,7 +33,8 @@ def subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
     size = max((abs(number) for number in _lengths(mechanism)), default=0.0) or 1.0
     scaled = to_paper(mechanism, 1 / size)
     shown = Mechanism({name: _settled(point) for name, point in scaled.points.items()}, scaled.bodies,
-                      tuple(map(_settled, scaled.joints)), tuple(map(_sense, scaled.drivers)))
+                      tuple(map(_settled, scaled.joints)),
+                      tuple(map(_sense, scaled.drivers)) if any(map(_follows_driver, hints.arrows)) else ())
     return Subject(repr((shown, hints)), shown, hints), size
 
 
@@ -46,13 +47,20 @@ def _lengths(mechanism: Mechanism) -> list[float]:
 
 def _settled(part: Any) -> Any:
     """A vector, line, circle or joint without the last bits of its numbers; directions of unit length."""
+    if isinstance(part, float):
+        return round(part, DECIMALS)
     if isinstance(part, Vector):
         return Vector(round(part.x, DECIMALS) + 0.0, round(part.y, DECIMALS) + 0.0)
     if isinstance(part, Line):
         return Line(_settled(part.point), _settled(unit(part.direction)))
     if is_dataclass(part) and not isinstance(part, type):
-        return replace(part, **{entry.name: _settled(getattr(part, entry.name)) for entry in fields(part)})
-    return round(part, DECIMALS) if isinstance(part, float) else part
+        return type(part)(**{name: _settled(value) for name, value in vars(part).items()})
+    return part
+
+
+def _follows_driver(arrow: Turning | Moving) -> bool:
+    """Whether an arrow has its sense from the imposed motion."""
+    return (arrow.sense if isinstance(arrow, Turning) else arrow.along) is None
 
 
 def _sense(driver: Any) -> Any:

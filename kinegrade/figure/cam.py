@@ -7,7 +7,7 @@ read off direction by direction: what reaches farthest in a direction is the hul
 
 from __future__ import annotations
 
-from math import asin, cos, pi, sin
+from math import asin, cos, inf, pi, sin
 
 from kinegrade.figure.plane import angle_of, polar, unit
 from kinegrade.mechanics.vector import Vector
@@ -36,9 +36,12 @@ def cam_profile(
 def _farthest(circles: list[Circle], angle: float) -> Vector:
     """The point of the circles that reaches farthest in a direction."""
     along, upward = cos(angle), sin(angle)
-    reaches = [centre.x * along + centre.y * upward + radius for centre, radius in circles]
-    centre, radius = circles[reaches.index(max(reaches))]
-    return Vector(centre.x + along * radius, centre.y + upward * radius)
+    far_x, far_y, farthest = 0.0, 0.0, -inf
+    for (x, y), radius in circles:
+        reach = x * along + y * upward + radius
+        if reach > farthest:
+            far_x, far_y, farthest = x + along * radius, y + upward * radius, reach
+    return Vector(far_x, far_y)
 
 
 def _spread(radius: float, height: float) -> float:

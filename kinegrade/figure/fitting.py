@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 
 from kinegrade.figure.layers import cam_outline
 from kinegrade.figure.rims import rims
-from kinegrade.figure.scene import Primitive, Scene, box_around, moved
+from kinegrade.figure.scene import Box, Primitive, Scene, box_around, moved
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
@@ -29,15 +29,19 @@ def fitted(
         if box.width <= WIDTH and box.height <= height:
             break
         scale *= min(_shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, height, span[1] * scale))
-    return scene_of(primitives, scale)
+    return _in_corner(primitives, box, scale)
 
 
 def scene_of(primitives: Iterable[Primitive], scale: float) -> Scene:
     """The primitives as a scene, moved so that nothing is left of or below its corner."""
     drawn = tuple(primitives)
-    box = box_around(drawn)
+    return _in_corner(drawn, box_around(drawn), scale)
+
+
+def _in_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene:
+    """The primitives, which the box is around, as a scene."""
     home = Vector(-box.left, -box.bottom)
-    return Scene(box.width, box.height, scale, tuple(moved(primitive, home) for primitive in drawn))
+    return Scene(box.width, box.height, scale, tuple([moved(primitive, home) for primitive in primitives]))
 
 
 def span_of(mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()) -> tuple[float, float]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from heapq import heappop, heappush
 from itertools import chain, repeat
-
-import numpy as np
+from math import inf
 
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Obstacles
@@ -28,7 +28,7 @@ class Layout:
     def of(primitives: Iterable[Primitive]) -> Layout:
         """The start: a mechanism without marks and labels."""
         lines = tuple(primitives)
-        return Layout(lines, (), Obstacles(lines))
+        return Layout(lines, (), Obstacles.of(lines))
 
     @property
     def primitives(self) -> tuple[Primitive, ...]:
@@ -37,9 +37,7 @@ class Layout:
 
     def drawn(self, primitives: Sequence[Primitive]) -> Layout:
         """With more lines."""
-        return replace(
-            self, lines=(*self.lines, *primitives), obstacles=self.obstacles.with_drawn(primitives)
-        )
+        return Layout((*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives))
 
     def written(self, wishes: Iterable[Wish]) -> Layout:
         """With a label for each wish, in order."""
@@ -51,15 +49,13 @@ class Layout:
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
         """With the alternative that covers least, and its label; what is still to come may be spared."""
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark = least_covering(alternatives, crowded)
+        mark, wish = least_covering(alternatives, crowded)
         layout = self.drawn(mark.primitives())
         crowded = layout.obstacles.with_drawn(sparing) if sparing else layout.obstacles
-        return layout._labelled(label(mark.wish(), crowded))
+        return layout._labelled(label(wish, crowded))
 
     def _labelled(self, placed: Label) -> Layout:
-        return replace(
-            self, labels=(*self.labels, placed), obstacles=self.obstacles.with_drawn((placed,))
-        )
+        return Layout(self.lines, (*self.labels, placed), self.obstacles.with_drawn((placed,)))
 
 
 def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
@@ -72,21 +68,28 @@ def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
         first += size
 
 
-def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> Mark:
-    """The cheapest by what its line covers, what its label covers, and its demerit; the nicest of equals.
+def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
+    """The cheapest by what its line covers, what its label covers, and its demerit; the nicest of equals. And its wish.
 
-    Alternatives are judged the nicest first, a few at once, and only while they can still decide.
+    Alternatives are judged the nicest first, some at once, and what one covers only while it can still decide: first
+    its line, then its label.
     """
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
-    best, least = ranked[0], np.inf
+    best: tuple[Mark, Wish] | None = None
+    least = inf
     for marks in _batches(ranked):
         if marks[0].demerit >= least:
             break
-        crossed = obstacles.along([mark.path() for mark in marks], marks[0].shared).tolist()
-        costs = [round(cost + mark.demerit, 6) for mark, cost in zip(marks, crossed, strict=True)]
-        for cost, mark in sorted(zip(costs, marks, strict=True), key=lambda costed: costed[0]):
-            if cost >= least:
-                break
-            total = round(cost + crowding(mark.wish(), obstacles), 6)
-            best, least = (mark, total) if total < least else (best, least)
-    return best
+        waiting = [(round(mark.demerit, 6), number, False) for number, mark in enumerate(marks)]
+        while waiting and waiting[0][0] < least:
+            cost, number, crossed = heappop(waiting)
+            mark = marks[number]
+            if not crossed:
+                covered = obstacles.along(mark.path(), mark.shared)
+                heappush(waiting, (round(covered + mark.demerit, 6), number, True))
+                continue
+            wish = mark.wish()
+            total = round(cost + crowding(wish, obstacles), 6)
+            if total < least:
+                best, least = (mark, wish), total
+    return best or (ranked[0], ranked[0].wish())

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 from math import inf, pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinegrade.figure.extent import symbol_size
-from kinegrade.figure.obstacles import Floats, Obstacles
+from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import Bow, Label
 from kinegrade.mechanics.vector import Vector
+
+Floats = NDArray[np.float64]
 
 CLEARANCE = 0.25  # millimetres kept free around a label
 FARTHER = 0.04  # cost of each later spot: a hundred of them weigh as much as one thin line covered
@@ -21,7 +24,6 @@ AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its own poi
 AT_ONCE = 16  # spots looked at together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
-_RANKS = FARTHER * np.arange(200)
 _RINGS = np.array((1.2, 2.0, 3.2, 4.8, 6.8, 9.0))
 _BOW_STATIONS = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
 _BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.4, 2.4))
@@ -61,17 +63,19 @@ def _best(
 ) -> tuple[int, float]:
     """Index and cost of the best spot; the farther ones are looked at only while none is free."""
     width, height = (size + 2 * CLEARANCE for size in symbol_size(symbol))
+    worse = [0.0] * len(spots) if demerits is None else demerits.tolist()
     best, least = 0, inf
     for first in range(0, len(spots), AT_ONCE):
-        if least < FARTHER * first:
+        if least <= FARTHER * first:
             break
-        covered = obstacles.under_boxes(spots[first : first + AT_ONCE], width, height)
-        costs = LABEL_WEIGHT * covered + _RANKS[first : first + len(covered)]
-        if demerits is not None:
-            costs += demerits[first : first + len(covered)]
-        spot = int(costs.argmin())
-        if costs[spot] < least:
-            best, least = first + spot, float(costs[spot])
+        some = spots[first : first + AT_ONCE].tolist()
+        across, upward = zip(*some, strict=True)
+        near = obstacles.near((min(across) - width / 2, min(upward) - height / 2,
+                               max(across) + width / 2, max(upward) + height / 2))
+        for index, (x, y) in enumerate(some, first):
+            if FARTHER * index + worse[index] < least:
+                cost = LABEL_WEIGHT * near.under_box(x, y, width, height) + FARTHER * index + worse[index]
+                best, least = (index, cost) if cost < least else (best, least)
     return best, least
 
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kinegrade.figure.extent import symbol_size
-from kinegrade.figure.obstacles import Floats, Segment
-from kinegrade.figure.place import Wish, around, beside
+from kinegrade.figure.obstacles import Segment
+from kinegrade.figure.place import Floats, Wish, around, beside
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import FIRM, THIN, Outline, Pen, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector

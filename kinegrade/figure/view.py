@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import is_dataclass, replace
 from typing import Any
 
 from kinegrade.mechanics.mechanism import Mechanism
@@ -26,5 +26,5 @@ def _texts(value: Any) -> Iterator[str]:
         for part in value:
             yield from _texts(part)
     elif is_dataclass(value):
-        for entry in fields(value):
-            yield from _texts(getattr(value, entry.name))
+        for part in vars(value).values():
+            yield from _texts(part)

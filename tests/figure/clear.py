@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from itertools import combinations
 
-import numpy as np
-
 from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.scene import BOLD, Disc, Label, Outline, Pen, Scene, Strokes, box_of
 from kinegrade.mechanics.vector import Vector
@@ -16,9 +14,9 @@ def faults(scene: Scene, width: float, height: float) -> list[str]:
     pairs = combinations(scene.labels, 2)
     found = [f"{one.symbol} on {other.symbol}" for one, other in pairs if box_of(one).meets(box_of(other))]
     lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen]
-    bold = Obstacles(part for part in lines if part.pen and part.pen.width >= BOLD.width)
+    bold = Obstacles.of(part for part in lines if part.pen and part.pen.width >= BOLD.width)
     for label in scene.labels:
-        if bold.under_boxes(np.array([label.centre]), label.width, label.height).sum():
+        if bold.under_box(*label.centre, label.width, label.height):
             found.append(f"{label.symbol} on a bold line")
     for part in scene.primitives:
         box = box_of(part)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import cos, hypot, pi, sin
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -22,11 +21,11 @@ def line(start: tuple[float, float], end: tuple[float, float], pen: Pen = THIN) 
 
 
 def under(primitive: Primitive, centre: tuple[float, float], width: float = 2.0, height: float = 2.0) -> float:
-    return float(Obstacles((primitive,)).under_boxes(np.array([centre]), width, height)[0])
+    return Obstacles.of((primitive,)).under_box(*centre, width, height)
 
 
 def along(primitive: Primitive, *pieces: Segment, shared: bool = False) -> float:
-    return float(Obstacles((primitive,)).along([pieces], shared)[0])
+    return Obstacles.of((primitive,)).along(pieces, shared)
 
 
 @pytest.mark.parametrize(
@@ -84,8 +83,22 @@ def test_only_a_shared_thin_line_on_the_same_axis_is_free() -> None:
     assert along(line((2, -3), (2, 3)), piece, shared=True) == COST_THIN
 
 
+@given(POINT, POINT, POINT, st.floats(0, 2 * pi))
+def test_what_is_near_covers_as_much_as_all(start: Vector, end: Vector, at: Vector, turn: float) -> None:
+    drawn = Obstacles.of((line(start, end, BOLD), Disc(end, 2.0, FIRM), Label("A", start, 4.0, 2.0)))
+    reach = Vector(3 * cos(turn), 3 * sin(turn))
+    across, upward = zip(at - reach, at + reach, strict=True)
+    near = drawn.near((min(across) - 1, min(upward) - 1, max(across) + 1, max(upward) + 1))
+    assert near.along([(at - reach, at + reach)], False) == drawn.along([(at - reach, at + reach)], False)
+    assert near.under_box(*at, 2.0, 2.0) == drawn.under_box(*at, 2.0, 2.0)
+
+
+def test_nothing_drawn_covers_nothing() -> None:
+    assert along(line((0, -5), (0, 5), BOLD)) == 0
+
+
 def test_two_points_are_joined_by_a_line_that_ends_at_both() -> None:
-    drawn = Obstacles((line((1, 0), (20, 0)),))
+    drawn = Obstacles.of((line((1, 0), (20, 0)),))
     assert drawn.joins(Vector(0, 0), Vector(20, 0), 2.0)
     assert not drawn.joins(Vector(0, 0), Vector(10, 0), 2.0)
     assert not drawn.joins(Vector(0, 0), Vector(20, 1), 2.0)
