@@ -5,18 +5,19 @@ It stands on every page, so that a scanned loose page tells whose it is.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
-from itertools import groupby
+from typing import NamedTuple
 
 import segno
 
 # Any of the eight patterns that the standard lays over the modules is read alike; trying all of them to choose the
 # fairest would take five times as long.
 PATTERN = 3
+_DARK = re.compile(rb"\x01+")
 
 
-@dataclass(frozen=True)
-class Run:
+class Run(NamedTuple):
     """Dark modules side by side, from column `x` of row `y` on; counted from the top left corner."""
 
     x: int
@@ -39,16 +40,5 @@ def code_mark(code: str) -> CodeMark:
     21
     """
     matrix = segno.make(code, error="m", micro=False, mask=PATTERN).matrix
-    runs = tuple(run for y, row in enumerate(matrix) for run in _runs(y, row))
+    runs = tuple(Run(dark.start(), y, len(dark[0])) for y, row in enumerate(matrix) for dark in _DARK.finditer(row))
     return CodeMark(len(matrix), runs)
-
-
-def _runs(y: int, row: bytearray) -> list[Run]:
-    runs: list[Run] = []
-    x = 0
-    for dark, modules in groupby(row):
-        length = len(list(modules))
-        if dark:
-            runs.append(Run(x, y, length))
-        x += length
-    return runs

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import chain
 from unicodedata import east_asian_width
 
 from markdown_it import MarkdownIt
@@ -47,6 +48,7 @@ REFUSED = {
     "math_block_label": "a labelled formula",
 }
 _MATH = re.compile(r"\$([^$\n]+)\$")
+_ANY_FORMULA = "0"  # stands for each while the words are read
 EXPECTED = "expected text, **bold**, *emphasis*, lists and $math$"
 
 
@@ -59,7 +61,31 @@ def prose(markdown: str, where: str) -> str:
     >>> print(prose("The crank $OA$ turns.", "q1"))
     {"The crank ";box($O A$);" turns.";}
     """
-    return "{" + _join(read_prose(markdown, where), where).removesuffix("parbreak();") + "}"
+    code = _prose_around_formulas(markdown) or _join(read_prose(markdown, where), where).removesuffix("parbreak();")
+    return "{" + code + "}"
+
+
+def _prose_around_formulas(markdown: str) -> str | None:
+    """The code of a text that differs from one already converted in its formulas alone; None where it must be read as
+    a whole, be it for its faults.
+    """
+    separated = _separated(markdown)
+    if separated is None:
+        return None
+    words, formulas = separated
+    try:
+        between = _code_between_formulas(words)
+        inserted = [_boxed(latex, "") for latex in formulas]
+    except TypesetError:
+        return None
+    return "".join(chain.from_iterable(zip(between, [*inserted, ""], strict=True)))
+
+
+@lru_cache(maxsize=1024)
+def _code_between_formulas(words: str) -> tuple[str, ...]:
+    """No dollar sign stands in words but around the formulas, so that no text can look like a formula's code."""
+    code = _join(read_prose(words, ""), "").removesuffix("parbreak();")
+    return tuple(code.split(_boxed(_ANY_FORMULA, "")))
 
 
 def line(markdown: str, where: str) -> str:
@@ -92,21 +118,32 @@ def _with_math(markdown: str) -> list[Token] | None:
     """The tokens of a text, whose words are read once for all its formulas: papers differ in these alone. None where
     what stands between dollar signs may be no formula.
     """
-    formulas = _MATH.findall(markdown)
-    tokens = [token.copy() for token in _read_words(_MATH.sub("$0$", markdown))]
-    found = sum(leaf.type == "math_inline" for token in tokens for leaf in token.children or ())
-    if markdown.count("$") != 2 * len(formulas) or found != len(formulas) or "\\$" in markdown or "`" in markdown:
+    separated = _separated(markdown)
+    if separated is None:
         return None
+    words, formulas = separated
     following = iter(formulas)
+    tokens = [token.copy() for token in _read_words(words)[0]]
     for token in tokens:
         token.children = token.children and [leaf.copy(content=next(following)) if leaf.type == "math_inline" else leaf
                                              for leaf in token.children]
     return tokens
 
 
+def _separated(markdown: str) -> tuple[str, list[str]] | None:
+    """The text with the same short formula in the place of each, and the formulas; None as `_with_math`."""
+    parts = _MATH.split(markdown)
+    words, formulas = f"${_ANY_FORMULA}$".join(parts[::2]), parts[1::2]
+    if markdown.count("$") != 2 * len(formulas) or "\\$" in markdown or "`" in markdown:
+        return None
+    return (words, formulas) if _read_words(words)[1] == len(formulas) else None
+
+
 @lru_cache(maxsize=1024)
-def _read_words(markdown: str) -> tuple[Token, ...]:
-    return tuple(_reader().parse(markdown))
+def _read_words(words: str) -> tuple[tuple[Token, ...], int]:
+    """The tokens of a text, and how many formulas in a line are among them."""
+    tokens = tuple(_reader().parse(words))
+    return tokens, sum(leaf.type == "math_inline" for token in tokens for leaf in token.children or ())
 
 
 def read_line(markdown: str, where: str) -> list[Token]:
@@ -160,7 +197,7 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
         case "softbreak":
             return "" if between_wide(leaves, index) else '" ";'
         case "math_inline":
-            return f"box(${formula(token.content.strip(), where)}$);"  # a value is not torn from its symbol
+            return _boxed(token.content, where)
         case "math_inline_double" | "math_block":
             return f"$ {formula(token.content.strip(), where)} $;"
         case "ordered_list_open":
@@ -169,6 +206,11 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
             return ""
     code = BRACKETS[token.type]
     return code if not code or code[-1] in "({," else f"{code};"
+
+
+def _boxed(latex: str, where: str) -> str:
+    """A formula in its line, in a box, lest a value be torn from its symbol."""
+    return f"box(${formula(latex.strip(), where)}$);"
 
 
 def _glue(leaves: Sequence[Token], index: int) -> str:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from fractions import Fraction
+from functools import lru_cache
 from itertools import groupby
 from unicodedata import east_asian_width
 
@@ -82,6 +83,7 @@ def gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
     return layout_call("gallery", sheet)
 
 
+@lru_cache(maxsize=1024)
 def points_text(points: Fraction) -> str:
     """Points as they are printed: a decimal where one is exact, else a fraction.
 
@@ -95,7 +97,7 @@ def points_text(points: Fraction) -> str:
 def _code_image(code: str) -> str:
     """The QR code as an SVG image of one path, its sides without the white around."""
     mark = code_mark(code)
-    path = "".join(f"M{run.x} {run.y}h{run.length}v1h-{run.length}z" for run in mark.runs)
+    path = "".join(f"M{x} {y}h{length}v1h-{length}z" for x, y, length in mark.runs)
     box = f'viewBox="0 0 {mark.size} {mark.size}"'
     return f'<svg xmlns="http://www.w3.org/2000/svg" {box}><path d="{path}"/></svg>'
 
@@ -121,7 +123,7 @@ def _question(question: QuestionSheet, words: Words) -> Sheet:
     sheet = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
-        rows=lambda: each(lambda row: _answer_row(row, where, words), question.rows),
+        rows=lambda: each(lambda row: _answer_row(row, where, words.unitless), question.rows),
     )
     return sheet | {
         "number": str(question.number),
@@ -173,7 +175,9 @@ def _lines_at_most(row: AnswerRow) -> int:
     return sum(1 + (_columns(text) - 1) // LINE_OF_ROW for text in (row.meaning, row.sign) if text)
 
 
-def _answer_row(row: AnswerRow, where: str, words: Words) -> Sheet:
+@lru_cache(maxsize=1024)
+def _answer_row(row: AnswerRow, where: str, unitless: str) -> Sheet:
+    """The same for a whole class."""
     sheet = gathered(
         symbol=lambda: f"${formula(row.symbol, f'{where}, symbol')}$",
         meaning=lambda: line(row.meaning, f"{where}, meaning"),
@@ -181,7 +185,7 @@ def _answer_row(row: AnswerRow, where: str, words: Words) -> Sheet:
     )
     return sheet | {
         "wide": len(_seen(row.symbol)) > PLAIN_SYMBOL,
-        "unit": words.unitless if row.unit == "1" else unit_text(row.unit),
+        "unit": unitless if row.unit == "1" else unit_text(row.unit),
         "points": points_text(row.points),
     }
 
@@ -246,6 +250,7 @@ def _signed(number: str) -> str:
     return number.replace("-", "\u2212")
 
 
+@lru_cache(maxsize=8)
 def _words(words: Words) -> Sheet:
     """The fixed words; those around page numbers as the pieces between the numbers."""
     return asdict(words) | {"page": words.page.split("{}"), "key_page": words.key_page.split("{}")}
