@@ -6,6 +6,8 @@ Results go to standard output or to `-o`, talk goes to standard error. Exit stat
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from kinegrade import __version__
@@ -26,6 +28,9 @@ def main() -> None:
     kinegrade generate banks/demo.toml roster.csv -o EXAM --seed spring
     kinegrade grade EXAM answers.csv -o MARKS
     """
+    # Read when numpy is loaded: its library of linear algebra would start threads that nothing here needs, and a
+    # process with threads cannot safely be copied.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 for command in (list_templates, show, solve, check, new, gallery, generate,

@@ -100,6 +100,12 @@ class RoundedArrays(Rounded):
         self.unsettled |= below
         return np.where(zero, 0.0, self.noted(np.sqrt(np.where(zero | below, 1.0, number))))
 
+    def magnitudes(self, x: Any, y: Any) -> Any:
+        """The lengths of vectors (x, y), one by one: along an axis the component itself, else a root, written down."""
+        x, y = np.broadcast_to(x, self.unsettled.shape), np.broadcast_to(y, self.unsettled.shape)
+        askew = self.sqrt(x * x + y * y)
+        return np.where(self.sign(x) == 0, np.abs(y), np.where(self.sign(y) == 0, np.abs(x), askew))
+
     def cos(self, angle: Any) -> Any:
         """Cosines of angles in radians, written down."""
         return self.noted(in_doubles(COSINE(angle)))

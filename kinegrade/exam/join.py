@@ -51,5 +51,5 @@ def page_count(pdf: bytes) -> int:
 
 
 def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
-    with pikepdf.open(pdf) as part:
+    with pikepdf.open(pdf, access_mode=pikepdf.AccessMode.stream) as part:  # sooner than mapping so small a file
         whole.pages.extend(part.pages)

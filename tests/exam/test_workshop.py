@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -14,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.workshop import CHUNK, finished
+from kinegrade.exam.workshop import CHUNK, MOST, alone, finished, parts_of
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
@@ -50,6 +51,55 @@ def test_two_processes_write_the_same_bytes_as_one(folder: Path) -> None:
     assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
     assert generate(folder, "TWO", "--jobs", "2").exit_code == 0
     assert contents(folder / "TWO") == contents(folder / "ONE")
+
+
+@pytest.mark.parametrize("count", [1, CHUNK, CHUNK + 1, 300, 1001])
+@pytest.mark.parametrize("workers", [1, 2, 8])
+def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) -> None:
+    parts = list(parts_of(count, workers))
+    assert [place for part in parts for place in part] == list(range(count))
+    sizes = list(map(len, parts))
+    assert sizes == sorted(sizes, reverse=True)
+    assert max(sizes) <= MOST
+    assert all(size >= CHUNK for size in sizes[:-1])
+
+
+@pytest.mark.parametrize("threads", ["1", "2"])  # of a library: copies where there are none, else processes afresh
+def test_copies_of_a_process_without_threads_write_the_same_bytes(folder: Path, threads: str) -> None:
+    assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
+    command = [sys.executable, "-W", "error:This process:DeprecationWarning", "-m", "kinegrade", "generate",
+               "bank.toml", "roster.csv", "-o", "TWO", "--seed", "spring", "--no-solutions", "--jobs", "2"]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True,
+                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": threads})
+    assert contents(folder / "TWO") == contents(folder / "ONE")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
+    program = ("import kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = TypstPress(); "
+               "from kinegrade.exam.workshop import alone; print(alone())")
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
+    answer = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, env=environment)
+    assert answer.stdout.split() == [b"True"]
+
+
+def test_versions_are_drawn_in_every_process_and_counted_once(folder: Path) -> None:
+    (folder / "bank.toml").write_text("versions = 3\n" + BANK, encoding="utf-8")
+    assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
+    assert generate(folder, "TWO", "--jobs", "2").exit_code == 0
+    assert "mistake" in (folder / "ONE" / "exam.json").read_text(encoding="utf-8")
+    assert contents(folder / "TWO") == contents(folder / "ONE")
+
+
+def test_a_process_with_a_second_thread_is_not_alone() -> None:
+    done = threading.Event()
+    other = threading.Thread(target=done.wait)
+    other.start()
+    try:
+        assert not alone()
+    finally:
+        done.set()
+        other.join()
 
 
 def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(folder: Path) -> None:
