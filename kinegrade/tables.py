@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from itertools import chain, islice
 from operator import itemgetter
 from pathlib import Path
+from typing import NamedTuple
 
 from kinegrade.errors import TableError
 
@@ -69,8 +70,7 @@ class Complaint:
         return f"{where}: {self.problem} - {self.done}"
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(NamedTuple):
     """One record; `line` is the physical line, counted from 1, at which it begins."""
 
     line: int

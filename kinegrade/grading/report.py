@@ -14,7 +14,6 @@ from pathlib import Path
 
 from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.answers import Reading
-from kinegrade.grading.key import Ask
 from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
 from kinegrade.grading.marks_folder import KEPT
 from kinegrade.grading.never_lower import Kept
@@ -34,7 +33,6 @@ _MARKS = (
     "out_of",
     "reason",
 )
-_BLANKS = 6  # in a line of marks.csv: student, response, read_as, verdict, points, reason
 POLICY = "policy.toml"
 _NO_POLICY = "# No policy: marked as the papers say.\n"
 _KEPT = ("student", "name", "before", "before_out_of", "by_this_marking", "out_of", "stands", "reason")
@@ -61,29 +59,28 @@ def write_grades(folder: Path, grades: ClassGrades, policy: Policy, kept: Iterab
 
 
 def _mark_lines(block: MarkedBlock) -> str:
-    """A line for each answer: one pattern holds all that is the same in the block, its blanks are filled by columns."""
+    """A line for each answer, put together by columns: each with what stands between it and the next."""
     judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[amount_text(share * ask.points) for share in judged.credits] for ask in asks]
-    blanks = [""] * (_BLANKS * len(judged.kinds))
-    columns = (
-        chain.from_iterable([csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows),
+    columns: tuple[Sequence[str], ...] = (
+        [*chain.from_iterable([csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows)],
+        [f",{csv_cell(ask.question)},{csv_cell(ask.ask)}," for ask in asks] * count,
         _with_odd(judged.cells.typed, judged.cells, lambda reading: neutralised(shortened(reading.typed))),
+        [","] * len(judged.kinds),
         _with_odd(judged.cells.read_as, judged.cells, lambda reading: reading.read_as),
+        [f",{csv_cell(ask.unit)}," for ask in asks] * count,
         judged.kinds,
+        [","] * len(judged.kinds),
         [texts[share] for texts, share in zip(points * count, judged.shares, strict=True)],
+        [f",{amount_text(ask.points)}," for ask in asks] * count,
         [f'"{reason}"' if reason[:4] == "key " and '"' not in reason else csv_cell(neutralised(reason))
          for reason in judged.reasons],
+        ["\n"] * len(judged.kinds),
     )
+    parts = [""] * (len(columns) * len(judged.kinds))
     for place, column in enumerate(columns):
-        blanks[place::_BLANKS] = column
-    return "".join(map(_line_pattern, asks)) * count % tuple(blanks)
-
-
-def _line_pattern(ask: Ask) -> str:
-    """A line of marks.csv with %s for what differs from student to student."""
-    question, name, unit, out_of = (
-        csv_cell(text).replace("%", "%%") for text in (ask.question, ask.ask, ask.unit, amount_text(ask.points)))
-    return f"%s,{question},{name},%s,%s,{unit},%s,%s,{out_of},%s\n"
+        parts[place :: len(columns)] = column
+    return "".join(parts)
 
 
 def _with_odd(texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]) -> list[str]:

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
+from typing import NamedTuple
 from unicodedata import normalize
 
 from kinegrade.errors import TableError
@@ -23,8 +25,7 @@ _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 _ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate heads the answer sheet
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NamedTuple):
     """One row of a student: the responses in the order of the asks; `line` is None where the student has no row.
 
     `whole` is the row as it came, where the student has several.
@@ -54,6 +55,18 @@ class _Columns:
     asks: tuple[int | None, ...]
     extra: tuple[int, ...]
 
+    def responses(self) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
+        """What picks the responses from the cells of a row; what is not there is blank."""
+
+        def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
+            return tuple([cells[index] if index is not None and index < len(cells) else "" for index in self.asks])
+
+        places = [index for index in self.asks if index is not None]
+        if len(places) < len(self.asks) or len(places) == 1:
+            return one_by_one
+        all_at_once, width = itemgetter(*places), max(places) + 1
+        return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
+
 
 def read_sheet(table: Table, exam: Sitting) -> Sheet:
     """Finds everybody's responses.
@@ -62,9 +75,9 @@ def read_sheet(table: Table, exam: Sitting) -> Sheet:
     """
     columns = _columns(table, exam.asks)
     rows, unknown = _rows_by_student(table, columns, exam)
-    entries = {
-        student: _entries(rows.get(student, []), columns) for student in exam.students
-    }
+    responses, nothing = columns.responses(), (Entry(None, ("",) * len(exam.asks)),)
+    entries = {student: _entries(rows[student], responses) if student in rows else nothing
+               for student in exam.students}
     complaints = [
         *table.complaints,
         *_missing_columns(table, columns, exam.asks),
@@ -162,15 +175,11 @@ def _whole(row: Row) -> str:
     return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
 
 
-def _entries(rows: Sequence[Row], columns: _Columns) -> tuple[Entry, ...]:
-    if not rows:
-        return (Entry(None, ("",) * len(columns.asks)),)
-    return tuple(Entry(row.line, _responses(row, columns), _whole(row) if len(rows) > 1 else "") for row in rows)
-
-
-def _responses(row: Row, columns: _Columns) -> tuple[str, ...]:
-    cells, width = row.cells, len(row.cells)
-    return tuple([cells[index] if index is not None and index < width else "" for index in columns.asks])
+def _entries(rows: Sequence[Row], responses: Callable[[tuple[str, ...]], tuple[str, ...]]) -> tuple[Entry, ...]:
+    if len(rows) == 1:
+        row, = rows
+        return (Entry(row.line, responses(row.cells)),)
+    return tuple([Entry(row.line, responses(row.cells), _whole(row)) for row in rows])
 
 
 def _missing_columns(table: Table, columns: _Columns, asks: Sequence[Ask]) -> Iterator[Complaint]:

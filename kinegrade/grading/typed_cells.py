@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from math import nan
 
 import msgspec
@@ -21,6 +22,7 @@ from kinegrade.grading.nearness import Numbers
 from kinegrade.grading.number_text import DecimalStyle
 
 _PLAIN = re.compile(PLAIN)
+_PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,17 +60,21 @@ class CellReader:
 
     def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
         """Everything in these rows."""
-        plain_row = re.compile(f"(?:(?:{PLAIN})?\n){{{len(self.asks)}}}")
+        typed = [*chain.from_iterable(rows)]
+        if _takes_plain_numbers(self.styles.style) and _are_plain(typed):
+            return TypedCells(self, typed, np.array(_plain_values(typed)), _unsigned(typed), {}, {})
+        return self._row_by_row(rows, typed)
+
+    def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
         usual = _takes_plain_numbers(self.styles.style)
         values: list[float] = []
         read_as: list[str] = []
         odd: dict[int, Reading] = {}
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
-            lines = "\n".join(row)
-            if usual and plain_row.fullmatch(f"{lines}\n"):
+            if usual and _are_plain(row):
                 values += _plain_values(row)
-                read_as += [cell.removeprefix("+") for cell in row] if "+" in lines else row
+                read_as += _unsigned(row)
                 continue
             styles[number] = self.styles.of_row(row)
             for place, (value, digits, reading) in enumerate(self._cell_by_cell(row, styles[number]), len(values)):
@@ -76,7 +82,7 @@ class CellReader:
                 read_as.append(digits)
                 if reading is not None:
                     odd[place] = reading
-        return TypedCells(self, [cell for row in rows for cell in row], np.array(values), read_as, odd, styles)
+        return TypedCells(self, typed, np.array(values), read_as, odd, styles)
 
     def _cell_by_cell(self, row: Sequence[str], style: DecimalStyle) -> list[tuple[float, str, Reading | None]]:
         plain = _takes_plain_numbers(style)
@@ -91,6 +97,16 @@ class CellReader:
                 known = reading.value is not None and not reading.error
                 found.append((float(reading.value or 0) if known else nan, reading.read_as, reading))
         return found
+
+
+def _are_plain(cells: Sequence[str]) -> bool:
+    """Whether all are plain or empty."""
+    lines = "\n".join([*cells, ""])
+    return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
+
+
+def _unsigned(cells: Sequence[str]) -> Sequence[str]:
+    return [cell.removeprefix("+") for cell in cells] if "+" in "".join(cells) else cells
 
 
 def _plain_values(cells: Sequence[str]) -> list[float]:

@@ -176,6 +176,12 @@ def test_ragged_lines_lose_nothing(exam_folder: Path) -> None:
     ]
 
 
+def test_two_numbers_in_two_lines_of_a_cell_are_not_two_answers(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + '007,x,"1\n73",0.002,-0.125\n0012,x,1.73,+0.002,-0.125\n')
+    assert verdicts(exam_folder, "007") == ["unreadable", "right", "right"]
+    assert verdicts(exam_folder, "0012") == ["right"] * 3
+
+
 def test_another_encoding_is_read_and_said(exam_folder: Path) -> None:
     marks = marked(exam_folder, (HEADER + ROWS.replace("Zoë", "")).replace("²", "^2").encode("gb18030"))
     assert verdicts(exam_folder, "007") == ["right"] * 3
