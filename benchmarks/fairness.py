@@ -7,8 +7,9 @@ For every template N papers are drawn as for an exam (1,000 unless said otherwis
 1. full marks in every ask for whoever works rightly and carries three significant figures, in the three ways of
    `kinegrade.problem.honest`, whether three figures are typed in, four, or the calculator's whole display;
 2. full marks in no ask for whoever makes a known mistake, except where the template reports it as inseparable;
-3. that the marks name the mistake which was made in at least 99 % of these answers. A mistake that leads to the same
-   number within what is typed in (four figures) is as good a name: such answers are counted, and counted apart.
+3. that the marks name the mistake which was made in at least 99 % of these answers, alone or among those that lead
+   there too. A mistake that leads to the same number within what is typed in (four figures) is as good a name: answers
+   for which only such a one is named are counted, and counted apart.
 
 `students` simulates, `fairness` counts. Measured without a promise: students who round some of their intermediate
 values only, or err anywhere within the rounding; and mistaken ones who carry three figures.
@@ -120,7 +121,7 @@ def count_mistaken(found: Fairness, simulated: SimulatedClass, answers: Sequence
         count["given"] += 1
         count[outcome] += 1
         if count is found.mistakes and outcome == "confused":
-            found.confused[answer.mistake, simulated.named(mark)] += 1
+            found.confused[answer.mistake, simulated.named(mark)[0]] += 1
         if count is found.mistakes and outcome not in ("named", "alike") and len(found.broken) < SHOWN:
             found.broken.append(f"{answer.mistake}, {outcome}: {told(simulated, place, mark)}")
 
@@ -137,12 +138,12 @@ def made_of(simulated: SimulatedClass, place: int, mark: Mark, answer: Answer) -
     """What the marks make of an answer with a known mistake."""
     if mark.points == mark.ask.points:
         return "full"
-    name = simulated.named(mark)
-    if not name:
+    names = simulated.named(mark)
+    if not names:
         return "unnamed"
-    if name == answer.mistake:
+    if answer.mistake in names:
         return "named"
-    return "alike" if simulated.alike(place, mark.ask.ask, name, answer) else "confused"
+    return "alike" if simulated.alike(place, mark.ask.ask, names[0], answer) else "confused"
 
 
 def told(simulated: SimulatedClass, place: int, mark: Mark) -> str:

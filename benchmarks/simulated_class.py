@@ -19,6 +19,7 @@ from kinegrade.exam.key_record import key_record
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
 from kinegrade.exam.setting import SetPaper, Setting, set_exam
+from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.key import Exam
 from kinegrade.grading.marks import Mark, mark
@@ -70,9 +71,9 @@ class SimulatedClass:
         return abs(led - answer.value) <= unit
 
     @staticmethod
-    def named(each: Mark) -> str:
-        """The mistake that the marks name, or ""."""
-        return each.verdict.reason.partition(":")[0] if each.verdict.kind == "mistake" else ""
+    def named(each: Mark) -> tuple[str, ...]:
+        """The mistakes that the marks name."""
+        return named_mistakes(each.verdict.reason) if each.verdict.kind == "mistake" else ()
 
 
 def answered(simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark, Answer]]:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from kinegrade.grading.accepted import Alternative, Alternatives
 from kinegrade.grading.decimal_style import FileStyle
-from kinegrade.grading.decision import BY_POLICY, Decision, decide, voided
+from kinegrade.grading.decision import BY_POLICY, Decision, besides, decide, voided
 from kinegrade.grading.follow import Decided, Follows, follow_through
 from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
@@ -138,7 +138,9 @@ class BlockJudge:
             if best is None:
                 found.setdefault(place, {way.name for way in leading})
             elif place not in found:
-                block.set(place, "mistake", f"{best.name}: leads to {best.reason}", shares.get(best.name, none))
+                others = besides([way.name for way in leading if way is not best])
+                block.set(place, "mistake", f"{best.name}: leads to {best.reason}{others}",
+                          shares.get(best.name, none))
         return found
 
     def _ways(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> Iterator[_Way]:
@@ -198,10 +200,10 @@ def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
 
     None where double precision cannot tell.
     """
+    if len(ways) == 1 and ways[0].certain:
+        return ways[0]
     if not all(way.certain for way in ways):
         return None
-    if len(ways) == 1:
-        return ways[0]
     best = min(ways, key=lambda way: (-shares.get(way.name, 0), way.difference, way.name))
     for way in ways:
         near = abs(way.difference - best.difference) < _TOO_NEAR * abs(best.value)

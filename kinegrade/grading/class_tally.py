@@ -24,7 +24,9 @@ from kinegrade.grading.marked_class import MarkedAnswer, StudentTotal, answers_b
 
 RIGHT, BLANK = "right", "blank"
 UNEXPLAINED = "unexplained"
-_MISTAKE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*(?=:|$)")
+_NAME = r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*"
+_MISTAKE = re.compile(rf"{_NAME}(?=:|$)")
+_BESIDES = re.compile(rf"; so do(?:es)? ({_NAME}(?:, {_NAME})*)$")
 
 
 @dataclass(frozen=True)
@@ -121,19 +123,28 @@ def _closed(count: _Count) -> ClassTally:
 
 def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
     """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the verdict."""
-    mistake = mistake_of(answer)
-    if mistake:
-        return mistake
+    mistakes = mistakes_of(answer)
+    if mistakes:
+        return mistakes[0]
     if answer.verdict != "wrong":
         return answer.verdict
     found = hint_of(answer, paper)
     return found.kind if found else UNEXPLAINED
 
 
-def mistake_of(answer: MarkedAnswer) -> str:
-    """The identifier of the known mistake that the marks name, or ""."""
-    found = _MISTAKE.match(answer.reason) if answer.verdict == "mistake" else None
-    return found[0] if found else ""
+def mistakes_of(answer: MarkedAnswer) -> tuple[str, ...]:
+    """The identifiers of the known mistakes that the marks name, the likeliest first; none for other verdicts."""
+    return named_mistakes(answer.reason) if answer.verdict == "mistake" else ()
+
+
+def named_mistakes(reason: str) -> tuple[str, ...]:
+    """The identifiers in the reason of a mistake, as `kinegrade.grading.decision` puts it.
+
+    >>> named_mistakes("coriolis-dropped: leads to 3, difference 0, allowed 0.03; so does sense-reversed")
+    ('coriolis-dropped', 'sense-reversed')
+    """
+    first, besides = _MISTAKE.match(reason), _BESIDES.search(reason)
+    return (first[0], *(besides[1].split(", ") if besides else ())) if first else ()
 
 
 def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:

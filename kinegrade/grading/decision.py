@@ -7,7 +7,7 @@ mistakes, the right number in a wrong unit.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -69,14 +69,23 @@ def _accepted(reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alter
 
 
 def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
-    """The mistakes that lead to this answer, the nearest first."""
+    """The mistakes that lead to this answer, the nearest first; each tells of the others."""
     value = reading.value or Fraction(0)
     likely = [(abs(wrong - value), name) for name, wrong in key.mistakes.items() if _may_agree(value, wrong, key)]
-    for _, name in sorted(likely):
-        verdict = judge(reading, ruling.beside(key, key.mistakes[name]))
-        if verdict.kind == "right":
-            compared = verdict.reason.removeprefix("key ")
-            yield Verdict("mistake", f"{name}: leads to {compared}"), ruling.mistakes.get(name, _NONE)
+    verdicts = {name: judge(reading, ruling.beside(key, key.mistakes[name])) for _, name in sorted(likely)}
+    leading = {name: verdict.reason for name, verdict in verdicts.items() if verdict.kind == "right"}
+    for name, compared in leading.items():
+        reason = f"{name}: leads to {compared.removeprefix('key ')}{besides(leading.keys() - {name})}"
+        yield Verdict("mistake", reason), ruling.mistakes.get(name, _NONE)
+
+
+def besides(others: Collection[str]) -> str:
+    """The end of a reason that names a mistake: the others that lead there too.
+
+    >>> besides(["sense-reversed"])
+    '; so does sense-reversed'
+    """
+    return f"; so {'does' if len(others) == 1 else 'do'} {', '.join(sorted(others))}" if others else ""
 
 
 def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:

@@ -18,7 +18,7 @@ from typing import Literal
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.amounts import amount_text
-from kinegrade.grading.class_tally import hint_of, mistake_of
+from kinegrade.grading.class_tally import hint_of, mistakes_of
 from kinegrade.grading.exam_record import (
     PaperRecord,
     PaperRecords,
@@ -133,7 +133,7 @@ def feedback_row(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, wor
 def _remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords) -> tuple[str, str]:
     """(prose, plain): what is said of why, and what the reading said of the cell."""
     if answer.verdict == "mistake":
-        return wording.mistakes.get(mistake_of(answer), ""), ""
+        return words.or_else.join(filter(None, map(wording.mistakes.get, mistakes_of(answer)))), ""
     if answer.verdict == "wrong":
         found, right = hint_of(answer, paper), paper.answers.get(answer.column)
         return (hint_text(found, answer, right, wording, words) if found and right else ""), ""

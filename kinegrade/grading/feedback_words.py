@@ -34,6 +34,7 @@ class FeedbackWords:
     verdicts: Mapping[str, str]
     explained: Mapping[str, str]  # by verdict, where that alone says what is to be said
     reasons_are_told: bool  # whether what the reading says of a cell, in English, is fit for this language
+    or_else: str  # between sentences on mistakes of which any may have been made
     hints: Mapping[str, str]
     turned: str  # after a hint where the sign is opposite besides
     too_large: str  # takes the factor, 10 or 1,000
@@ -73,6 +74,7 @@ ENGLISH = FeedbackWords(
                "void": "This was taken out of the marking.",
                FULL: "This was not marked: everybody who handed in gets the points."},
     reasons_are_told=True,
+    or_else=" Or: ",
     hints={
         "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or the sign convention "
                     "overlooked.",
@@ -122,6 +124,7 @@ CHINESE = FeedbackWords(
                "void": "该小问不参与评分。",
                FULL: "该小问不评分，凡交卷者均得满分。"},
     reasons_are_told=False,
+    or_else="或者：",
     hints={
         "opposite": "数值大小正确，符号相反：可能把转向（方向）弄反了，或没有注意正负号的约定。",
         "twice": "等于正确值的两倍：可能多乘了系数 2，或把直径当成了半径。",

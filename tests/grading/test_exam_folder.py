@@ -44,6 +44,13 @@ def test_a_sign_convention_is_kept(tmp_path: Path) -> None:
     assert [ask.sign for ask in found.asks] == ["", "", "counter-clockwise positive"]
 
 
+def test_a_unit_that_is_no_proper_text_is_the_exam_s_all_the_same(tmp_path: Path) -> None:
+    head, papers = exam(), [paper(student) for student in STUDENTS]
+    for entry in (head["questions"][1]["asks"][0], *(asks(each, 1)["a_B"] for each in papers)):
+        entry["unit"] = "\ud800"
+    assert read_exam(write_exam(tmp_path / "EXAM", head, papers)).asks[2].unit == "\ud800"
+
+
 def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
     head, papers = exam(), [paper(student) for student in STUDENTS]
     change(head, papers)
@@ -260,9 +267,24 @@ def test_a_mistake_that_is_written_as_a_fraction_is_compared_too(
     tmp_path: Path, typed: str, verdict: str
 ) -> None:
     folder = folder_with_mistakes(tmp_path, {"sense-reversed": "1/3", "coriolis-dropped": "1.9"})
-    sheet = tmp_path / "answers.csv"
+    assert mark_of(folder, typed)["verdict"] == verdict
+
+
+@pytest.mark.parametrize(("typed", "reason"), [
+    ("1.9", "coriolis-dropped: leads to 1.9, difference 0, allowed 0.019; so do sense-reversed, wrong-pole"),
+    ("1.92", "wrong-pole: leads to 1.905, difference 0.015, allowed 0.01905"),
+    ("-5", "other-branch: leads to -5, difference 0, allowed 0.05; so does transport-for-absolute"),
+])
+def test_all_mistakes_that_lead_to_an_answer_are_named(tmp_path: Path, typed: str, reason: str) -> None:
+    folder = folder_with_mistakes(tmp_path, {
+        "wrong-pole": "1.905", "sense-reversed": "1.9", "coriolis-dropped": "1.9", "transport-for-absolute": "-5.04",
+        "other-branch": "-5"})
+    assert mark_of(folder, typed)["reason"] == reason
+
+
+def mark_of(folder: Path, typed: str) -> dict[str, str]:
+    sheet = folder.parent / "answers.csv"
     sheet.write_text(f"student,q1.v_B,q1.omega_AB,q2.a_B\n0012,{typed},0,-0.125\n", encoding="utf-8")
-    grade(folder, sheet, tmp_path / "MARKS")
-    with (tmp_path / "MARKS" / "marks.csv").open(encoding="utf-8") as stream:
-        verdicts = {(row["student"], row["ask"]): row["verdict"] for row in csv.DictReader(stream)}
-    assert verdicts["0012", "v_B"] == verdict
+    grade(folder, sheet, folder.parent / "MARKS")
+    with (folder.parent / "MARKS" / "marks.csv").open(encoding="utf-8") as stream:
+        return next(row for row in csv.DictReader(stream) if (row["student"], row["ask"]) == ("0012", "v_B"))

@@ -28,7 +28,8 @@ WORDING = ExamWording(
     titles={"q1": "Crank $OA$ & rod"},
     meanings={"q1.v_B": "speed of $B$"},
     symbols={"q1.v_B": "v_{B}", "q1.omega_AB": r"\omega_{AB}"},
-    mistakes={"coriolis-dropped": "The Coriolis acceleration was left out."},
+    mistakes={"coriolis-dropped": "The Coriolis acceleration was left out.",
+              "sense-reversed": "The sense is reversed."},
 )
 
 
@@ -105,15 +106,22 @@ def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
     assert not sheet.guesses
 
 
-def test_a_known_mistake_is_told_by_its_sentence(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("besides", "language", "remark"), [
+    ("", "en", "The Coriolis acceleration was left out."),
+    ("; so does sense-reversed", "en", "The Coriolis acceleration was left out. Or: The sense is reversed."),
+    ("; so do sense-reversed, unheard-of", "zh", "The Coriolis acceleration was left out.或者：The sense is reversed."),
+])
+def test_known_mistakes_are_told_by_their_sentences(
+    tmp_path: Path, besides: str, language: Literal["en", "zh"], remark: str
+) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     file = marks / "marks.csv"
     wrong = file.read_text(encoding="utf-8").splitlines()
-    wrong[1] = '7,q1,v_B,1,1,m/s,mistake,2,4,"coriolis-dropped: leads to 1, difference 0, allowed 0.01"'
+    wrong[1] = f'7,q1,v_B,1,1,m/s,mistake,2,4,"coriolis-dropped: leads to 1, difference 0, allowed 0.01{besides}"'
     file.write_text("\n".join(wrong) + "\n", encoding="utf-8")
-    (_, sheet), = feedback_sheets(marks, exam, WORDING, "en")
+    (_, sheet), = feedback_sheets(marks, exam, WORDING, language)
     row = sheet.questions[0].rows[0]
-    assert (row.verdict, row.points, row.remark) == ("wrong", "2 / 4", "The Coriolis acceleration was left out.")
+    assert (row.verdict, row.points, row.remark) == ({"en": "wrong", "zh": "错误"}[language], "2 / 4", remark)
 
 
 @pytest.mark.parametrize(("out_of", "language", "remark"), [
