@@ -16,6 +16,7 @@ from typing import Any
 ASKS = {"q1": ("v_B", "omega_AB", "a_B"), "q2": ("omega_II", "v_B", "v_C_x"), "q3": ("v_BC_y", "a_cor_y"),
         "q4": ("omega_AB", "alpha_AB")}
 UNITS = {"v": "m/s", "a": "m/s^2", "omega": "rad/s", "alpha": "rad/s^2"}
+TEMPLATE = "of-no-mechanism"  # so nothing is worked out for these papers, and nothing follows from own answers
 COLUMNS = [f"{question}.{ask}" for question, asks in ASKS.items() for ask in asks]
 MISTAKES = (
     "wrong-pole", "other-branch", "sine-for-cosine", "degrees-for-radians", "diameter-for-radius", "coriolis-dropped",
@@ -46,7 +47,7 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
 
 
 def _head(students: int) -> dict[str, Any]:
-    questions = [{"question": question, "points": 3 * len(asks),
+    questions = [{"question": question, "template": TEMPLATE, "points": 3 * len(asks),
                   "asks": [{"ask": ask, "unit": _unit(ask), "sign": "counter-clockwise positive", "points": 3}
                            for ask in asks]} for question, asks in ASKS.items()]
     everybody = [{"student": f"{number:06}", "name": f"Student {number}", "paper": "K7Q2-41MB", "email": ""}
@@ -59,7 +60,7 @@ def _unit(ask: str) -> str:
 
 
 def _paper(number: int, random: Random) -> dict[str, Any]:
-    questions = [{"question": question, "template": "slider-crank",
+    questions = [{"question": question, "template": TEMPLATE,
                   "parameters": {name: {"exact": "1/4", "value": 0.25, "unit": unit}
                                  for name, unit in _PARAMETERS.items()},
                   "asks": {ask: _key(_unit(ask), random) for ask in asks}} for question, asks in ASKS.items()]

@@ -26,6 +26,7 @@ from kinegrade.grading.grade import grade
 STUDENTS = 20_000
 ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
 PLAIN_PROMISE, MIXED_PROMISE = 1.0, 1 / 3
+WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
 
 
@@ -91,8 +92,13 @@ def plain_loop(folder: Path) -> None:
 
 
 def memory(folder: Path) -> float:
-    """The peak of the command in megabytes."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "kinegrade", "grade", str(folder / "EXAM"), str(folder / "answers.csv"), "-o",
-         str(folder / "MARKS"), "--force"], stderr=subprocess.DEVNULL)
-    return peak_of_tree(process)
+    """The peak of the command in megabytes. Raises RuntimeError with what it said if it could not mark the class."""
+    told = folder / "told.txt"
+    with told.open("wb") as stream:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "kinegrade", "grade", str(folder / "EXAM"), str(folder / "answers.csv"), "-o",
+             str(folder / "MARKS"), "--force"], stderr=stream)
+        peak = peak_of_tree(process)
+    if process.returncode not in (0, WITH_COMPLAINTS):
+        raise RuntimeError(told.read_text(encoding="utf-8"))
+    return peak

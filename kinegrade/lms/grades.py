@@ -123,6 +123,7 @@ def _no_amount(place: str, name: str, cell: str) -> TableError:
 def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]:
     """The points each student could get in each question, and who wrote something besides blanks and dashes."""
     worth: dict[str, Worth] = defaultdict(tuple)
+    same: dict[Worth, Worth] = {}  # so that it is kept once for a class
     filled: set[str] = set()
     records = written_records(path, ("student", "question", "response", "out_of"))
     for student, lines in groupby(records, lambda record: record[1][0]):
@@ -133,7 +134,8 @@ def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]
             found = (*found, (question, out_of))
             if student not in filled and trimmed(restored(response)).strip(f"{_DASHES} "):
                 filled.add(student)
-        worth[student] += found
+        found = worth[student] + found
+        worth[student] = same.setdefault(found, found)
     return {student: _available(parts) for student, parts in worth.items()}, filled
 
 
