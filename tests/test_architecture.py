@@ -16,7 +16,7 @@ from kinegrade.problem.library import load_template, template_names
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
 FLOORS = {
-    "errors": 0, "expression": 0, "exact": 0, "units": 0, "files": 0, "tables": 0, "spreadsheet": 0,
+    "errors": 0, "expression": 0, "exact": 0, "units": 0, "files": 0, "tables": 0, "spreadsheet": 0, "collection": 0,
     "mechanics": 1, "problem": 2, "figure": 3, "worked": 4, "exam": 5, "grading": 6, "lms": 7, "cli": 8,
 }
 SIBLINGS = ("figure", "grading", "lms")

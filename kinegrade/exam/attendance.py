@@ -9,12 +9,9 @@ import gc
 import os
 import signal
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
 from multiprocessing import connection, parent_process
 
-# Between two looks for cyclic rubbish: a paper makes a hundred thousand objects, and hardly any cycles among them.
-NEW_OBJECTS = 50_000
+from kinegrade.collection import NEW_OBJECTS
 
 
 def attend() -> None:
@@ -30,16 +27,3 @@ def end_with_parent() -> None:
     if parent is not None:
         connection.wait([parent.sentinel])
         os._exit(1)
-
-
-@contextmanager
-def seldom_collected() -> Iterator[None]:
-    """Meanwhile, looking for cyclic rubbish costs little: what is there stays, and what is made is freed without it."""
-    usual = gc.get_threshold()
-    gc.freeze()
-    gc.set_threshold(NEW_OBJECTS)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*usual)
-        gc.unfreeze()

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from kinegrade import __version__
+from kinegrade.collection import seldom_collected
 from kinegrade.errors import BankError
-from kinegrade.exam.attendance import seldom_collected
 from kinegrade.exam.blueprint import Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import joining

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
+from kinegrade.collection import seldom_collected
 from kinegrade.files import output_folder
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.decimal_style import Mark as DecimalMark
@@ -27,7 +26,6 @@ MARKER = "complaints.csv"
 FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT)
 Export = Callable[[Path], str]  # a folder with these files -> the text of one more
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
-_NEW_OBJECTS = 100_000  # between two searches for cyclic rubbish; usually some 700
 
 
 def grade(
@@ -53,7 +51,7 @@ def grade(
     Raises ExamError, PolicyError, TableError, OutputError.
     """
     contents = (*FILES, *exports)
-    with _seldom_collected(), output_folder(output, marker=MARKER, contents=contents, force=force) as folder:
+    with seldom_collected(), output_folder(output, marker=MARKER, contents=contents, force=force) as folder:
         known, givens = open_exam(exam), Givens(exam)
         sheet = read_sheet(read_table(answers) if isinstance(answers, Path) else answers, known)
         rules = (read_policy(policy, known, givens, known.credit) if policy
@@ -68,16 +66,3 @@ def grade(
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
     return grades
-
-
-@contextmanager
-def _seldom_collected() -> Iterator[None]:
-    """Meanwhile, cyclic rubbish is seldom looked for: a class makes a million objects, and hardly any of it."""
-    usual = gc.get_threshold()
-    gc.freeze()
-    gc.set_threshold(_NEW_OBJECTS)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*usual)
-        gc.unfreeze()

@@ -15,7 +15,7 @@ from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.grading.class_tally import tally
 from kinegrade.grading.exam_record import PaperRecords, RightAnswer, read_exam_record
-from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets, right_text
+from kinegrade.grading.feedback import FeedbackRow, FeedbackSheet, feedback_sheets, right_text
 from kinegrade.grading.feedback_folder import write_feedback
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
@@ -114,13 +114,8 @@ def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
 def test_known_mistakes_are_told_by_their_sentences(
     tmp_path: Path, besides: str, language: Literal["en", "zh"], remark: str
 ) -> None:
-    exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
-    file = marks / "marks.csv"
-    wrong = file.read_text(encoding="utf-8").splitlines()
-    wrong[1] = f'7,q1,v_B,1,1,m/s,mistake,2,4,"coriolis-dropped: leads to 1, difference 0, allowed 0.01{besides}"'
-    file.write_text("\n".join(wrong) + "\n", encoding="utf-8")
-    (_, sheet), = feedback_sheets(marks, exam, WORDING, language)
-    row = sheet.questions[0].rows[0]
+    marked = f'mistake,2,4,"coriolis-dropped: leads to 1, difference 0, allowed 0.01{besides}"'
+    row = row_marked_as(marked, tmp_path, language)
     assert (row.verdict, row.points, row.remark) == ({"en": "wrong", "zh": "错误"}[language], "2 / 4", remark)
 
 
@@ -132,13 +127,18 @@ def test_known_mistakes_are_told_by_their_sentences(
 def test_a_void_answer_is_told_what_became_of_its_points(
     tmp_path: Path, out_of: str, language: Literal["en", "zh"], remark: str
 ) -> None:
-    exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
+    assert row_marked_as(f"void,{out_of},{out_of},void by the policy", tmp_path, language).remark == remark
+
+
+def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> FeedbackRow:
+    """The first row of a sheet whose line in marks.csv ends so: verdict, points, out of, reason."""
+    exam, marks = mark_class(folder, {"7": ("1", "2", "3")})
     file = marks / "marks.csv"
     lines = file.read_text(encoding="utf-8").splitlines()
-    lines[1] = f"7,q1,v_B,1,1,m/s,void,{out_of},{out_of},void by the policy"
+    lines[1] = f"7,q1,v_B,1,1,m/s,{marked}"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (_, sheet), = feedback_sheets(marks, exam, WORDING, language)
-    assert sheet.questions[0].rows[0].remark == remark
+    return sheet.questions[0].rows[0]
 
 
 def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:

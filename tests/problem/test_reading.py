@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.errors import ExpressionError, KinegradeError, MechanismError, TemplateError
-from kinegrade.problem.domain import read_choices
+from kinegrade.errors import KinegradeError, MechanismError, TemplateError
 from kinegrade.problem.library import load_template, shipped, template_names
 from kinegrade.problem.reading import MAX_CHARACTERS, read_template
-from kinegrade.problem.sentences import read_driver, read_joint
-from kinegrade.problem.signs import read_sign
 from kinegrade.problem.solving import solve_template
 
 CRANK = '''
@@ -372,86 +368,6 @@ def test_numbers_that_would_grow_without_end_are_cut_to_certified_balls() -> Non
     text = CRANK.replace('half = "r/2"', f'half = "r/2"\nl0 = "9/10"\n{lengths}').replace("polar(O, half, phi)",
                                                                                           "(l12, 0)")
     assert abs(solve_template(read_template("crank", text), {})["v_A"].value - 2) < 1e-15
-
-
-@pytest.mark.parametrize(("draw", "choices"), [
-    ("15 .. 60 step 15", ("15", "30", "45", "60")), ("0.1 .. 0.25 step 0.05", ("0.1", "0.15", "0.2", "0.25")),
-    ("-2 .. 2 step 2", ("-2", "0", "2")), ("1 .. 2 step 3", ("1",)), ([1, "sqrt(3)", "3/2"], ("1", "sqrt(3)", "3/2")),
-])
-def test_domains(draw: Any, choices: tuple[str, ...]) -> None:
-    assert read_choices(draw) == choices
-
-
-@pytest.mark.parametrize(("draw", "message"), [
-    ("1..2", "expected a list, or a range like"), ("1 .. 2 step -1", "expected a list, or a range like"),
-    ("2 .. 1 step 1", "the last value not before the first"), ("0 .. 9999 step 1", "at most 2000 values"),
-    ("1.2.3 .. 4 step 1", '"1.2.3" is not a number'), ("- .. 4 step 1", "expected a list"),
-                                               (". .. 4 step 1", "not a number"),
-    ([1, 1], "each once"), (["1+"], "character 3"), (list(range(2001)), "1 to 2000"), (7, "expected a list"),
-    ("." * 100_000, "expected a list, or a range"), ("9" * 100 + " .. 1 step 1", "more than 60 digits"),
-])
-def test_domains_refused(draw: Any, message: str) -> None:
-    with pytest.raises(ExpressionError) as refusal:
-        read_choices(draw)
-    assert message in str(refusal.value)
-
-
-@pytest.mark.parametrize(("text", "kind", "fields"), [
-    ("pin A: OA AB", "pin", {"point": "A", "bodies": ("OA", "AB")}),
-    ("pin A: OA, AB, AC", "pin", {"bodies": ("OA", "AB", "AC")}),
-    ("B of AB slides on line(O, 0)", "slide", {"point": "B", "body": "AB", "of": "ground"}),
-    ("A of AB slides on line(O, A) of OC", "slide", {"of": "OC"}),
-    ("O of ground slides on line(O, A) of AB", "slide", {"body": "ground", "of": "AB"}),
-    ("AB slides through sleeve along line(O, A)", "sleeve", {"body": "AB", "of": "sleeve"}),
-    ("M stays on circle(O1, R) of ring1", "arc", None),
-    ("M of rod stays on circle(O1, R) of ring1", "arc", {"point": "M", "body": "rod", "of": "ring1"}),
-    ("circle(C, R) of cam touches line(A, 0) of BC", "contact", {"body": "cam", "of": "BC", "inside": False}),
-    ("circle(C, R) of cam touches circle(D, r + 1) of BC inside", "contact", {"inside": True}),
-    ("circle(A, r2) of II rolls on circle(O, r1) inside", "roll", {"body": "II", "of": "ground", "inside": True}),
-    ("circle(A, (r1 + r2)/2) of II rolls on line(O, 0) of rack", "roll", {"of": "rack", "inside": False}),
-    ("circle(A, r1) of I meshes with circle(B, r2) of II on arm", "mesh",
-     {"of": "II", "carrier": "arm", "inside": False}),
-    ("circle(A, r1) of I meshes with circle(B, r2) of ground on arm inside", "mesh", {"of": "ground", "inside": True}),
-    ("BC translates", "parallel", {"body": "BC", "of": "ground"}),
-    ("rod turns with arm", "parallel", {"body": "rod", "of": "arm"}),
-])
-def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) -> None:
-    if fields is None:
-        with pytest.raises(ExpressionError, match="no such joint"):
-            read_joint(text)
-        return
-    sentence = read_joint(f"  {text} ")
-    assert sentence.kind == kind
-    assert {name: getattr(sentence, name) for name in fields} == fields
-
-
-@pytest.mark.parametrize(("text", "kind", "fields"), [
-    ("OA turns", "rotation", {"body": "OA", "of": "ground"}),
-    ("AB turns relative to OA", "rotation", {"of": "OA"}),
-    ("B of AB moves along -x", "component", {"point": "B", "body": "AB", "of": "ground"}),
-    ("M of M moves along direction(O, A) relative to AE", "component", {"of": "AE"}),
-    ("A of W circles O", "circulation", {"point": "A", "body": "W", "centre": "O"}),
-])
-def test_input_sentences(text: str, kind: str, fields: dict[str, str]) -> None:
-    sentence = read_driver(text, "1", "0")
-    assert sentence.kind == kind
-    assert {name: getattr(sentence, name) for name in fields} == fields
-
-
-def test_inputs_refused() -> None:
-    with pytest.raises(ExpressionError, match='"OA moves": no such input: write "OA turns", "AB turns relative to OA"'):
-        read_driver("OA moves", "1", "0")
-    with pytest.raises(ExpressionError, match="a sentence of 401 characters"):
-        read_driver("O" * 401, "1", "0")
-
-
-def test_signs_in_words() -> None:
-    assert read_sign("ccw") == ("counter-clockwise positive", "逆时针为正")
-    assert read_sign({"en": "up", "zh": "上"}) == ("up", "上")
-    with pytest.raises(ExpressionError, match='sign "cw": did you mean "ccw"'):
-        read_sign("cw")
-    with pytest.raises(ExpressionError, match="expected a keyword, or texts"):
-        read_sign({"en": "up"})
 
 
 def test_templates_are_found_by_name_or_by_path(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""A process that prints papers seldom looks for rubbish, and leaves the looking as it found it."""
+"""A class is printed and marked with few looks for rubbish, and leaves the looking as it found it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import gc
 
 import pytest
 
-from kinegrade.exam.attendance import NEW_OBJECTS, seldom_collected
+from kinegrade.collection import NEW_OBJECTS, seldom_collected
 
 
 def test_rubbish_is_seldom_looked_for_and_afterwards_as_often_as_before() -> None:
