@@ -11,6 +11,7 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from kinegrade.exact.elimination import Contradiction, eliminate
+from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd, ball
 
 PRECISIONS = (256, 1024, 4096)  # bits; the first leaves over 40 digits after the cancellation of a usual solve
@@ -20,7 +21,7 @@ class Undecided(ArithmeticError):
     """A ball holds zero, so that a sign or a pivot cannot be told at this precision."""
 
 
-class Balls:
+class Balls(Magnitude):
     """The arithmetic of enclosures at `precision` bits; work inside `context()`."""
 
     exact = False

@@ -14,13 +14,14 @@ from flint import arb, fmpq, fmpz
 
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.elimination import Contradiction, eliminate
+from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Real, Root, Surd, enclosure, sign, surd
 
 MAX_LEVEL = 5  # degree 32: beyond it a solve costs more than by balls (0.3 ms at level 2, 8 ms at level 5)
 TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
 
 
-class Field:
+class Field(Magnitude):
     """The arithmetic of exact numbers; every square root asked for is adjoined unless it is there already.
 
     >>> field = Field()

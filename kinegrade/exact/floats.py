@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from kinegrade.exact.elimination import Singular
+from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd
 
 DEPENDENT = 1e-13  # rows of unit and metre mixed have condition numbers to 1e6; dependent ones leave about 1e-16
 
 
-class Floats:
+class Floats(Magnitude):
     """The arithmetic of doubles and arrays of doubles. Never the reference: held against exact values by tests."""
 
     exact = False

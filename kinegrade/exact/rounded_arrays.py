@@ -100,7 +100,7 @@ class RoundedArrays(Rounded):
         self.unsettled |= below
         return np.where(zero, 0.0, self.noted(np.sqrt(np.where(zero | below, 1.0, number))))
 
-    def magnitudes(self, x: Any, y: Any) -> Any:
+    def magnitude(self, x: Any, y: Any) -> Any:
         """The lengths of vectors (x, y), one by one: along an axis the component itself, else a root, written down."""
         x, y = np.broadcast_to(x, self.unsettled.shape), np.broadcast_to(y, self.unsettled.shape)
         askew = self.sqrt(x * x + y * y)

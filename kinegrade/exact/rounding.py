@@ -12,12 +12,13 @@ from math import atan2, cos, degrees, floor, log10, pi, radians, sin, sqrt
 from typing import Any
 
 from kinegrade.exact.elimination import Singular
+from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd
 
 NOTHING = 1e-12  # what is smaller is zero: lengths, sines and rates of exercises are not
 
 
-class Rounded:
+class Rounded(Magnitude):
     """The arithmetic of one who writes down `figures` significant figures. Never the reference.
 
     >>> Rounded(3).sqrt(3.0), Rounded(3).cos(pi / 6), Rounded(4).written(-0.0123456)

@@ -133,12 +133,7 @@ class Quantities:
 
     def magnitude(self, vector: Vector) -> Any:
         """Length of a vector."""
-        one_by_one = getattr(self.arithmetic, "magnitudes", None)  # of instances that are worked out together
-        if one_by_one is not None:
-            return one_by_one(vector.x, vector.y)
-        if self.arithmetic.is_zero(vector.x):
-            return abs(vector.y)
-        return abs(vector.x) if self.arithmetic.is_zero(vector.y) else self.arithmetic.sqrt(vector.squared())
+        return self.arithmetic.magnitude(vector.x, vector.y)
 
     def along(self, vector: Vector, direction: Vector) -> Any:
         """Component along a direction given by any vector."""

@@ -67,10 +67,7 @@ def absolute_value(symbol: str) -> str:
 def length(vector: Vector, arithmetic: Any) -> Any:
     """The length of a vector: exact where the field holds it, else a double."""
     try:
-        own = arithmetic.fork()
-        if own.is_zero(vector.x):
-            return abs(vector.y)
-        return abs(vector.x) if own.is_zero(vector.y) else own.sqrt(vector.squared())
+        return arithmetic.fork().magnitude(vector.x, vector.y)
     except (Inexact, Undecided, ValueError):
         return size(vector)
 

@@ -60,8 +60,8 @@ def test_sines_roots_and_angles_are_those_of_single_doubles(sparing: bool) -> No
 def test_lengths_along_an_axis_settle_everybody() -> None:
     x, y = np.array([0.0, -1.23456, 1e-13, 3.0, 0.0]), np.array([2.34567, 0.0, -7.77777, 4.0, 0.0])
     together = RoundedArrays(3, len(x))
-    assert same(together.magnitudes(x, y), [2.34567, 1.23456, 7.77777, 5.0, 0.0])
-    assert same(together.magnitudes(x, 0.0), [0.0, 1.23456, 0.0, 3.0, 0.0])
+    assert same(together.magnitude(x, y), [2.34567, 1.23456, 7.77777, 5.0, 0.0])
+    assert same(together.magnitude(x, 0.0), [0.0, 1.23456, 0.0, 3.0, 0.0])
     assert not together.unsettled.any()
 
 

@@ -1,0 +1,25 @@
+"""The length of a vector, in whatever arithmetic its components are."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+
+class Rooted(Protocol):
+    """What it takes: telling what is zero, and square roots."""
+
+    def is_zero(self, number: Any) -> bool:
+        """Whether a number is zero."""
+
+    def sqrt(self, number: Any) -> Any:
+        """The positive square root."""
+
+
+class Magnitude:
+    """Gives an arithmetic its `magnitude`."""
+
+    def magnitude(self: Rooted, x: Any, y: Any) -> Any:
+        """The length of the vector (x, y); no root is asked for along an axis, where it need not be in the field."""
+        if self.is_zero(x):
+            return abs(y)
+        return abs(x) if self.is_zero(y) else self.sqrt(x * x + y * y)
