@@ -33,6 +33,7 @@ test: lint types $(READY)
 	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 lint: $(READY)
+	$(BIN)/ruff format --check --quiet .
 	$(BIN)/ruff check .
 
 types: $(READY)

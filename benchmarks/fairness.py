@@ -86,7 +86,14 @@ def fairness(name: str, draws: int, *, measured: bool = True) -> Fairness:
     for simulated in classes(load_template(name), draws):
         found.instances += len(simulated.papers)
         for way, answers in honest_students(simulated):
-            count_honest(found, found.honest.setdefault(way, Counter()), way, simulated, answers, promised=True)
+            count_honest(
+                found,
+                found.honest.setdefault(way, Counter()),
+                way,
+                simulated,
+                answers,
+                promised=True,
+            )
         for answers in mistaken_students(simulated, rounded=False):
             count_mistaken(found, simulated, answers)
         if measured:
@@ -97,13 +104,22 @@ def fairness(name: str, draws: int, *, measured: bool = True) -> Fairness:
 def measure(found: Fairness, simulated: SimulatedClass) -> None:
     """Students of whom nothing is promised."""
     for way, answers in unpromised_students(simulated):
-        count_honest(found, found.others.setdefault(way, Counter()), way, simulated, answers, promised=False)
+        count_honest(
+            found, found.others.setdefault(way, Counter()), way, simulated, answers, promised=False
+        )
     for answers in mistaken_students(simulated, rounded=True):
         count_rounded(found, simulated, answers)
 
 
-def count_honest(found: Fairness, count: Counter[str], way: str, simulated: SimulatedClass,
-                 answers: Sequence[Mapping[str, Answer]], *, promised: bool) -> None:
+def count_honest(
+    found: Fairness,
+    count: Counter[str],
+    way: str,
+    simulated: SimulatedClass,
+    answers: Sequence[Mapping[str, Answer]],
+    *,
+    promised: bool,
+) -> None:
     """Mark a class that works rightly; what is not answered gets no full marks."""
     for place, mark in simulated.marked(answers):
         full = mark.points == mark.ask.points
@@ -113,20 +129,32 @@ def count_honest(found: Fairness, count: Counter[str], way: str, simulated: Simu
             found.broken.append(f"honest, {way}: {told(simulated, place, mark)}")
 
 
-def count_mistaken(found: Fairness, simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]) -> None:
+def count_mistaken(
+    found: Fairness, simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]
+) -> None:
     """Mark a class that makes a known mistake."""
     for place, mark, answer in answered(simulated, answers):
-        count = found.inseparable if answer.mistake in simulated.inseparable.get(mark.ask.ask, ()) else found.mistakes
+        count = (
+            found.inseparable
+            if answer.mistake in simulated.inseparable.get(mark.ask.ask, ())
+            else found.mistakes
+        )
         outcome = made_of(simulated, place, mark, answer)
         count["given"] += 1
         count[outcome] += 1
         if count is found.mistakes and outcome == "confused":
             found.confused[answer.mistake, simulated.named(mark)[0]] += 1
-        if count is found.mistakes and outcome not in ("named", "alike") and len(found.broken) < SHOWN:
+        if (
+            count is found.mistakes
+            and outcome not in ("named", "alike")
+            and len(found.broken) < SHOWN
+        ):
             found.broken.append(f"{answer.mistake}, {outcome}: {told(simulated, place, mark)}")
 
 
-def count_rounded(found: Fairness, simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]) -> None:
+def count_rounded(
+    found: Fairness, simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]
+) -> None:
     """Mark a class that makes a known mistake and carries three figures."""
     for place, mark, answer in answered(simulated, answers):
         if answer.mistake not in simulated.inseparable.get(mark.ask.ask, ()):
@@ -148,38 +176,57 @@ def made_of(simulated: SimulatedClass, place: int, mark: Mark, answer: Answer) -
 
 def told(simulated: SimulatedClass, place: int, mark: Mark) -> str:
     """An answer with its instance and verdict, for whoever looks for the cause."""
-    values = ", ".join(f"{name} = {text}" for name, text in simulated.papers[place].questions[0].drawn.values.items())
-    return (f'{simulated.template.name} at {values}: {mark.ask.ask} "{mark.reading.typed}" '
-            f"{mark.verdict.kind}: {mark.verdict.reason}")
+    values = ", ".join(
+        f"{name} = {text}"
+        for name, text in simulated.papers[place].questions[0].drawn.values.items()
+    )
+    return (
+        f'{simulated.template.name} at {values}: {mark.ask.ask} "{mark.reading.typed}" '
+        f"{mark.verdict.kind}: {mark.verdict.reason}"
+    )
 
 
-HEADER = (f"{'template':<42}{'papers':>7}{'honest':>9}{'full':>9}{'mistaken':>10}{'full':>6}{'named':>9}{'alike':>7}"
-          f"{'other':>6}{'none':>6}{'insep.':>8}")
+HEADER = (
+    f"{'template':<42}{'papers':>7}{'honest':>9}{'full':>9}{'mistaken':>10}{'full':>6}{'named':>9}{'alike':>7}"
+    f"{'other':>6}{'none':>6}{'insep.':>8}"
+)
 
 
 def row(name: str, found: Fairness) -> str:
     """One line of the table."""
-    given, full = (sum(count[kind] for count in found.honest.values()) for kind in ("given", "full"))
+    given, full = (
+        sum(count[kind] for count in found.honest.values()) for kind in ("given", "full")
+    )
     made = found.mistakes
-    return (f"{name:<42}{found.instances:>7}{given:>9}{full:>9}{made['given']:>10}{made['full']:>6}{made['named']:>9}"
-            f"{made['alike']:>7}{made['confused']:>6}{made['unnamed']:>6}{found.inseparable['given']:>8}")
+    return (
+        f"{name:<42}{found.instances:>7}{given:>9}{full:>9}{made['given']:>10}{made['full']:>6}{made['named']:>9}"
+        f"{made['alike']:>7}{made['confused']:>6}{made['unnamed']:>6}{found.inseparable['given']:>8}"
+    )
 
 
 def summary(total: Fairness) -> Iterator[str]:
     """What the totals say of each promise, and what is measured beside them."""
     for title, counts in (("promised", total.honest), ("measured", total.others)):
         for way, count in sorted(counts.items()):
-            yield (f"{title:<10}{way:<50}{count['full']:>9} of {count['given']:>9} answers got full marks, "
-                   f"{share(count, 'full'):.4%}")
+            yield (
+                f"{title:<10}{way:<50}{count['full']:>9} of {count['given']:>9} answers got full marks, "
+                f"{share(count, 'full'):.4%}"
+            )
     made, rounded = total.mistakes, total.rounded
     yield f"{'promised':<10}known mistakes that got full marks: {made['full']} of {made['given']}"
-    yield (f"{'promised':<10}known mistakes named rightly: {total.diagnosed():.4%} "
-           f"({share(made, 'named'):.2%} by name, {share(made, 'alike'):.2%} by one that leads to the same number)")
-    yield (f"{'measured':<10}answers with inseparable mistakes: {total.inseparable['given']}, "
-           f"of which {total.inseparable['full']} got full marks")
-    yield (f"{'measured':<10}mistaken and carrying three figures: {rounded['full']} of {rounded['given']} got full "
-           f"marks, {share(rounded, 'named') + share(rounded, 'alike'):.2%} are named rightly, "
-           f"{share(rounded, 'unnamed'):.2%} not at all")
+    yield (
+        f"{'promised':<10}known mistakes named rightly: {total.diagnosed():.4%} "
+        f"({share(made, 'named'):.2%} by name, {share(made, 'alike'):.2%} by one that leads to the same number)"
+    )
+    yield (
+        f"{'measured':<10}answers with inseparable mistakes: {total.inseparable['given']}, "
+        f"of which {total.inseparable['full']} got full marks"
+    )
+    yield (
+        f"{'measured':<10}mistaken and carrying three figures: {rounded['full']} of {rounded['given']} got full "
+        f"marks, {share(rounded, 'named') + share(rounded, 'alike'):.2%} are named rightly, "
+        f"{share(rounded, 'unnamed'):.2%} not at all"
+    )
     for (mistake, name), times in total.confused.most_common(SHOWN):
         yield f"{'':<10}{mistake} was named {name} {times} times"
 
@@ -191,20 +238,29 @@ def share(count: Counter[str], kind: str) -> float:
 
 def main() -> int:
     """Print the table and the totals; 1 when a promise is broken for a template."""
-    parser = argparse.ArgumentParser(description="Simulate students who work rightly, and who make known mistakes.")
+    parser = argparse.ArgumentParser(
+        description="Simulate students who work rightly, and who make known mistakes."
+    )
     parser.add_argument("--draws", type=int, default=DRAWS, help="papers drawn of each template")
     parser.add_argument("templates", nargs="*", help="only these templates")
     options = parser.parse_args()
     total, kept = Fairness("all"), True
     print(HEADER, flush=True)
     with ProcessPoolExecutor() as pool:
-        tasks = [pool.submit(fairness, name, options.draws) for name in options.templates or template_names()]
+        tasks = [
+            pool.submit(fairness, name, options.draws)
+            for name in options.templates or template_names()
+        ]
         for task in as_completed(tasks):
             found = task.result()
             total.add(found)
             kept &= found.kept()
-            print(row(found.template, found), *(f"  BROKEN {line}" for line in found.broken if not found.kept()),
-                  sep="\n", flush=True)
+            print(
+                row(found.template, found),
+                *(f"  BROKEN {line}" for line in found.broken if not found.kept()),
+                sep="\n",
+                flush=True,
+            )
     print(row("all", total), "", *summary(total), "", "kept" if kept else "BROKEN", sep="\n")
     return 0 if kept else 1
 

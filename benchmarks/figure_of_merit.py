@@ -33,9 +33,15 @@ class Figure:
 
     def line(self) -> str:
         """The figure as a line of the report."""
-        promise = "" if self.promise is None else f"  promised: {self.promise:g}  {'kept' if self.kept else 'BROKEN'}"
+        promise = (
+            ""
+            if self.promise is None
+            else f"  promised: {self.promise:g}  {'kept' if self.kept else 'BROKEN'}"
+        )
         scale = 1e3 if self.unit == "ms" else 1.0
-        costs = f"ours {self.ours * scale:9.3f} {self.unit}  peer {self.peer * scale:9.3f} {self.unit}"
+        costs = (
+            f"ours {self.ours * scale:9.3f} {self.unit}  peer {self.peer * scale:9.3f} {self.unit}"
+        )
         return f"{self.name:<58} {costs}  ratio {self.ratio:7.2f}{promise}"
 
 

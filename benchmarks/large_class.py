@@ -13,8 +13,12 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-ASKS = {"q1": ("v_B", "omega_AB", "a_B"), "q2": ("omega_II", "v_B", "v_C_x"), "q3": ("v_BC_y", "a_cor_y"),
-        "q4": ("omega_AB", "alpha_AB")}
+ASKS = {
+    "q1": ("v_B", "omega_AB", "a_B"),
+    "q2": ("omega_II", "v_B", "v_C_x"),
+    "q3": ("v_BC_y", "a_cor_y"),
+    "q4": ("omega_AB", "alpha_AB"),
+}
 UNITS = {"v": "m/s", "a": "m/s^2", "omega": "rad/s", "alpha": "rad/s^2"}
 TEMPLATE = "of-no-mechanism"  # so nothing is worked out for these papers, and nothing follows from own answers
 COLUMNS = [f"{question}.{ask}" for question, asks in ASKS.items() for ask in asks]
@@ -35,8 +39,10 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
     random, exam = Random(seed), folder / "EXAM"
     exam.mkdir(parents=True)
     (exam / "exam.json").write_text(json.dumps(_head(students)), encoding="utf-8")
-    with (exam / "key.jsonl").open("w", encoding="utf-8") as keys, (folder / "answers.csv").open(
-            "w", encoding="utf-8", newline="") as sheet:
+    with (
+        (exam / "key.jsonl").open("w", encoding="utf-8") as keys,
+        (folder / "answers.csv").open("w", encoding="utf-8", newline="") as sheet,
+    ):
         answers = csv.writer(sheet, lineterminator="\n")
         answers.writerow(["student", "name", *COLUMNS])
         for number in range(students):
@@ -47,12 +53,29 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
 
 
 def _head(students: int) -> dict[str, Any]:
-    questions = [{"question": question, "template": TEMPLATE, "points": 3 * len(asks),
-                  "asks": [{"ask": ask, "unit": _unit(ask), "sign": "counter-clockwise positive", "points": 3}
-                           for ask in asks]} for question, asks in ASKS.items()]
-    everybody = [{"student": f"{number:06}", "name": f"Student {number}", "paper": "K7Q2-41MB", "email": ""}
-                 for number in range(students)]
-    return {"format": 1, "title": "A large class", "language": "en", "questions": questions, "students": everybody}
+    questions = [
+        {
+            "question": question,
+            "template": TEMPLATE,
+            "points": 3 * len(asks),
+            "asks": [
+                {"ask": ask, "unit": _unit(ask), "sign": "counter-clockwise positive", "points": 3}
+                for ask in asks
+            ],
+        }
+        for question, asks in ASKS.items()
+    ]
+    everybody = [
+        {"student": f"{number:06}", "name": f"Student {number}", "paper": "K7Q2-41MB", "email": ""}
+        for number in range(students)
+    ]
+    return {
+        "format": 1,
+        "title": "A large class",
+        "language": "en",
+        "questions": questions,
+        "students": everybody,
+    }
 
 
 def _unit(ask: str) -> str:
@@ -60,20 +83,36 @@ def _unit(ask: str) -> str:
 
 
 def _paper(number: int, random: Random) -> dict[str, Any]:
-    questions = [{"question": question, "template": TEMPLATE,
-                  "parameters": {name: {"exact": "1/4", "value": 0.25, "unit": unit}
-                                 for name, unit in _PARAMETERS.items()},
-                  "asks": {ask: _key(_unit(ask), random) for ask in asks}} for question, asks in ASKS.items()]
+    questions = [
+        {
+            "question": question,
+            "template": TEMPLATE,
+            "parameters": {
+                name: {"exact": "1/4", "value": 0.25, "unit": unit}
+                for name, unit in _PARAMETERS.items()
+            },
+            "asks": {ask: _key(_unit(ask), random) for ask in asks},
+        }
+        for question, asks in ASKS.items()
+    ]
     return {"student": f"{number:06}", "paper": "K7Q2-41MB", "questions": questions}
 
 
 def _key(unit: str, random: Random) -> dict[str, Any]:
     value = random.choice((-1, 1)) * 10 ** random.uniform(-1, 2)
-    mistakes = {name: f"{value * _FACTORS.get(name, random.uniform(0.2, 3)):.9g}"
-                for name in sorted(random.sample(MISTAKES, random.randint(8, 15)))}
-    return {"exact": "5*sqrt(2)/8 + 5*sqrt(6)/8 + 35*sqrt(14 - sqrt(3))/386", "value": value, "unit": unit,
-            "decimal": f"{value!r}{random.randrange(10**22):022}", "tolerance": {"relative": 0.01, "absolute": 0},
-            "points": 3, "mistakes": mistakes}
+    mistakes = {
+        name: f"{value * _FACTORS.get(name, random.uniform(0.2, 3)):.9g}"
+        for name in sorted(random.sample(MISTAKES, random.randint(8, 15)))
+    }
+    return {
+        "exact": "5*sqrt(2)/8 + 5*sqrt(6)/8 + 35*sqrt(14 - sqrt(3))/386",
+        "value": value,
+        "unit": unit,
+        "decimal": f"{value!r}{random.randrange(10**22):022}",
+        "tolerance": {"relative": 0.01, "absolute": 0},
+        "points": 3,
+        "mistakes": mistakes,
+    }
 
 
 def _entries(paper: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -91,4 +130,5 @@ def _typed(entry: dict[str, Any], random: Random, odd_share: float) -> str:
     if random.random() >= odd_share:
         return plain
     return random.choice(_NOT_PLAIN).format(
-        comma=plain.replace(".", ","), number=plain, unit=entry["unit"], square=f"{number**2:.4f}")
+        comma=plain.replace(".", ","), number=plain, unit=entry["unit"], square=f"{number**2:.4f}"
+    )

@@ -34,20 +34,35 @@ def figures() -> Iterator[Figure]:
     """Seconds for an answer, of plain numbers and of what people really type; memory of twice the class."""
     with TemporaryDirectory() as name:
         plain, mixed, double = (Path(name) / part for part in ("plain", "mixed", "double"))
-        for folder, students, odd in ((plain, STUDENTS, 0.0), (mixed, STUDENTS, ODD_SHARE),
-                                      (double, 2 * STUDENTS, ODD_SHARE)):
+        for folder, students, odd in (
+            (plain, STUDENTS, 0.0),
+            (mixed, STUDENTS, ODD_SHARE),
+            (double, 2 * STUDENTS, ODD_SHARE),
+        ):
             write_class(folder, students, odd)
         kinds = (plain, "plain numbers", PLAIN_PROMISE), (mixed, "10 % not plain", MIXED_PROMISE)
         for folder, kind, promise in kinds:
-            yield Figure(f"marking an answer, {STUDENTS} students, {kind}", ours(folder), loop(folder), promise)
+            yield Figure(
+                f"marking an answer, {STUDENTS} students, {kind}",
+                ours(folder),
+                loop(folder),
+                promise,
+            )
         single, twice = memory(mixed), memory(double)
-        yield Figure(f"marking {2 * STUDENTS} students: memory against {STUDENTS}", twice, GROWTH_PROMISE * single, 1,
-                     "MB")
+        yield Figure(
+            f"marking {2 * STUDENTS} students: memory against {STUDENTS}",
+            twice,
+            GROWTH_PROMISE * single,
+            1,
+            "MB",
+        )
 
 
 def ours(folder: Path) -> float:
     """Seconds for an answer by `grade`."""
-    return seconds_per_answer(lambda: grade(folder / "EXAM", folder / "answers.csv", folder / "MARKS", force=True))
+    return seconds_per_answer(
+        lambda: grade(folder / "EXAM", folder / "answers.csv", folder / "MARKS", force=True)
+    )
 
 
 def loop(folder: Path) -> float:
@@ -72,11 +87,19 @@ def plain_loop(folder: Path) -> None:
         for line in lines:
             paper = json.loads(line)
             keys[paper["student"]] = {
-                f"{question['question']}.{ask}": (key["value"], key["tolerance"]["relative"], key["points"])
-                for question in paper["questions"] for ask, key in question["asks"].items()}
-    with ((folder / "answers.csv").open(encoding="utf-8", newline="") as sheet,
-          (folder / "marks.csv").open("w", encoding="utf-8", newline="") as marks,
-          (folder / "grades.csv").open("w", encoding="utf-8", newline="") as grades):
+                f"{question['question']}.{ask}": (
+                    key["value"],
+                    key["tolerance"]["relative"],
+                    key["points"],
+                )
+                for question in paper["questions"]
+                for ask, key in question["asks"].items()
+            }
+    with (
+        (folder / "answers.csv").open(encoding="utf-8", newline="") as sheet,
+        (folder / "marks.csv").open("w", encoding="utf-8", newline="") as marks,
+        (folder / "grades.csv").open("w", encoding="utf-8", newline="") as grades,
+    ):
         each_answer, each_student = csv.writer(marks), csv.writer(grades)
         for row in csv.DictReader(sheet):
             total = 0
@@ -87,7 +110,16 @@ def plain_loop(folder: Path) -> None:
                     right = False
                 got = points if right else 0
                 total += got
-                each_answer.writerow([row["student"], column, row[column], "right" if right else "wrong", got, points])
+                each_answer.writerow(
+                    [
+                        row["student"],
+                        column,
+                        row[column],
+                        "right" if right else "wrong",
+                        got,
+                        points,
+                    ]
+                )
             each_student.writerow([row["student"], row["name"], total])
 
 
@@ -96,8 +128,19 @@ def memory(folder: Path) -> float:
     told = folder / "told.txt"
     with told.open("wb") as stream:
         process = subprocess.Popen(
-            [sys.executable, "-m", "kinegrade", "grade", str(folder / "EXAM"), str(folder / "answers.csv"), "-o",
-             str(folder / "MARKS"), "--force"], stderr=stream)
+            [
+                sys.executable,
+                "-m",
+                "kinegrade",
+                "grade",
+                str(folder / "EXAM"),
+                str(folder / "answers.csv"),
+                "-o",
+                str(folder / "MARKS"),
+                "--force",
+            ],
+            stderr=stream,
+        )
         peak = peak_of_tree(process)
     if process.returncode not in (0, WITH_COMPLAINTS):
         raise RuntimeError(told.read_text(encoding="utf-8"))

@@ -27,7 +27,9 @@ def family(process: int) -> Iterator[int]:
     yield process
     try:
         tasks = list(Path(f"/proc/{process}/task").iterdir())
-        children = [int(number) for task in tasks for number in (task / "children").read_text().split()]
+        children = [
+            int(number) for task in tasks for number in (task / "children").read_text().split()
+        ]
     except OSError:  # it has just ended, or this is no Linux
         return
     for child in children:

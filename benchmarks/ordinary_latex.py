@@ -37,12 +37,16 @@ DEGREES = re.compile(r"(-?[\d.]+)\^\\circ")
 
 def ordinary_paper(paper: Paper) -> str:
     """The LaTeX source of one student's paper, to be typeset by one pdflatex run."""
-    head = (rf"\fancyhf{{}}\lhead{{{plain(paper.course)}, {plain(paper.title)}}}\rhead{{Paper {plain(paper.code)}}}"
-            rf"\lfoot{{{plain(paper.student)} {plain(paper.name)}}}\rfoot{{page \thepage}}")
+    head = (
+        rf"\fancyhf{{}}\lhead{{{plain(paper.course)}, {plain(paper.title)}}}\rhead{{Paper {plain(paper.code)}}}"
+        rf"\lfoot{{{plain(paper.student)} {plain(paper.name)}}}\rfoot{{page \thepage}}"
+    )
     title = rf"\section*{{{plain(paper.title)}}}" + "\n" + candidate(paper)
     rules = listed("itemize", [prose(rule) for rule in paper.rules])
     questions = listed("enumerate", [question(sheet) for sheet in paper.questions])
-    return "\n".join([PREAMBLE + head, r"\begin{document}", title, rules, questions, r"\end{document}", ""])
+    return "\n".join(
+        [PREAMBLE + head, r"\begin{document}", title, rules, questions, r"\end{document}", ""]
+    )
 
 
 def has_ordinary_latex() -> bool:
@@ -58,10 +62,12 @@ def candidate(paper: Paper) -> str:
     numbers = "&".join(str(sheet.number) for sheet in paper.questions)
     points = "&".join(f"{float(sheet.points):g}" for sheet in paper.questions)
     columns = "|c" * len(paper.questions)
-    return (rf"\noindent Name: \textbf{{{plain(paper.name)}}}\quad Student: \textbf{{{plain(paper.student)}}}\hfill"
-            rf"\begin{{tabular}}{{|l{columns}|c|}}\hline Question&{numbers}&Total\\\hline "
-            rf"Points&{points}&{float(paper.points):g}\\\hline Mark{'&' * len(paper.questions)}&\\\hline"
-            r"\end{tabular}")
+    return (
+        rf"\noindent Name: \textbf{{{plain(paper.name)}}}\quad Student: \textbf{{{plain(paper.student)}}}\hfill"
+        rf"\begin{{tabular}}{{|l{columns}|c|}}\hline Question&{numbers}&Total\\\hline "
+        rf"Points&{points}&{float(paper.points):g}\\\hline Mark{'&' * len(paper.questions)}&\\\hline"
+        r"\end{tabular}"
+    )
 
 
 def listed(kind: str, items: list[str]) -> str:
@@ -74,22 +80,34 @@ def question(sheet: QuestionSheet) -> str:
     """A question: its title and points, its statement, its figure, its answer table."""
     figure = rf"\begin{{center}}{drawing(sheet.figure)}\end{{center}}" if sheet.figure else ""
     rows = "\n".join(map(row, sheet.rows))
-    table = r"\begin{tabularx}{\linewidth}{|X|r|p{40mm}|l|}\hline" + f"\n{rows}\n" + r"\end{tabularx}"
-    return "\n".join([rf"\textbf{{{prose(sheet.title)}}}\hfill({float(sheet.points):g} points)\par",
-                      prose(sheet.statement), figure, rf"\noindent {table}"])
+    table = (
+        r"\begin{tabularx}{\linewidth}{|X|r|p{40mm}|l|}\hline" + f"\n{rows}\n" + r"\end{tabularx}"
+    )
+    return "\n".join(
+        [
+            rf"\textbf{{{prose(sheet.title)}}}\hfill({float(sheet.points):g} points)\par",
+            prose(sheet.statement),
+            figure,
+            rf"\noindent {table}",
+        ]
+    )
 
 
 def row(answer: AnswerRow) -> str:
     """The box of one answer."""
     unit = "" if answer.unit == "1" else rf"\unit{{{written(answer.unit)}}}"
-    return (rf"{prose(answer.meaning)} ({prose(answer.sign)})&${answer.symbol}=$&\hfill{unit}"
-            rf"&{float(answer.points):g}\\[2ex]\hline")
+    return (
+        rf"{prose(answer.meaning)} ({prose(answer.sign)})&${answer.symbol}=$&\hfill{unit}"
+        rf"&{float(answer.points):g}\\[2ex]\hline"
+    )
 
 
 def prose(text: str) -> str:
     """Text with math in it, its quantities and angles by siunitx."""
     pieces = text.split("$")
-    return "".join(f"${math(piece)}$" if index % 2 else plain(piece) for index, piece in enumerate(pieces))
+    return "".join(
+        f"${math(piece)}$" if index % 2 else plain(piece) for index, piece in enumerate(pieces)
+    )
 
 
 def math(latex: str) -> str:
@@ -120,7 +138,9 @@ def drawn(part: Primitive) -> str:
             return rf"\path[{style(part.pen, part.fill)}] {at(part.centre)} circle[radius={number(part.radius)}];"
         case Outline():
             end = " -- cycle" if part.closed else ""
-            return rf"\path[{style(part.pen, part.fill)}] {' -- '.join(map(at, part.corners))}{end};"
+            return (
+                rf"\path[{style(part.pen, part.fill)}] {' -- '.join(map(at, part.corners))}{end};"
+            )
         case Bow():
             return bow(part)
         case Strokes():
@@ -131,7 +151,9 @@ def drawn(part: Primitive) -> str:
 def bow(part: Bow) -> str:
     """A circular arc, from where it begins."""
     start, sweep = degrees(part.start), degrees(part.sweep)
-    arc = f"arc[start angle={number(start)},delta angle={number(sweep)},radius={number(part.radius)}]"
+    arc = (
+        f"arc[start angle={number(start)},delta angle={number(sweep)},radius={number(part.radius)}]"
+    )
     return rf"\draw[{style(part.pen)}] {at(part.path()[0])} {arc};"
 
 

@@ -30,7 +30,10 @@ from kinegrade.exam.setting import SetPaper, set_exam
 STUDENTS, HALF, SAMPLE = 300, 150, 10
 BANK, SEED = "demo", "bench"
 TYPST_PROMISE, LATEX_PROMISE = 25, 4
-MEMORY_PROMISE, GROWTH_PROMISE = 1024, 1.15  # megabytes at 300 students; at most so many times that of 150
+MEMORY_PROMISE, GROWTH_PROMISE = (
+    1024,
+    1.15,
+)  # megabytes at 300 students; at most so many times that of 150
 
 
 def figures() -> Iterator[Figure]:
@@ -39,15 +42,29 @@ def figures() -> Iterator[Figure]:
         folder = Path(name)
         _, half = generate(folder, HALF)
         typst, memory = generate(folder, STUDENTS)
-        yield Figure("generate, 300 students: memory against 1 GiB", memory, MEMORY_PROMISE, 1, "MB")
-        yield Figure("generate, 150 students: memory against that of 300", memory / GROWTH_PROMISE, half, 1, "MB")
+        yield Figure(
+            "generate, 300 students: memory against 1 GiB", memory, MEMORY_PROMISE, 1, "MB"
+        )
+        yield Figure(
+            "generate, 150 students: memory against that of 300",
+            memory / GROWTH_PROMISE,
+            half,
+            1,
+            "MB",
+        )
         if not has_ordinary_latex():
-            print(f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to compare with")
+            print(
+                f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to compare with"
+            )
             return
         latex, _ = generate(folder, STUDENTS, "--engine", "latex")
         ordinary, lean = one_job_each(folder, SAMPLE), one_run_each(kept_papers(folder, SAMPLE))
-        yield Figure("a paper by Typst against drawing and pdflatex for each", typst, ordinary, TYPST_PROMISE)
-        yield Figure("a paper by LaTeX, a run for many, against the same", latex, ordinary, LATEX_PROMISE)
+        yield Figure(
+            "a paper by Typst against drawing and pdflatex for each", typst, ordinary, TYPST_PROMISE
+        )
+        yield Figure(
+            "a paper by LaTeX, a run for many, against the same", latex, ordinary, LATEX_PROMISE
+        )
         yield Figure("a paper by Typst against a run of our own lean source", typst, lean, None)
         yield Figure("a paper by LaTeX against a run of our own lean source", latex, lean, None)
 
@@ -60,10 +77,25 @@ def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
     roster = class_of(folder, students)
     usual = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     start = time.perf_counter()
-    process = subprocess.Popen([sys.executable, "-m", "kinegrade", "generate", BANK, str(roster), "-o",
-                                str(folder / "EXAM"), "--seed", SEED, "--force",
-                                "--no-solutions", *options], stderr=subprocess.PIPE,
-                               env={**usual, "PYTHONPYCACHEPREFIX": str(folder / "compiled")})
+    process = subprocess.Popen(
+        [
+            sys.executable,
+            "-m",
+            "kinegrade",
+            "generate",
+            BANK,
+            str(roster),
+            "-o",
+            str(folder / "EXAM"),
+            "--seed",
+            SEED,
+            "--force",
+            "--no-solutions",
+            *options,
+        ],
+        stderr=subprocess.PIPE,
+        env={**usual, "PYTHONPYCACHEPREFIX": str(folder / "compiled")},
+    )
     memory = peak_of_tree(process)
     if process.returncode:
         raise RuntimeError(process.stderr.read().decode() if process.stderr else "")
@@ -73,8 +105,10 @@ def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
 def class_of(folder: Path, students: int) -> Path:
     """The roster of a class of that size."""
     roster = folder / f"{students}.csv"
-    roster.write_text("student,name\n" + "".join(f"{number:05},Student {number}\n" for number in range(students)),
-                      encoding="utf-8")
+    roster.write_text(
+        "student,name\n" + "".join(f"{number:05},Student {number}\n" for number in range(students)),
+        encoding="utf-8",
+    )
     return roster
 
 
@@ -96,7 +130,7 @@ def ordinary_job(bank: Bank, papers: Iterator[SetPaper], folder: Path) -> None:
 
 def kept_papers(folder: Path, count: int) -> list[Path]:
     """The same papers in the LaTeX sources that `generate` has just kept."""
-    return sorted((folder / "EXAM" / "tex" / "papers").glob("*.tex"))[:count + 1]
+    return sorted((folder / "EXAM" / "tex" / "papers").glob("*.tex"))[: count + 1]
 
 
 def one_run_each(sources: list[Path]) -> float:
@@ -107,5 +141,9 @@ def one_run_each(sources: list[Path]) -> float:
 
 def run_latex(source: Path) -> None:
     """One pdflatex run."""
-    subprocess.run(["pdflatex", "-no-shell-escape", "-interaction=batchmode", source.name], cwd=source.parent,
-                   check=True, capture_output=True)
+    subprocess.run(
+        ["pdflatex", "-no-shell-escape", "-interaction=batchmode", source.name],
+        cwd=source.parent,
+        check=True,
+        capture_output=True,
+    )

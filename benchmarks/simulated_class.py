@@ -12,6 +12,7 @@ from math import floor, log10
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.generate import exam_record
 from kinegrade.exam.key_mistakes import mistaken_answers
@@ -27,7 +28,7 @@ from kinegrade.grading.sheet import read_sheet
 from kinegrade.problem.honest import nearest_turn, turn_of
 from kinegrade.problem.separation import Separation
 from kinegrade.problem.template import Template
-from kinegrade.tables import csv_text, parse_table
+from kinegrade.tables import parse_table
 
 CLASS = 50  # students of one exam: no template is short of instances for so few
 FIGURES = 4  # that mistaken students type in
@@ -55,8 +56,13 @@ class SimulatedClass:
     def marked(self, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark]]:
         """The mark of every ask of every paper, with the paper's place; `answers` are each student's, by ask."""
         header = ["student", *(ask.column for ask in self.exam.asks)]
-        rows = [[paper.student.student, *(given[ask.ask].typed if ask.ask in given else "" for ask in self.exam.asks)]
-                for paper, given in zip(self.papers, answers, strict=True)]
+        rows = [
+            [
+                paper.student.student,
+                *(given[ask.ask].typed if ask.ask in given else "" for ask in self.exam.asks),
+            ]
+            for paper, given in zip(self.papers, answers, strict=True)
+        ]
         sheet = read_sheet(parse_table(csv_text(header, rows).encode(), "answers.csv"), self.exam)
         for number, each in enumerate(mark(self.exam, sheet).marks):
             yield number // len(self.exam.asks), each
@@ -76,7 +82,9 @@ class SimulatedClass:
         return named_mistakes(each.verdict.reason) if each.verdict.kind == "mistake" else ()
 
 
-def answered(simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark, Answer]]:
+def answered(
+    simulated: SimulatedClass, answers: Sequence[Mapping[str, Answer]]
+) -> Iterator[tuple[int, Mark, Answer]]:
     """The marks of what was answered."""
     for place, each in simulated.marked(answers):
         if each.ask.ask in answers[place]:
@@ -91,7 +99,9 @@ def classes(template: Template, draws: int) -> Iterator[SimulatedClass]:
         setting = set_exam(sample_bank(template), roster, f"fairness {number}")
         (deck,) = setting.decks.values()
         papers = tuple(setting.papers())
-        yield SimulatedClass(template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation))
+        yield SimulatedClass(
+            template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation)
+        )
 
 
 def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
@@ -99,16 +109,29 @@ def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
     if separation is None:
         return {}
     identifiers = separation.compare(separation.sample).identifiers
-    return {ask: frozenset(name for name, kept in zip(identifiers[ask], separation.kept[ask], strict=True) if not kept)
-            for ask in separation.asks}
+    return {
+        ask: frozenset(
+            name
+            for name, kept in zip(identifiers[ask], separation.kept[ask], strict=True)
+            if not kept
+        )
+        for ask in separation.asks
+    }
 
 
 def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
     """The exam, written into a folder as generate writes it and read again as grade reads it."""
     keys = [KeyPaper(paper.student.student, paper.student.name, paper.code, ()) for paper in papers]
-    lines = (key_record(paper, mistakes) for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True))
+    lines = (
+        key_record(paper, mistakes)
+        for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)
+    )
     with TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "exam.json").write_text(json.dumps(exam_record(setting, keys, "en")), encoding="utf-8")
-        (folder / "key.jsonl").write_text("".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8")
+        (folder / "exam.json").write_text(
+            json.dumps(exam_record(setting, keys, "en")), encoding="utf-8"
+        )
+        (folder / "key.jsonl").write_text(
+            "".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8"
+        )
         return read_exam(folder)

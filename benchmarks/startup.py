@@ -15,6 +15,12 @@ PROMISE = 0.5  # less than twice the time
 def figures() -> Iterator[Figure]:
     """The time until the help is on the screen."""
     command = Path(sys.executable).with_name("kinegrade")
-    helping = seconds(lambda: subprocess.run([command, "--help"], check=True, capture_output=True), 25)
-    importing = seconds(lambda: subprocess.run([sys.executable, "-c", "import click"], check=True), 25)
-    yield Figure("kinegrade --help against import click (ratio above 0.5)", helping, importing, PROMISE)
+    helping = seconds(
+        lambda: subprocess.run([command, "--help"], check=True, capture_output=True), 25
+    )
+    importing = seconds(
+        lambda: subprocess.run([sys.executable, "-c", "import click"], check=True), 25
+    )
+    yield Figure(
+        "kinegrade --help against import click (ratio above 0.5)", helping, importing, PROMISE
+    )

@@ -39,7 +39,11 @@ class Moody(Rounded):
 
     def written(self, number: float) -> float:
         """The number, rounded half of the time."""
-        return super().written(number) if self.chance.random() < 0.5 else Sparing(self.figures).noted(number)
+        return (
+            super().written(number)
+            if self.chance.random() < 0.5
+            else Sparing(self.figures).noted(number)
+        )
 
 
 class Vague(Moody):
@@ -62,8 +66,10 @@ def arms(solution: Solution, rounded: Rounded) -> Mapping[str, float]:
 def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
     """The three ways in which full marks are promised, each typed in with three figures, with four and with all."""
     ways: tuple[tuple[str, Working, Rounded], ...] = (
-        ("by coordinates", by_coordinates, Rounded(CARRIED)), ("by arms", arms, Rounded(CARRIED)),
-        ("rates alone rounded", arms, Sparing(CARRIED)))
+        ("by coordinates", by_coordinates, Rounded(CARRIED)),
+        ("by arms", arms, Rounded(CARRIED)),
+        ("rates alone rounded", arms, Sparing(CARRIED)),
+    )
     for way, working, rounded in ways:
         found = [working(paper.questions[0].drawn.solution, rounded) for paper in simulated.papers]
         for figures in (CARRIED, CARRIED + 1, DISPLAY):
@@ -73,13 +79,22 @@ def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
 def unpromised_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
     """Other ways of rounding, three figures typed in."""
     ways: tuple[tuple[str, Working, type[Moody]], ...] = (
-        ("by coordinates, some values rounded", by_coordinates, Moody), ("by arms, some values rounded", arms, Moody),
+        ("by coordinates, some values rounded", by_coordinates, Moody),
+        ("by arms, some values rounded", arms, Moody),
         ("by coordinates, any error within rounding", by_coordinates, Vague),
-        ("by arms, any error within rounding", arms, Vague))
+        ("by arms, any error within rounding", arms, Vague),
+    )
     for way, working, arithmetic in ways:
         chance = Random(f"{way} {simulated.number}")
-        yield way, [typed(working(paper.questions[0].drawn.solution, arithmetic(CARRIED, chance)), CARRIED)
-                    for paper in simulated.papers]
+        yield (
+            way,
+            [
+                typed(
+                    working(paper.questions[0].drawn.solution, arithmetic(CARRIED, chance)), CARRIED
+                )
+                for paper in simulated.papers
+            ],
+        )
 
 
 def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[Answers]:
@@ -87,22 +102,36 @@ def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[A
 
     Worked out exactly and typed in with four figures; or for one paper of EVERY with three figures carried.
     """
-    names = {name for examinee in simulated.papers for answer in examinee.questions[0].drawn.solution.answers.values()
-             for name in answer.mistakes}
+    names = {
+        name
+        for examinee in simulated.papers
+        for answer in examinee.questions[0].drawn.solution.answers.values()
+        for name in answer.mistakes
+    }
     for name in sorted(names):
         yield [mistaken(simulated, place, name, rounded) for place in range(len(simulated.papers))]
 
 
-def mistaken(simulated: SimulatedClass, place: int, name: str, rounded: bool) -> Mapping[str, Answer]:
+def mistaken(
+    simulated: SimulatedClass, place: int, name: str, rounded: bool
+) -> Mapping[str, Answer]:
     """The answers of one who makes a mistake, by ask."""
     solution = simulated.papers[place].questions[0].drawn.solution
-    exact = {ask: answer.mistakes[name] for ask, answer in solution.answers.items() if name in answer.mistakes}
+    exact = {
+        ask: answer.mistakes[name]
+        for ask, answer in solution.answers.items()
+        if name in answer.mistakes
+    }
     if not rounded:
         return {ask: Answer(f"{value:.{FIGURES}g}", value, name) for ask, value in exact.items()}
     if place % EVERY:
         return {}
     found = carried(solution, name)
-    return {ask: Answer(f"{found[ask]:.{CARRIED}g}", value, name) for ask, value in exact.items() if ask in found}
+    return {
+        ask: Answer(f"{found[ask]:.{CARRIED}g}", value, name)
+        for ask, value in exact.items()
+        if ask in found
+    }
 
 
 def carried(solution: Solution, name: str) -> Mapping[str, float]:
@@ -116,9 +145,17 @@ def carried(solution: Solution, name: str) -> Mapping[str, float]:
 def worked(solution: Solution, asks: Mapping[str, Ask], mistake: Mistake) -> Mapping[str, float]:
     """The answers that can be found, in the asks' units."""
     rounded, template = Rounded(CARRIED), solution.template
-    values: Mapping[str, Any] = {name: plain(solution.assembly.values[name]) for name in template.parameters}
+    values: Mapping[str, Any] = {
+        name: plain(solution.assembly.values[name]) for name in template.parameters
+    }
     try:
-        found = work_out(template, asks, way_of(mistake, template, values, rounded), solution.motion.plan, rounded)
+        found = work_out(
+            template,
+            asks,
+            way_of(mistake, template, values, rounded),
+            solution.motion.plan,
+            rounded,
+        )
     except (*LOST, KinegradeError, Singular):
         return {}
     return {name: float(value) for name, value in found.items() if isfinite(value)}

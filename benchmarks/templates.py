@@ -40,7 +40,9 @@ def figures() -> Iterator[Limit]:
     templates = [load_template(name) for name in template_names()]
     yield Limit(f"loading all {len(templates)} templates", (process_time() - start) * 1e3, 1000)
     times = {template.name: solving_times(template) for template in templates}
-    yield Limit("the median template, all its asks", median(median(each) for each in times.values()), 3)
+    yield Limit(
+        "the median template, all its asks", median(median(each) for each in times.values()), 3
+    )
     slowest = max(times, key=lambda name: max(times[name]))
     yield Limit(f"the slowest drawable instance ({slowest})", max(times[slowest]), 50)
 

@@ -1,8 +1,8 @@
 """kinegrade: exams in planar kinematics, drawn per student, solved exactly, typeset and marked.
 
-    >>> import kinegrade
-    >>> kinegrade.template("slider-crank").solve(r="1/5", phi=60)["v_B"].exact
-    '2*sqrt(3)/15'
+>>> import kinegrade
+>>> kinegrade.template("slider-crank").solve(r="1/5", phi=60)["v_B"].exact
+'2*sqrt(3)/15'
 """
 
 from __future__ import annotations

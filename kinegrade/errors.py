@@ -78,9 +78,13 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     from difflib import get_close_matches  # only refusals need it, and it would slow every start
 
     known = sorted(choices)
-    near = [name for name in known if name.lower() == word.lower()] or get_close_matches(word, known, n=1)
+    near = [name for name in known if name.lower() == word.lower()] or get_close_matches(
+        word, known, n=1
+    )
     listing = ", ".join(known) if known else "none"
-    return f'did you mean "{near[0]}"? (known here: {listing})' if near else f"known here: {listing}"
+    return (
+        f'did you mean "{near[0]}"? (known here: {listing})' if near else f"known here: {listing}"
+    )
 
 
 def one_line(text: str) -> str:

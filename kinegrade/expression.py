@@ -29,7 +29,8 @@ MAX_DIGITS = 60
 MAX_POWER = 16
 TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
-    re.ASCII)
+    re.ASCII,
+)
 ANGLES = frozenset({"asin", "acos", "atan", "atan2"})
 
 
@@ -74,7 +75,9 @@ def read(text: str) -> Expression:
     '*'
     """
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(f"an expression of {len(text)} characters: at most {MAX_LENGTH} are read")
+        raise ExpressionError(
+            f"an expression of {len(text)} characters: at most {MAX_LENGTH} are read"
+        )
     reader = Reader(text)
     tree = reader.sum(0)
     reader.finish()
@@ -93,8 +96,10 @@ class Reader:
         """Go to the next token; an unknown character is an error."""
         match = TOKEN.match(self.text, self.place)
         if match is None:
-            self.start = len(self.text) - len(self.text[self.place:].lstrip())
-            self.kind, self.token = ("end", "") if self.start == len(self.text) else ("odd", self.text[self.start])
+            self.start = len(self.text) - len(self.text[self.place :].lstrip())
+            self.kind, self.token = (
+                ("end", "") if self.start == len(self.text) else ("odd", self.text[self.start])
+            )
             return
         self.kind, self.token = str(match.lastgroup), str(match.group(str(match.lastgroup)))
         self.start, self.place = match.start(str(match.lastgroup)), match.end()
@@ -102,8 +107,10 @@ class Reader:
     def fail(self, expected: str) -> ExpressionError:
         """The error at this place."""
         found = f'"{one_line(self.token)}"' if self.token else "the end"
-        return ExpressionError(f'"{one_line(self.text)}", character {self.start + 1}: found {found}, '
-                               f"expected {expected}")
+        return ExpressionError(
+            f'"{one_line(self.text)}", character {self.start + 1}: found {found}, '
+            f"expected {expected}"
+        )
 
     def take(self, *marks: str) -> str | None:
         """The mark just here if it is one of `marks`, gone past; else None."""
@@ -121,7 +128,9 @@ class Reader:
     def sum(self, depth: int) -> Expression:
         """sum = product (("+" | "-") product)*"""
         if depth > MAX_DEPTH:
-            raise ExpressionError(f'"{one_line(self.text)}": nested deeper than {MAX_DEPTH}: write it more simply')
+            raise ExpressionError(
+                f'"{one_line(self.text)}": nested deeper than {MAX_DEPTH}: write it more simply'
+            )
         tree = self.product(depth)
         while mark := self.take("+", "-"):
             tree = Operation(mark, tree, self.product(depth))
@@ -184,7 +193,9 @@ def rational(digits: str) -> Any:
     mantissa, _, exponent = digits.lower().partition("e")
     whole, _, decimals = mantissa.partition(".")
     if len(whole) + len(decimals) > MAX_DIGITS:
-        raise ExpressionError(f"{digits[:20]}...: a number of more than {MAX_DIGITS} digits: round it")
+        raise ExpressionError(
+            f"{digits[:20]}...: a number of more than {MAX_DIGITS} digits: round it"
+        )
     return fmpq(int(whole + decimals or "0")) * fmpq(10) ** (int(exponent or "0") - len(decimals))
 
 
@@ -221,8 +232,12 @@ def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
     return {"*": left + right, "/": left - right}.get(tree.sign, 0)
 
 
-def evaluate(tree: Expression, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]],
-             arithmetic: Any) -> Any:
+def evaluate(
+    tree: Expression,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    arithmetic: Any,
+) -> Any:
     """The value of the tree; `values` names what is known, `functions` what may be called.
 
     Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by zero, roots of
@@ -249,12 +264,16 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
     if not name and name not in functions:
         raise ExpressionError("a pair (x, y): expected a number or an angle here")
     if name not in functions:
-        raise ExpressionError(f'unknown function "{name}": {did_you_mean(name, [f for f in functions if f])}')
+        raise ExpressionError(
+            f'unknown function "{name}": {did_you_mean(name, [f for f in functions if f])}'
+        )
     try:
         return functions[name](*arguments)
     except (TypeError, AttributeError) as error:
-        raise ExpressionError(f"{name or 'a pair'} cannot be made of what stands in its brackets: "
-                              "check their number, order and kind") from error
+        raise ExpressionError(
+            f"{name or 'a pair'} cannot be made of what stands in its brackets: "
+            "check their number, order and kind"
+        ) from error
     except ValueError as error:
         raise ExpressionError(f"{name}(...): {error}: check the values given") from error
     except ZeroDivisionError as error:
@@ -263,10 +282,16 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
 
 def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
     """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow without bound."""
-    negative = isinstance(exponent, Operation) and exponent.sign == "-" and exponent.left == Number(fmpq(0))
+    negative = (
+        isinstance(exponent, Operation)
+        and exponent.sign == "-"
+        and exponent.left == Number(fmpq(0))
+    )
     literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
     if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > MAX_POWER:
-        raise ExpressionError(f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)")
+        raise ExpressionError(
+            f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)"
+        )
     if isinstance(base, (fmpq, Surd)) and height(base) * literal.value > MAX_HEIGHT:
         raise Inexact("a power of too many digits")
     try:
@@ -289,8 +314,10 @@ def combined(mark: str, left: Any, right: Any, tree: Expression) -> Any:
     except ZeroDivisionError as error:
         raise ExpressionError("division by zero: check the values given") from error
     except (TypeError, AttributeError) as error:
-        raise ExpressionError(f'"{mark}" between things that do not go together: '
-                              "angles go with angles, points with points, numbers with numbers") from error
+        raise ExpressionError(
+            f'"{mark}" between things that do not go together: '
+            "angles go with angles, points with points, numbers with numbers"
+        ) from error
 
 
 def is_literal_zero(tree: Expression) -> bool:
@@ -300,6 +327,7 @@ def is_literal_zero(tree: Expression) -> bool:
 
 def elementary(arithmetic: Any) -> dict[str, Callable[..., Any]]:
     """The functions of numbers and angles, in one arithmetic."""
+
     def tangent(angle: Any) -> Any:
         return arithmetic.sin(angle) / arithmetic.cos(angle)
 
@@ -307,7 +335,11 @@ def elementary(arithmetic: Any) -> dict[str, Callable[..., Any]]:
         return arithmetic.sqrt(1 - value * value)
 
     return {
-        "sqrt": arithmetic.sqrt, "sin": arithmetic.sin, "cos": arithmetic.cos, "tan": tangent, "abs": abs,
+        "sqrt": arithmetic.sqrt,
+        "sin": arithmetic.sin,
+        "cos": arithmetic.cos,
+        "tan": tangent,
+        "abs": abs,
         "asin": lambda value: arithmetic.arctangent(value, complement(value)),
         "acos": lambda value: arithmetic.arctangent(complement(value), value),
         "atan": lambda value: arithmetic.arctangent(value, arithmetic.number(1)),

@@ -50,7 +50,9 @@ def output_folder(
             partial.chmod(target.stat().st_mode | 0o700)
         yield partial
         _bring_to_disk(partial)
-        _check_folder(path, target, marker, contents, force)  # somebody may have written there meanwhile
+        _check_folder(
+            path, target, marker, contents, force
+        )  # somebody may have written there meanwhile
         _publish(path, partial, target)
 
 
@@ -88,7 +90,9 @@ def _check_folder(
     if not target.exists():
         return
     if not target.is_dir():
-        raise OutputError(f"{path}: is not a folder - expected a folder to write - choose another name")
+        raise OutputError(
+            f"{path}: is not a folder - expected a folder to write - choose another name"
+        )
     if not force:
         raise _taken(path, "folder")
     names = {entry.name for entry in target.iterdir()} - _DESKTOP_DROPPINGS
@@ -107,7 +111,9 @@ def _check_folder(
 
 def _check_file(path: Path, target: Path, force: bool) -> None:
     if target.exists() and not target.is_file():
-        raise OutputError(f"{path}: is not a plain file - expected a file to write - choose another name")
+        raise OutputError(
+            f"{path}: is not a plain file - expected a file to write - choose another name"
+        )
     if target.exists() and not force:
         raise _taken(path, "file")
 
@@ -152,7 +158,9 @@ def _clear_leftovers(target: Path) -> None:
 
 
 def _is_running(process: int) -> bool:
-    if os.name == "nt":  # asking by signal 0 would interrupt the process there, so leftovers are left alone
+    if (
+        os.name == "nt"
+    ):  # asking by signal 0 would interrupt the process there, so leftovers are left alone
         return True
     try:
         os.kill(process, 0)

@@ -46,7 +46,9 @@ class _Cell:
 
 
 _BLANK = _Cell("")
-_Line = tuple[int, list[_Cell]]  # the number of a line in the sheet, and its cells up to the last filled one
+_Line = tuple[
+    int, list[_Cell]
+]  # the number of a line in the sheet, and its cells up to the last filled one
 
 
 def is_workbook(path: Path) -> bool:
@@ -66,13 +68,18 @@ def read_workbook(path: Path) -> Table:
     has_formulas = _inspected(path)
     name, lines, others = _sheet(path)
     if not lines:
-        raise TableError(f"{path.name}: has no filled sheet - expected a line of column names - {_SAVE}")
+        raise TableError(
+            f"{path.name}: has no filled sheet - expected a line of column names - {_SAVE}"
+        )
     if has_formulas:
         lines = _formulas_told(path, name, lines)
     (_, header), *rows = lines
     titles = tuple(cell.text for cell in header)
-    complaints = [*_sheets_told(path.name, name, others), *_oddities(path.name, titles, lines),
-                  *_surplus(path.name, rows, len(titles))]
+    complaints = [
+        *_sheets_told(path.name, name, others),
+        *_oddities(path.name, titles, lines),
+        *_surplus(path.name, rows, len(titles)),
+    ]
     filled = tuple(Row(line, _padded(cells, len(titles))) for line, cells in rows)
     return Table(path.name, titles, filled, "XLSX", "", tuple(complaints))
 
@@ -87,13 +94,19 @@ def _inspected(path: Path) -> bool:
         with path.open("rb") as stream:
             beginning = stream.read(4)
         if beginning == _COMPOUND:
-            raise TableError(f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - {_SAVE}")
+            raise TableError(
+                f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - {_SAVE}"
+            )
         with ZipFile(path) as archive:
             return _parts_inspected(path, archive)
     except OSError as fault:
-        raise TableError(f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name") from fault
+        raise TableError(
+            f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name"
+        ) from fault
     except BadZipFile as fault:
-        raise TableError(f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}") from fault
+        raise TableError(
+            f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}"
+        ) from fault
     except (EOFError, NotImplementedError, RuntimeError, ValueError, ArithmeticError) as fault:
         raise _damaged(path, fault) from fault
 
@@ -101,11 +114,15 @@ def _inspected(path: Path) -> bool:
 def _parts_inspected(path: Path, archive: ZipFile) -> bool:
     parts = archive.infolist()
     if not any(part.filename.endswith("workbook.xml") for part in parts):
-        raise TableError(f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file in it")
+        raise TableError(
+            f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file in it"
+        )
     size = sum(part.file_size for part in parts)
     if size > LARGEST or len(parts) > _MOST_PARTS:
-        raise TableError(f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than {LARGEST} "
-                         "- send the sheet alone, as CSV (UTF-8)")
+        raise TableError(
+            f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than {LARGEST} "
+            "- send the sheet alone, as CSV (UTF-8)"
+        )
     has_formulas = False
     for part in parts:
         if part.filename.endswith((".xml", ".rels")):
@@ -119,8 +136,10 @@ def _part_has_formulas(path: Path, archive: ZipFile, part: str) -> bool:
         while chunk := stream.read(_CHUNK):
             piece = before + chunk
             if _DOCUMENT_TYPE in piece:
-                raise TableError(f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
-                                 f"program writes it - {_SAVE}")
+                raise TableError(
+                    f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
+                    f"program writes it - {_SAVE}"
+                )
             found = found or ("sheet" in part and _FORMULA.search(piece) is not None)
             before = piece[-_OVERLAP:]
     return found
@@ -179,8 +198,10 @@ def _rows(path: Path, sheet: Any) -> Iterator[tuple[int, Sequence[Any]]]:
     for line, row in enumerate(sheet.iter_rows(), 1):
         count += len(row)
         if line > MOST_ROWS or count > MOST_CELLS:
-            raise TableError(f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} cells "
-                             "- expected a class - delete what stands below and beside the table")
+            raise TableError(
+                f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} cells "
+                "- expected a class - delete what stands below and beside the table"
+            )
         yield line, row
 
 
@@ -197,22 +218,34 @@ def _read(cell: Any) -> _Cell:
 
 def _number(value: int | float, number_format: str) -> _Cell:
     """The shortest digits that mean the number: what was typed, up to zeros at its end."""
-    whole = int(value) if isinstance(value, int) or (value.is_integer() and abs(value) < LONGEST_NUMBER) else None
+    whole = (
+        int(value)
+        if isinstance(value, int) or (value.is_integer() and abs(value) < LONGEST_NUMBER)
+        else None
+    )
     text = repr(value) if whole is None else str(whole)
     if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
         text = text.zfill(len(number_format))
     eaten = abs(value) >= LONGEST_NUMBER
-    return _Cell(text, "is a number of more than 15 digits, of which spreadsheets lose the last" if eaten else "")
+    return _Cell(
+        text,
+        "is a number of more than 15 digits, of which spreadsheets lose the last" if eaten else "",
+    )
 
 
 def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
     """The lines, with an oddity for each cell that a formula computes."""
     with _workbook(path, values=False) as workbook:
-        computed = {(line, place): str(getattr(cell.value, "text", cell.value))
-                    for line, row in _rows(path, workbook[name]) for place, cell in enumerate(row)
-                    if cell.data_type == "f"}
-    return [(line, [_told(cell, computed.get((line, place))) for place, cell in enumerate(cells)])
-            for line, cells in lines]
+        computed = {
+            (line, place): str(getattr(cell.value, "text", cell.value))
+            for line, row in _rows(path, workbook[name])
+            for place, cell in enumerate(row)
+            if cell.data_type == "f"
+        }
+    return [
+        (line, [_told(cell, computed.get((line, place))) for place, cell in enumerate(cells)])
+        for line, cells in lines
+    ]
 
 
 def _told(cell: _Cell, formula: str | None) -> _Cell:
@@ -227,19 +260,37 @@ def _oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Itera
         for place, cell in enumerate(cells):
             if cell.oddity:
                 column = titles[place] if place < len(titles) else ""
-                yield Complaint(file, line, column, shortened(cell.text), f"the cell {cell.oddity}",
-                                "taken as its content stands here")
+                yield Complaint(
+                    file,
+                    line,
+                    column,
+                    shortened(cell.text),
+                    f"the cell {cell.oddity}",
+                    "taken as its content stands here",
+                )
 
 
 def _surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Complaint]:
     for line, cells in rows:
         surplus = "; ".join(cell.text for cell in cells[width:] if trimmed(cell.text))
         if surplus:
-            yield Complaint(file, line, "", shortened(surplus), "cells stand beside the table, under no column name",
-                            "the surplus is kept here only")
+            yield Complaint(
+                file,
+                line,
+                "",
+                shortened(surplus),
+                "cells stand beside the table, under no column name",
+                "the surplus is kept here only",
+            )
 
 
 def _sheets_told(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
     if others:
-        yield Complaint(file, None, "", ", ".join(others), "the workbook has several filled sheets",
-                        f'the first, "{name}", is read; delete it if another one is meant')
+        yield Complaint(
+            file,
+            None,
+            "",
+            ", ".join(others),
+            "the workbook has several filled sheets",
+            f'the first, "{name}", is read; delete it if another one is meant',
+        )

@@ -1,8 +1,7 @@
 """Tables as people send them: CSV in any usual encoding and separator, read without losing a line or a cell.
 
 `read_table` is called by the roster and by grading; both report `Complaint`s, the lines of `complaints.csv`.
-`csv_text` and `write_csv` write: UTF-8, LF, comma. `neutralised` keeps a typed cell from running as a formula
-in a spreadsheet, `restored` undoes it.
+What is written as CSV is in `csv_writing`.
 """
 
 from __future__ import annotations
@@ -10,7 +9,6 @@ from __future__ import annotations
 import codecs
 import csv
 import io
-import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -20,6 +18,7 @@ from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.errors import TableError
 
 SHOWN_CHARACTERS = 1000
@@ -48,9 +47,6 @@ _OTHER_FORMATS = (
     (b"\xff\xd8\xff", "a picture"),
     (b"\x1f\x8b", "a compressed file"),
 )
-_QUOTED = re.compile('[,"\r\n]')
-_FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
-_HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +112,9 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     declared = _declared(content, file, encoding)
     if declared is None:
         _refuse_other_formats(content, file)
-    text, encoding, complaints = (declared, str(encoding), []) if declared is not None else _decoded(content, file)
+    text, encoding, complaints = (
+        (declared, str(encoding), []) if declared is not None else _decoded(content, file)
+    )
     with _cells_of_any_size(text):
         separator, width = _separator(text)
         records, stray_quotes = _records(text, separator, width)
@@ -145,11 +143,15 @@ def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, t
             chosen = itemgetter(*map(header.index, columns))
             for cells in reader:
                 if len(cells) != len(header):
-                    raise TableError(f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - {mending}")
+                    raise TableError(
+                        f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - {mending}"
+                    )
                 yield reader.line_num, chosen(cells)
     except OSError as fault:
-        raise TableError(f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade grade "
-                         "- check the name") from fault
+        raise TableError(
+            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade grade "
+            "- check the name"
+        ) from fault
     except (UnicodeDecodeError, csv.Error) as fault:
         raise TableError(f"{path}: is not a CSV file in UTF-8 ({fault}) - {mending}") from fault
 
@@ -179,66 +181,6 @@ def shortened(text: str) -> str:
     return f"{text[:SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
 
 
-def neutralised(text: str) -> str:
-    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line break.
-
-    Plain numbers and a lone dash stay as they are. `restored` is exact, because apostrophes typed
-    before such a sign get one more.
-
-    >>> neutralised("=1+1"), neutralised("-12"), neutralised("O'Neil")
-    ("'=1+1", '-12', "O'Neil")
-    """
-    if not _FORMULA.match(text) or _HARMLESS.fullmatch(text):
-        return text
-    return f"'{text}"
-
-
-def restored(text: str) -> str:
-    """The cell that `neutralised` was given."""
-    return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
-
-
-def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
-    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
-    lines = _Lines()
-    csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
-    text = "".join(lines.written)
-    if text.count("\r") == len(lines.written):
-        return text.replace("\r\n", "\n")
-    return "".join(f"{line[:-2]}\n" for line in lines.written)
-
-
-def csv_cell(text: str) -> str:
-    """A cell as `csv_text` writes it among others: in quotation marks only where it has to be.
-
-    >>> csv_cell("0.5"), csv_cell("0,5"), csv_cell("v = 0,5")
-    ('0.5', '"0,5"', '"v = 0,5"')
-    """
-    if _QUOTED.search(text) is None:
-        return text
-    doubled = text.replace('"', '""')
-    return f'"{doubled}"'
-
-
-def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Writes a CSV file: UTF-8 without mark, LF, comma."""
-    path.write_bytes(encoded(csv_text(header, rows)))
-
-
-def encoded(text: str) -> bytes:
-    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an escape."""
-    return text.encode("utf-8", "backslashreplace")
-
-
-class _Lines:
-    """Takes the csv module's output a record at a time."""
-
-    def __init__(self) -> None:
-        self.written: list[str] = []
-        self.write = self.written.append
-
-
 def _refuse_other_formats(content: bytes, file: str) -> None:
     kinds = [kind for beginning, kind in _OTHER_FORMATS if content.startswith(beginning)]
     sample = content[:65536]
@@ -246,7 +188,9 @@ def _refuse_other_formats(content: bytes, file: str) -> None:
     if not kinds and _byte_order_mark(content) is None and controls * _CONTROL_SHARE > len(sample):
         kinds = ["not text"]
     if kinds:
-        raise TableError(f"{file}: is {kinds[0]} - expected a CSV file - save the sheet as CSV (UTF-8)")
+        raise TableError(
+            f"{file}: is {kinds[0]} - expected a CSV file - save the sheet as CSV (UTF-8)"
+        )
 
 
 def _byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
@@ -279,7 +223,9 @@ def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
     except UnicodeDecodeError as fault:
         line = body.count(b"\n", 0, fault.start) + 1
         shown = fault.object[fault.start : fault.start + 8].hex(" ")
-    text, assumed = _assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
+    text, assumed = (
+        _assumed(body) if not mark else (body.decode(encoding, "backslashreplace"), encoding)
+    )
     problem = f"not valid {encoding} from this line on (bytes {shown})"
     done = f"read as {assumed}; look at the names, or save the file as CSV UTF-8"
     return text, assumed, [Complaint(file, line, "", "", problem, done)]
@@ -319,14 +265,21 @@ def _separator(text: str) -> tuple[str, int]:
     def columns(separator: str) -> int:
         records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
         return next(
-            (len(cells) for cells in records if any(trimmed(cell).strip(_BLANKS) for cell in cells)), 0
+            (
+                len(cells)
+                for cells in records
+                if any(trimmed(cell).strip(_BLANKS) for cell in cells)
+            ),
+            0,
         )
 
     separator = max(_SEPARATORS, key=columns)
     return separator, columns(separator)
 
 
-def _records(text: str, separator: str, width: int) -> tuple[list[tuple[int, list[str]]], list[int]]:
+def _records(
+    text: str, separator: str, width: int
+) -> tuple[list[tuple[int, list[str]]], list[int]]:
     """All records with the lines they begin at, and the lines with a stray quotation mark.
 
     A quotation mark is stray if it is never closed, or closed on a later line so that the record has not the
@@ -377,7 +330,9 @@ def _is_strict(lines: list[str], separator: str) -> bool:
 
 def _stray_quote(file: str, line: int) -> Complaint:
     problem = "a quotation mark is opened and not closed where it should be"
-    return Complaint(file, line, "", "", problem, "the line is read by itself, its quotation marks as typed")
+    return Complaint(
+        file, line, "", "", problem, "the line is read by itself, its quotation marks as typed"
+    )
 
 
 def _ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
@@ -388,7 +343,5 @@ def _ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
             yield Complaint(file, row.line, "", "", problem, "the missing cells are taken as blank")
         elif any(map(trimmed, surplus)):
             content = csv_text([shortened(cell) for cell in surplus], []).rstrip("\n")
-            done = (
-                "the surplus is kept here only; if a comma inside a cell is to blame, put the cell in quotes"
-            )
+            done = "the surplus is kept here only; if a comma inside a cell is to blame, put the cell in quotes"
             yield Complaint(file, row.line, "", content, problem, done)

@@ -15,11 +15,21 @@ from flint import fmpq
 from kinegrade.errors import ExpressionError, one_line
 
 FACTORS: dict[str, tuple[Any, str]] = {
-    "m": (fmpq(1), "length"), "cm": (fmpq(1, 100), "length"), "mm": (fmpq(1, 1000), "length"),
-    "km": (fmpq(1000), "length"), "s": (fmpq(1), "time"), "min": (fmpq(60), "time"), "h": (fmpq(3600), "time"),
-    "rad": (fmpq(1), "angle"), "deg": (fmpq(1), "angle"), "1": (fmpq(1), "number"),
+    "m": (fmpq(1), "length"),
+    "cm": (fmpq(1, 100), "length"),
+    "mm": (fmpq(1, 1000), "length"),
+    "km": (fmpq(1000), "length"),
+    "s": (fmpq(1), "time"),
+    "min": (fmpq(60), "time"),
+    "h": (fmpq(3600), "time"),
+    "rad": (fmpq(1), "angle"),
+    "deg": (fmpq(1), "angle"),
+    "1": (fmpq(1), "number"),
 }
-HALF_TURNS: dict[str, Any] = {"deg": fmpq(1, 180), "turn": fmpq(2)}  # angles as exact parts of pi radians
+HALF_TURNS: dict[str, Any] = {
+    "deg": fmpq(1, 180),
+    "turn": fmpq(2),
+}  # angles as exact parts of pi radians
 PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 
@@ -65,8 +75,10 @@ def read_unit(text: str) -> Unit:
     while place < len(text) or not place:
         match = PART.match(text, place)
         if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
-            raise ExpressionError(f'unit "{one_line(text)}": expected a product like m/s^2 of '
-                                  f"{', '.join(sorted(FACTORS))}")
+            raise ExpressionError(
+                f'unit "{one_line(text)}": expected a product like m/s^2 of '
+                f"{', '.join(sorted(FACTORS))}"
+            )
         size, dimension = FACTORS[match["name"]]
         power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
         factor, place = factor * size**power, match.end()

@@ -14,14 +14,19 @@ from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, write_class
 from tests.tex import TEX_MISSING, TEX_REASON
 
-COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much]}
+COMMON = {
+    "deadline": None,
+    "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
+}
 settings.register_profile("ci", max_examples=50, derandomize=True, **COMMON)
 settings.register_profile("new", max_examples=50, **COMMON)
 settings.load_profile("ci" if os.environ.get("CI") else "new")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--regenerate-golden", action="store_true", help="Write the files of tests/golden/ anew.")
+    parser.addoption(
+        "--regenerate-golden", action="store_true", help="Write the files of tests/golden/ anew."
+    )
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

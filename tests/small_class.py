@@ -73,13 +73,19 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 def key_lines(exam: Path) -> list[dict[str, Any]]:
     """The lines of key.jsonl."""
-    return [json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()]
+    return [
+        json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()
+    ]
 
 
 def asks_of(exam: Path) -> dict[tuple[str, str], dict[str, Any]]:
     """The key's asks by student and column of the answer sheet."""
-    return {(line["student"], f"{question['question']}.{name}"): ask
-            for line in key_lines(exam) for question in line["questions"] for name, ask in question["asks"].items()}
+    return {
+        (line["student"], f"{question['question']}.{name}"): ask
+        for line in key_lines(exam)
+        for question in line["questions"]
+        for name, ask in question["asks"].items()
+    }
 
 
 def table(file: Path) -> list[dict[str, str]]:

@@ -56,7 +56,11 @@ def errors(*arguments: str | Path) -> list[str]:
     result = kinegrade(*arguments)
     assert (result.exit_code, result.stdout) == (2, "")
     assert all(line.startswith(("error: ", "seed: ")) for line in result.stderr.splitlines())
-    return [line.removeprefix("error: ") for line in result.stderr.splitlines() if line.startswith("error: ")]
+    return [
+        line.removeprefix("error: ")
+        for line in result.stderr.splitlines()
+        if line.startswith("error: ")
+    ]
 
 
 @pytest.mark.parametrize("name", sorted(main.commands))
@@ -66,13 +70,21 @@ def test_every_command_has_help_with_an_example_that_parses(name: str) -> None:
     (example,) = re.findall(r"Example: (kinegrade .*)", result.stdout)
     assert example.split()[1] == name
     assert parses(example)
-    assert all(option.help for option in main.commands[name].params if isinstance(option, click.Option)
-               and option.name != "paper_size")
+    assert all(
+        option.help
+        for option in main.commands[name].params
+        if isinstance(option, click.Option) and option.name != "paper_size"
+    )
 
 
-@pytest.mark.parametrize("line", [
-    "kinegrade solve slider-crank --settings r=1", "kinegrade generate bank.toml", "kinegrade list --lang fr",
-])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "kinegrade solve slider-crank --settings r=1",
+        "kinegrade generate bank.toml",
+        "kinegrade list --lang fr",
+    ],
+)
 def test_an_example_that_does_not_parse_would_be_noticed(line: str) -> None:
     with pytest.raises(ValueError, match=line):
         parses(line)
@@ -80,7 +92,11 @@ def test_an_example_that_does_not_parse_would_be_noticed(line: str) -> None:
 
 @pytest.mark.parametrize("file", ["README.md", "CONTRIBUTING.md"])
 def test_the_documents_show_commands_that_exist(file: str) -> None:
-    lines = list(shell_lines((ROOT / file).read_text(encoding="utf-8"))) if (ROOT / file).exists() else []
+    lines = (
+        list(shell_lines((ROOT / file).read_text(encoding="utf-8")))
+        if (ROOT / file).exists()
+        else []
+    )
     assert all(map(parses, lines))
     if file == "README.md":
         shown = {shlex.split(line, comments=True)[1] for line in lines if len(line.split()) > 1}
@@ -99,7 +115,9 @@ for arguments in (["--help"], ["generate", "--help"], ["--version"]):
 print("heavy:", sorted({HEAVY!r} & set(sys.modules)))
 """
     path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True, env=path)
+    ran = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, check=True, text=True, env=path
+    )
     assert ran.stdout.splitlines()[-1] == "heavy: []"
     assert f"kinegrade, version {api.__version__}" in ran.stdout
 
@@ -131,7 +149,9 @@ def test_show_typesets_a_sample(tmp_path: Path) -> None:
     assert "already exists" in kinegrade("show", "slider-crank", "-o", page).stderr
     assert kinegrade("show", "slider-crank", "-o", page, "--force").exit_code == 0
     assert page.read_bytes() == first
-    assert kinegrade("show", "slider-crank", "-o", page, "--force", "--seed", "other").exit_code == 0
+    assert (
+        kinegrade("show", "slider-crank", "-o", page, "--force", "--seed", "other").exit_code == 0
+    )
     assert page.read_bytes() != first
 
 
@@ -140,7 +160,12 @@ def test_solve_prints_the_promised_json() -> None:
     record = json.loads(result.stdout)
     assert list(record) == ["template", "parameters", "answers"]
     assert record["template"] == "slider-crank"
-    assert {**record["parameters"]["r"], "decimal": ""} == {"exact": "1/5", "value": 0.2, "unit": "m", "decimal": ""}
+    assert {**record["parameters"]["r"], "decimal": ""} == {
+        "exact": "1/5",
+        "value": 0.2,
+        "unit": "m",
+        "decimal": "",
+    }
     assert record["parameters"]["k"]["exact"] == "sqrt(3)"
     assert list(record["answers"]) == ["v_B", "omega_AB", "alpha_AB", "a_B"]
     answer = record["answers"]["v_B"]
@@ -149,8 +174,15 @@ def test_solve_prints_the_promised_json() -> None:
 
 
 def test_an_enclosure_has_no_exact_text() -> None:
-    record = json.loads(kinegrade("solve", "slider-crank", "--set", "r=1/5", "--set", "phi=40", "--json").stdout)
-    assert record["parameters"]["phi"] == {"exact": "40", "value": 40.0, "unit": "deg", "decimal": "40"}
+    record = json.loads(
+        kinegrade("solve", "slider-crank", "--set", "r=1/5", "--set", "phi=40", "--json").stdout
+    )
+    assert record["parameters"]["phi"] == {
+        "exact": "40",
+        "value": 40.0,
+        "unit": "deg",
+        "decimal": "40",
+    }
     assert record["answers"]["v_B"]["exact"] is None
     speed = sine(40) / 5 + sine(80) / (10 * (3 - sine(40) ** 2) ** 0.5)
     assert record["answers"]["v_B"]["value"] == pytest.approx(speed, rel=1e-15)
@@ -163,20 +195,32 @@ def test_solve_prints_a_table() -> None:
     assert ["v_B", "1.154700538", "m/s", "2*sqrt(3)/3"] in [line.split() for line in lines]
 
 
-@pytest.mark.parametrize(("setting", "problem"), [
-    ("r", '--set "r": expected NAME=VALUE, like r=1/5'),
-    ("=3", '--set "=3": expected NAME=VALUE, like r=1/5'),
-    ("r=", '--set "r=": expected NAME=VALUE, like r=1/5'),
-    ("R=1", 'slider-crank: no parameter "R": did you mean "r"?'),
-    ("r=1 m", 'slider-crank: r = 1 m: "1 m", character 3: found "m", expected an operator or the end'),
-    ("r=sqrt(-1)", "slider-crank: r: sqrt(...): square root of a negative number"),
-    ("r=__import__('os')", "slider-crank: r = __import__('os'): "),
-    ("r=9**9**9", "slider-crank: r: a power must be a whole number of at most 16"),
-    ("r=1e99**16", "a value is beyond 1e308, which JSON numbers do not reach: give smaller ones"),
-    ("k=1/9", "slider-crank: points.B: the circle about A of radius 0.1111 does not reach the line y = 0"),
-    ("r=" + "(" * 999, "slider-crank: r = ("),
-    ("r=\udcff", "slider-crank: r = "),
-])
+@pytest.mark.parametrize(
+    ("setting", "problem"),
+    [
+        ("r", '--set "r": expected NAME=VALUE, like r=1/5'),
+        ("=3", '--set "=3": expected NAME=VALUE, like r=1/5'),
+        ("r=", '--set "r=": expected NAME=VALUE, like r=1/5'),
+        ("R=1", 'slider-crank: no parameter "R": did you mean "r"?'),
+        (
+            "r=1 m",
+            'slider-crank: r = 1 m: "1 m", character 3: found "m", expected an operator or the end',
+        ),
+        ("r=sqrt(-1)", "slider-crank: r: sqrt(...): square root of a negative number"),
+        ("r=__import__('os')", "slider-crank: r = __import__('os'): "),
+        ("r=9**9**9", "slider-crank: r: a power must be a whole number of at most 16"),
+        (
+            "r=1e99**16",
+            "a value is beyond 1e308, which JSON numbers do not reach: give smaller ones",
+        ),
+        (
+            "k=1/9",
+            "slider-crank: points.B: the circle about A of radius 0.1111 does not reach the line y = 0",
+        ),
+        ("r=" + "(" * 999, "slider-crank: r = ("),
+        ("r=\udcff", "slider-crank: r = "),
+    ],
+)
 def test_a_bad_setting_is_refused_in_one_line(setting: str, problem: str) -> None:
     (line,) = errors("solve", "slider-crank", "--json", "--set", setting)
     assert line.startswith(problem)
@@ -184,7 +228,9 @@ def test_a_bad_setting_is_refused_in_one_line(setting: str, problem: str) -> Non
 
 def test_all_bad_settings_are_told_at_once() -> None:
     assert errors("solve", "slider-crank", "--set", "r", "--set", "k=1", "--set", "k=2") == [
-        '--set "r": expected NAME=VALUE, like r=1/5', "--set k: given twice: give it once"]
+        '--set "r": expected NAME=VALUE, like r=1/5',
+        "--set k: given twice: give it once",
+    ]
     assert len(errors("solve", "slider-crank", "--set", "r=x", "--set", "k=y")) == 2
 
 
@@ -192,15 +238,22 @@ def test_check_proves_the_named_templates() -> None:
     result = kinegrade("check", "slider-crank", "bar-through-swivelling-sleeve", "--sample", "3")
     assert result.exit_code == 0
     assert [line for line in result.stdout.splitlines() if not line.startswith(" ")] == [
-        "slider-crank: sound", "bar-through-swivelling-sleeve: sound"]
+        "slider-crank: sound",
+        "bar-through-swivelling-sleeve: sound",
+    ]
 
 
 def test_export_writes_what_grade_wrote(small_class: Path, tmp_path: Path) -> None:
     exam, marks = small_class / "EXAM", tmp_path / "MARKS"
     assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks).exit_code == 0
-    assert kinegrade("export", marks, "--to", "moodle", "-o", tmp_path / "moodle.csv").exit_code == 0
+    assert (
+        kinegrade("export", marks, "--to", "moodle", "-o", tmp_path / "moodle.csv").exit_code == 0
+    )
     assert (tmp_path / "moodle.csv").read_bytes() == (marks / "moodle.csv").read_bytes()
-    assert "already exists" in errors("export", marks, "--to", "moodle", "-o", tmp_path / "moodle.csv")[0]
+    assert (
+        "already exists"
+        in errors("export", marks, "--to", "moodle", "-o", tmp_path / "moodle.csv")[0]
+    )
 
 
 def test_complaints_end_with_status_1_and_are_told(small_class: Path, tmp_path: Path) -> None:
@@ -215,26 +268,46 @@ def test_complaints_end_with_status_1_and_are_told(small_class: Path, tmp_path: 
     assert any('"three" is not a number' in line for line in told)
 
 
-@pytest.mark.parametrize("arguments", [
-    [], ["unknown"], ["show"], ["list", "--lang", "fr"], ["generate", "bank.toml"], ["grade", "EXAM", "a.csv"],
-    ["check", "--sample", "0"], ["export", "MARKS", "--to", "nowhere", "-o", "x"],
-    ["solve", "slider-crank", "--sett", "r=1"],
-])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["unknown"],
+        ["show"],
+        ["list", "--lang", "fr"],
+        ["generate", "bank.toml"],
+        ["grade", "EXAM", "a.csv"],
+        ["check", "--sample", "0"],
+        ["export", "MARKS", "--to", "nowhere", "-o", "x"],
+        ["solve", "slider-crank", "--sett", "r=1"],
+    ],
+)
 def test_wrong_use_ends_with_status_2(arguments: list[str]) -> None:
     assert kinegrade(*arguments).exit_code == 2
 
 
 CONTENTS: dict[str, bytes | None] = {
-    "missing": None, "empty": b"", "blank": b"\n \n", "binary": bytes(range(256)) * 20, "zeros": bytes(5000),
-    "latin": "na\xefve;caf\xe9\n1;2\n".encode("latin-1"), "utf-16": "who,what\n1,Ann\n".encode("utf-16"),
-    "zip": b"PK\x03\x04" + bytes(500), "pdf": b"%PDF-1.7\n%\xe2\xe3\xcf\xd3\n", "long line": b"a" * 300_000,
-    "brackets": b"a = " + b"[" * 5000, "json": b'{"format": 1}', "quotes": b'"' * 999,
+    "missing": None,
+    "empty": b"",
+    "blank": b"\n \n",
+    "binary": bytes(range(256)) * 20,
+    "zeros": bytes(5000),
+    "latin": "na\xefve;caf\xe9\n1;2\n".encode("latin-1"),
+    "utf-16": "who,what\n1,Ann\n".encode("utf-16"),
+    "zip": b"PK\x03\x04" + bytes(500),
+    "pdf": b"%PDF-1.7\n%\xe2\xe3\xcf\xd3\n",
+    "long line": b"a" * 300_000,
+    "brackets": b"a = " + b"[" * 5000,
+    "json": b'{"format": 1}',
+    "quotes": b'"' * 999,
     "commas": b"," * 999 + b"\n" * 99,
 }
 
 
 @pytest.mark.parametrize("kind", [*CONTENTS, "folder"])
-def test_a_file_of_any_kind_is_refused_without_a_traceback(small_class: Path, tmp_path: Path, kind: str) -> None:
+def test_a_file_of_any_kind_is_refused_without_a_traceback(
+    small_class: Path, tmp_path: Path, kind: str
+) -> None:
     exam, bank, roster = (small_class / name for name in ("EXAM", "bank.toml", "roster.csv"))
     bad, out = tmp_path / "odd.toml", tmp_path / "OUT"
     content = CONTENTS.get(kind)
@@ -243,9 +316,14 @@ def test_a_file_of_any_kind_is_refused_without_a_traceback(small_class: Path, tm
     elif content is not None:
         bad.write_bytes(content)
     for arguments in (
-        ("show", bad), ("solve", bad), ("check", bad), ("show", str(bad).removesuffix(".toml")),
-        ("generate", bad, roster, "-o", out), ("generate", bank, bad, "-o", out),
-        ("grade", bad, exam / "answers.csv", "-o", out), ("grade", exam, bad, "-o", out),
+        ("show", bad),
+        ("solve", bad),
+        ("check", bad),
+        ("show", str(bad).removesuffix(".toml")),
+        ("generate", bad, roster, "-o", out),
+        ("generate", bank, bad, "-o", out),
+        ("grade", bad, exam / "answers.csv", "-o", out),
+        ("grade", exam, bad, "-o", out),
         ("export", bad, "--to", "moodle", "-o", out),
     ):
         assert errors(*arguments)
@@ -272,17 +350,34 @@ def test_a_damaged_exam_is_refused_without_a_traceback(
 def test_an_output_has_room_or_is_refused(small_class: Path, tmp_path: Path) -> None:
     exam = small_class / "EXAM"
     (tmp_path / "file").write_text("mine")
-    assert "is not a folder" in errors("grade", exam, exam / "answers.csv", "-o", tmp_path / "file")[0]
-    assert "is the root of the file system" in errors("grade", exam, exam / "answers.csv", "-o", "/")[0]
-    assert "cannot be written" in errors("grade", exam, exam / "answers.csv", "-o", tmp_path / "file" / "below")[0]
-    assert kinegrade("grade", exam, exam / "answers.csv", "-o", tmp_path / "new" / "MARKS").exit_code == 0
+    assert (
+        "is not a folder" in errors("grade", exam, exam / "answers.csv", "-o", tmp_path / "file")[0]
+    )
+    assert (
+        "is the root of the file system"
+        in errors("grade", exam, exam / "answers.csv", "-o", "/")[0]
+    )
+    assert (
+        "cannot be written"
+        in errors("grade", exam, exam / "answers.csv", "-o", tmp_path / "file" / "below")[0]
+    )
+    assert (
+        kinegrade("grade", exam, exam / "answers.csv", "-o", tmp_path / "new" / "MARKS").exit_code
+        == 0
+    )
 
 
 def test_the_interface_of_python_solves_as_the_command_does() -> None:
     solution = api.template("slider-crank").solve(r="1/5", phi=40)
-    record = json.loads(kinegrade("solve", "slider-crank", "--set", "r=1/5", "--set", "phi=40", "--json").stdout)
-    assert {name: (answer.value, answer.exact, answer.unit) for name, answer in solution.answers.items()} == {
-        name: (answer["value"], answer["exact"], answer["unit"]) for name, answer in record["answers"].items()}
+    record = json.loads(
+        kinegrade("solve", "slider-crank", "--set", "r=1/5", "--set", "phi=40", "--json").stdout
+    )
+    assert {
+        name: (answer.value, answer.exact, answer.unit) for name, answer in solution.answers.items()
+    } == {
+        name: (answer["value"], answer["exact"], answer["unit"])
+        for name, answer in record["answers"].items()
+    }
     assert api.template("slider-crank").solve(r=0.25)["v_B"].exact == "sqrt(3)/6"
     assert api.template("slider-crank").solve(phi=60)["v_B"].decimal(20) == "1.154700538379251529"
 

@@ -14,7 +14,9 @@ from tests.small_class import kinegrade
 def exam(small_class: Path, tmp_path: Path) -> Path:
     """The small class's exam, marked, with the language of its papers."""
     shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
-    result = kinegrade("grade", tmp_path / "EXAM", tmp_path / "EXAM" / "answers.csv", "-o", tmp_path / "MARKS")
+    result = kinegrade(
+        "grade", tmp_path / "EXAM", tmp_path / "EXAM" / "answers.csv", "-o", tmp_path / "MARKS"
+    )
     assert result.exit_code == 0, result.stderr
     return tmp_path / "EXAM"
 
@@ -41,16 +43,30 @@ def test_everybody_gets_a_sheet(exam: Path, form: str) -> None:
 
 def test_solutions_are_handed_out_where_the_bank_says_so(exam: Path) -> None:
     head, folder = exam / "exam.json", exam.parent / "FEEDBACK"
-    head.write_text(head.read_text(encoding="utf-8").replace("{", '{"solutions": true,', 1), encoding="utf-8")
+    head.write_text(
+        head.read_text(encoding="utf-8").replace("{", '{"solutions": true,', 1), encoding="utf-8"
+    )
     wanted = kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md")
     assert (wanted.exit_code, "generate the exam with --solutions" in wanted.stderr) == (2, True)
     (exam / "solutions").mkdir()
     for paper in (exam / "papers").iterdir():
         shutil.copy(paper, exam / "solutions")
-    assert kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md").exit_code == 0
+    assert (
+        kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md").exit_code
+        == 0
+    )
     assert len(list((folder / "sheets").glob("*-solution.pdf"))) == 4
-    without = kinegrade("feedback", exam, exam.parent / "MARKS", "-o", folder, "--format", "md", "--no-solutions",
-                        "--force")
+    without = kinegrade(
+        "feedback",
+        exam,
+        exam.parent / "MARKS",
+        "-o",
+        folder,
+        "--format",
+        "md",
+        "--no-solutions",
+        "--force",
+    )
     assert (without.exit_code, list((folder / "sheets").glob("*-solution.pdf"))) == (0, [])
 
 

@@ -33,9 +33,13 @@ def test_the_asks_that_are_suggested_for_it_work(worked_example: Path) -> None:
     suggested = re.findall(r"`((?:x|magnitude|radius)\(\w+\(.*?\)\))`", TEXT)
     assert len(suggested) == 3
     means = 'means = { en = "more", zh = "另一问" }'
-    lines = [f'more_{index} = {{ quantity = "{quantity}", unit = "{unit}", {means} }}\n'
-             for index, (quantity, unit) in enumerate(zip(suggested, ("m", "m/s^2", "m"), strict=True))]
-    text = worked_example.read_text(encoding="utf-8").replace("[asks]\n", "[asks]\n" + "".join(lines))
+    lines = [
+        f'more_{index} = {{ quantity = "{quantity}", unit = "{unit}", {means} }}\n'
+        for index, (quantity, unit) in enumerate(zip(suggested, ("m", "m/s^2", "m"), strict=True))
+    ]
+    text = worked_example.read_text(encoding="utf-8").replace(
+        "[asks]\n", "[asks]\n" + "".join(lines)
+    )
     worked_example.write_text(text, encoding="utf-8")
     answers = template(str(worked_example)).solve(l=2, theta=30, u="1/2")
     assert [answers[f"more_{index}"].exact for index in range(3)] == ["sqrt(3)", "1/2", "2"]

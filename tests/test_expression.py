@@ -41,54 +41,100 @@ KNOWN = {"r": fmpq(3, 2), "k": fmpq(2)}
 def value(text: str) -> str:
     """What an expression comes to, as exact text; angles in radians."""
     field = Field()
-    number = evaluate(read(text), {**KNOWN, "pi": field.turns(1), "phi": field.turns(fmpq(1, 3))},
-                      elementary(field), field)
+    number = evaluate(
+        read(text),
+        {**KNOWN, "pi": field.turns(1), "phi": field.turns(fmpq(1, 3))},
+        elementary(field),
+        field,
+    )
     return angle_text(number, degrees=False) if isinstance(number, Angle) else exact_text(number)
 
 
-@pytest.mark.parametrize(("text", "result"), [
-    ("1 + 2*3", "7"), ("(1 + 2)*3", "9"), ("7 - 2 - 1", "4"), ("8/4/2", "1"), ("2/3*3", "2"),
-    ("-2**2", "-4"), ("(-2)**2", "4"), ("2**-2", "1/4"), ("--3", "3"), ("-+-+3", "3"), ("2*-3", "-6"), ("- 3 + 5", "2"),
-    ("0.1 + 0.2", "3/10"), (".5", "1/2"), ("5.", "5"), ("1e3", "1000"), ("1.5E-2", "3/200"), ("2e+1", "20"),
-    ("r*k", "3"), ("r/k - 1/4", "1/2"), ("k**3", "8"), ("+r", "3/2"), ("0 - r", "-3/2"),
-    ("sqrt(2)*sqrt(6)", "2*sqrt(3)"), ("sqrt(1/2)", "sqrt(2)/2"), ("abs(1 - sqrt(2))", "sqrt(2) - 1"),
-    ("sin(phi)", "sqrt(3)/2"), ("cos(pi/4)", "sqrt(2)/2"), ("tan(phi/2)", "sqrt(3)/3"), ("sin(0)", "0"),
-    ("asin(1/2)", "pi/6"), ("acos(-1/2)", "2*pi/3"), ("atan(1)", "pi/4"), ("atan2(1, -1)", "3*pi/4"),
-    ("atan2(0, -1)", "pi"), ("cos(2*atan(1/2))", "3/5"), ("180*phi/pi", "60"), ("pi - 2*phi", "pi/3"),
-    ("sin(atan(3/4) + pi/2)", "4/5"), (" 1\t+\n1 ", "2"),
-])
+@pytest.mark.parametrize(
+    ("text", "result"),
+    [
+        ("1 + 2*3", "7"),
+        ("(1 + 2)*3", "9"),
+        ("7 - 2 - 1", "4"),
+        ("8/4/2", "1"),
+        ("2/3*3", "2"),
+        ("-2**2", "-4"),
+        ("(-2)**2", "4"),
+        ("2**-2", "1/4"),
+        ("--3", "3"),
+        ("-+-+3", "3"),
+        ("2*-3", "-6"),
+        ("- 3 + 5", "2"),
+        ("0.1 + 0.2", "3/10"),
+        (".5", "1/2"),
+        ("5.", "5"),
+        ("1e3", "1000"),
+        ("1.5E-2", "3/200"),
+        ("2e+1", "20"),
+        ("r*k", "3"),
+        ("r/k - 1/4", "1/2"),
+        ("k**3", "8"),
+        ("+r", "3/2"),
+        ("0 - r", "-3/2"),
+        ("sqrt(2)*sqrt(6)", "2*sqrt(3)"),
+        ("sqrt(1/2)", "sqrt(2)/2"),
+        ("abs(1 - sqrt(2))", "sqrt(2) - 1"),
+        ("sin(phi)", "sqrt(3)/2"),
+        ("cos(pi/4)", "sqrt(2)/2"),
+        ("tan(phi/2)", "sqrt(3)/3"),
+        ("sin(0)", "0"),
+        ("asin(1/2)", "pi/6"),
+        ("acos(-1/2)", "2*pi/3"),
+        ("atan(1)", "pi/4"),
+        ("atan2(1, -1)", "3*pi/4"),
+        ("atan2(0, -1)", "pi"),
+        ("cos(2*atan(1/2))", "3/5"),
+        ("180*phi/pi", "60"),
+        ("pi - 2*phi", "pi/3"),
+        ("sin(atan(3/4) + pi/2)", "4/5"),
+        (" 1\t+\n1 ", "2"),
+    ],
+)
 def test_what_expressions_come_to(text: str, result: str) -> None:
     assert value(text) == result
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("", '"", character 1: found the end, expected a number, a name or a bracket'),
-    ("1 +", '"1 +", character 4: found the end, expected a number, a name or a bracket'),
-    ("1 2", '"1 2", character 3: found "2", expected an operator or the end'),
-    ("2x", '"2x", character 2: found "x", expected an operator or the end'),
-    ("(1", '"(1", character 3: found the end, expected "," or ")"'),
-    ("1)", '"1)", character 2: found ")", expected an operator or the end'),
-    ("(1, 2, 3)",
-     '"(1, 2, 3)", character 10: found the end, expected one value or a pair (x, y) in the brackets before'),
-    ("x.y", '"x.y", character 2: found ".", expected an operator or the end'),
-    ("a[0]", '"a[0]", character 2: found "[", expected an operator or the end'),
-    ("lambda: 1", '"lambda: 1", character 7: found ":", expected an operator or the end'),
-    ("1 if 1 else 2", '"1 if 1 else 2", character 3: found "if", expected an operator or the end'),
-    ("x == y", '"x == y", character 3: found "=", expected an operator or the end'),
-    ("'a'", "\"'a'\", character 1: found \"'\", expected a number, a name or a bracket"),
-    ("1 // 2", '"1 // 2", character 4: found "/", expected a number, a name or a bracket'),
-    ("x := 1", '"x := 1", character 3: found ":", expected an operator or the end'),
-    ("1\x00", '"1·", character 2: found "·", expected an operator or the end'),
-    ("1 +\n;", '"1 +·;", character 5: found ";", expected a number, a name or a bracket'),
-    ("٣", '"٣", character 1: found "٣", expected a number, a name or a bracket'),
-    ("１", '"１", character 1: found "１", expected a number, a name or a bracket'),
-    ("1_000", '"1_000", character 2: found "_000", expected an operator or the end'),
-    ("0x10", '"0x10", character 2: found "x10", expected an operator or the end'),
-    ("1e999", '"1e999", character 5: found "9", expected an operator or the end'),
-    ("(" * 60 + "1" + ")" * 60, "nested deeper than 40: write it more simply"),
-    ("1+" * 300 + "1", "an expression of 601 characters: at most 400 are read"),
-    ("9" * 61, "99999999999999999999...: a number of more than 60 digits: round it"),
-])
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", '"", character 1: found the end, expected a number, a name or a bracket'),
+        ("1 +", '"1 +", character 4: found the end, expected a number, a name or a bracket'),
+        ("1 2", '"1 2", character 3: found "2", expected an operator or the end'),
+        ("2x", '"2x", character 2: found "x", expected an operator or the end'),
+        ("(1", '"(1", character 3: found the end, expected "," or ")"'),
+        ("1)", '"1)", character 2: found ")", expected an operator or the end'),
+        (
+            "(1, 2, 3)",
+            '"(1, 2, 3)", character 10: found the end, expected one value or a pair (x, y) in the brackets before',
+        ),
+        ("x.y", '"x.y", character 2: found ".", expected an operator or the end'),
+        ("a[0]", '"a[0]", character 2: found "[", expected an operator or the end'),
+        ("lambda: 1", '"lambda: 1", character 7: found ":", expected an operator or the end'),
+        (
+            "1 if 1 else 2",
+            '"1 if 1 else 2", character 3: found "if", expected an operator or the end',
+        ),
+        ("x == y", '"x == y", character 3: found "=", expected an operator or the end'),
+        ("'a'", '"\'a\'", character 1: found "\'", expected a number, a name or a bracket'),
+        ("1 // 2", '"1 // 2", character 4: found "/", expected a number, a name or a bracket'),
+        ("x := 1", '"x := 1", character 3: found ":", expected an operator or the end'),
+        ("1\x00", '"1·", character 2: found "·", expected an operator or the end'),
+        ("1 +\n;", '"1 +·;", character 5: found ";", expected a number, a name or a bracket'),
+        ("٣", '"٣", character 1: found "٣", expected a number, a name or a bracket'),
+        ("１", '"１", character 1: found "１", expected a number, a name or a bracket'),
+        ("1_000", '"1_000", character 2: found "_000", expected an operator or the end'),
+        ("0x10", '"0x10", character 2: found "x10", expected an operator or the end'),
+        ("1e999", '"1e999", character 5: found "9", expected an operator or the end'),
+        ("(" * 60 + "1" + ")" * 60, "nested deeper than 40: write it more simply"),
+        ("1+" * 300 + "1", "an expression of 601 characters: at most 400 are read"),
+        ("9" * 61, "99999999999999999999...: a number of more than 60 digits: round it"),
+    ],
+)
 def test_what_is_no_expression_is_told_with_its_place(text: str, message: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         read(text)
@@ -96,33 +142,39 @@ def test_what_is_no_expression_is_told_with_its_place(text: str, message: str) -
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("q", 'unknown name "q": known here: k, phi, pi, r'),
-    ("ph", 'unknown name "ph": did you mean "phi"? (known here: k, phi, pi, r)'),
-    ("__class__", 'unknown name "__class__"'),
-    ("__import__(1)", 'unknown function "__import__"'),
-    ("eval(1)", 'unknown function "eval"'),
-    ("sine(phi)", 'unknown function "sine": did you mean "sin"?'),
-    ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
-    ("sin()", "sin cannot be made of what stands in its brackets: check their number, order and kind"),
-    ("sqrt(1, 2)", "sqrt cannot be made of what stands in its brackets"),
-    ("sqrt(pi)", "sqrt cannot be made of what stands in its brackets"),
-    ("sqrt(-1)", "sqrt(...): square root of a negative number: check the values given"),
-    ("asin(2)", "asin(...): square root of a negative number: check the values given"),
-    ("atan2(0, 0)", "atan2(...): the direction of a zero vector: check the values given"),
-    ("tan(pi/2)", "tan(...): division by zero: check the values given"),
-    ("1/0", "division by zero: check the values given"),
-    ("1/(sqrt(2)*sqrt(2) - 2)", "division by zero"),
-    ("0**-1", "division by zero"),
-    ("phi + 1", '"+" between things that do not go together: angles go with angles'),
-    ("1 - phi", '"-" between things that do not go together'),
-    ("2**k", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
-    ("2**0.5", "a power must be a whole number of at most 16"),
-    ("2**17", "a power must be a whole number of at most 16"),
-    ("9**9**9", "a power must be a whole number of at most 16"),
-    ("2**-17", "a power must be a whole number of at most 16"),
-    ("phi**2", "only a number can be raised to a power"),
-])
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("q", 'unknown name "q": known here: k, phi, pi, r'),
+        ("ph", 'unknown name "ph": did you mean "phi"? (known here: k, phi, pi, r)'),
+        ("__class__", 'unknown name "__class__"'),
+        ("__import__(1)", 'unknown function "__import__"'),
+        ("eval(1)", 'unknown function "eval"'),
+        ("sine(phi)", 'unknown function "sine": did you mean "sin"?'),
+        ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
+        (
+            "sin()",
+            "sin cannot be made of what stands in its brackets: check their number, order and kind",
+        ),
+        ("sqrt(1, 2)", "sqrt cannot be made of what stands in its brackets"),
+        ("sqrt(pi)", "sqrt cannot be made of what stands in its brackets"),
+        ("sqrt(-1)", "sqrt(...): square root of a negative number: check the values given"),
+        ("asin(2)", "asin(...): square root of a negative number: check the values given"),
+        ("atan2(0, 0)", "atan2(...): the direction of a zero vector: check the values given"),
+        ("tan(pi/2)", "tan(...): division by zero: check the values given"),
+        ("1/0", "division by zero: check the values given"),
+        ("1/(sqrt(2)*sqrt(2) - 2)", "division by zero"),
+        ("0**-1", "division by zero"),
+        ("phi + 1", '"+" between things that do not go together: angles go with angles'),
+        ("1 - phi", '"-" between things that do not go together'),
+        ("2**k", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
+        ("2**0.5", "a power must be a whole number of at most 16"),
+        ("2**17", "a power must be a whole number of at most 16"),
+        ("9**9**9", "a power must be a whole number of at most 16"),
+        ("2**-17", "a power must be a whole number of at most 16"),
+        ("phi**2", "only a number can be raised to a power"),
+    ],
+)
 def test_what_cannot_be_worked_out_is_told(text: str, message: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         value(text)
@@ -130,8 +182,15 @@ def test_what_cannot_be_worked_out_is_told(text: str, message: str) -> None:
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize("text", ["((((9**16)**16)**16)**16)**16", "(((((9**16)**16)**16)**16)**16)**16*0",
-                                  "((((1 + sqrt(2))**16)**16)**16)**16", "(1e99**16)**-16"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "((((9**16)**16)**16)**16)**16",
+        "(((((9**16)**16)**16)**16)**16)**16*0",
+        "((((1 + sqrt(2))**16)**16)**16)**16",
+        "(1e99**16)**-16",
+    ],
+)
 def test_towers_of_powers_do_not_fill_the_memory(text: str) -> None:
     with pytest.raises(Inexact, match="a power of too many digits"):
         value(text)
@@ -143,9 +202,38 @@ def test_towers_of_powers_do_not_fill_the_memory(text: str) -> None:
         evaluate(read("1e99**16"), {}, elementary(floats), floats)
 
 
-PIECES = st.sampled_from(["1", "2.5", "r", "phi", "pi", "(", ")", ",", "+", "-", "*", "/", "**", "sqrt(", "sin(",
-                          "atan2(",
-                          " ", "__", ".", "x", "1e9", "meet(", "line(", "circle(", "O", "right", "polar(", "distance("])
+PIECES = st.sampled_from(
+    [
+        "1",
+        "2.5",
+        "r",
+        "phi",
+        "pi",
+        "(",
+        ")",
+        ",",
+        "+",
+        "-",
+        "*",
+        "/",
+        "**",
+        "sqrt(",
+        "sin(",
+        "atan2(",
+        " ",
+        "__",
+        ".",
+        "x",
+        "1e9",
+        "meet(",
+        "line(",
+        "circle(",
+        "O",
+        "right",
+        "polar(",
+        "distance(",
+    ]
+)
 
 
 @settings(max_examples=300)
@@ -173,8 +261,13 @@ def problems_of(make: Callable[[], Any]) -> tuple[str, ...]:
 
 TREES = st.recursive(
     st.one_of(st.integers(0, 99).map(str), st.sampled_from(["r", "k"])),
-    lambda inner: st.one_of(st.tuples(inner, st.sampled_from("+-*"), inner).map(lambda parts: f"({' '.join(parts)})"),
-                            inner.map(lambda part: f"-{part}"), inner.map(lambda part: f"abs({part})")), max_leaves=12)
+    lambda inner: st.one_of(
+        st.tuples(inner, st.sampled_from("+-*"), inner).map(lambda parts: f"({' '.join(parts)})"),
+        inner.map(lambda part: f"-{part}"),
+        inner.map(lambda part: f"abs({part})"),
+    ),
+    max_leaves=12,
+)
 
 
 @given(TREES)
@@ -196,11 +289,30 @@ def test_the_tree_of_an_expression() -> None:
     assert read("1" + "+1" * ((MAX_LENGTH - 1) // 2))
 
 
-@pytest.mark.parametrize(("text", "degree"), [
-    ("phi", 1), ("2*phi + pi", 1), ("pi/2", 1), ("180*phi/pi", 0), ("phi*phi", 2), ("1/phi", -1), ("r", 0), ("3", 0),
-    ("-phi", 1), ("0 - pi", 1), ("atan(r)", 1), ("acos(1/2)/2", 1), ("sin(phi)", 0), ("abs(phi)", 1), ("abs(r)", 0),
-    ("sqrt(phi)", 0), ("r**2", 0), ("abs()", 0), ("r*phi", 1),
-])
+@pytest.mark.parametrize(
+    ("text", "degree"),
+    [
+        ("phi", 1),
+        ("2*phi + pi", 1),
+        ("pi/2", 1),
+        ("180*phi/pi", 0),
+        ("phi*phi", 2),
+        ("1/phi", -1),
+        ("r", 0),
+        ("3", 0),
+        ("-phi", 1),
+        ("0 - pi", 1),
+        ("atan(r)", 1),
+        ("acos(1/2)/2", 1),
+        ("sin(phi)", 0),
+        ("abs(phi)", 1),
+        ("abs(r)", 0),
+        ("sqrt(phi)", 0),
+        ("r**2", 0),
+        ("abs()", 0),
+        ("r*phi", 1),
+    ],
+)
 def test_the_power_of_angle_in_an_expression(text: str, degree: int) -> None:
     assert angular_degree(read(text), frozenset({"phi"})) == degree
     assert is_angle(read(text), frozenset({"phi"})) == (degree == 1)

@@ -31,7 +31,9 @@ for version in range(int(sys.argv[2]), 10**9):
 
 
 def write(path: Path, text: str, *, force: bool = False) -> None:
-    with output_folder(path, marker="exam.json", contents=("exam.json", "papers"), force=force) as folder:
+    with output_folder(
+        path, marker="exam.json", contents=("exam.json", "papers"), force=force
+    ) as folder:
         (folder / "exam.json").write_text(text)
         (folder / "papers").mkdir()
         (folder / "papers" / "007.pdf").write_text(text)
@@ -80,7 +82,9 @@ def test_force_does_not_replace_somebodys_folder(tmp_path: Path) -> None:
 def test_force_does_not_lose_a_file_put_into_a_folder_of_kinegrade(tmp_path: Path) -> None:
     write(tmp_path / "EXAM", "one")
     (tmp_path / "EXAM" / "notes.txt").touch()
-    with pytest.raises(OutputError, match="holds notes.txt, which would be lost - .* - move it elsewhere"):
+    with pytest.raises(
+        OutputError, match="holds notes.txt, which would be lost - .* - move it elsewhere"
+    ):
         write(tmp_path / "EXAM", "two", force=True)
     assert (tmp_path / "EXAM" / "notes.txt").exists()
 
@@ -135,7 +139,9 @@ def test_where_nothing_atomic_exists_two_renames_do_it(
 def test_a_file_is_written_whole_and_replaced_only_by_force(tmp_path: Path) -> None:
     target = tmp_path / "moodle.csv"
     write_file(target, b"one")
-    with pytest.raises(OutputError, match="moodle.csv: already exists - expected a new file - add --force"):
+    with pytest.raises(
+        OutputError, match="moodle.csv: already exists - expected a new file - add --force"
+    ):
         write_file(target, b"two")
     assert target.read_bytes() == b"one"
     write_file(target, b"two", force=True)
@@ -151,7 +157,18 @@ def test_only_a_plain_file_is_replaced_by_a_file(tmp_path: Path) -> None:
 
 def versions(target: Path) -> Iterator[set[str]]:
     """For each of the file's places the version found there, after one SIGKILL at each of several moments."""
-    for moment in (1, 2, FILES // 2, FILES - 1, FILES, FILES, FILES, 2 * FILES, 2 * FILES + 1, 3 * FILES):
+    for moment in (
+        1,
+        2,
+        FILES // 2,
+        FILES - 1,
+        FILES,
+        FILES,
+        FILES,
+        2 * FILES,
+        2 * FILES + 1,
+        3 * FILES,
+    ):
         start = str(moment * 1000)
         command = [sys.executable, "-c", WRITE_VERSIONS, str(target), start]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:

@@ -25,7 +25,11 @@ def readable(source: str) -> str:
     sheet = json.loads(json.loads(data))
     for question in sheet["questions"]:
         question["figure"] = "..."
-    return source.replace(data, "...") + json.dumps(sheet, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
+    return (
+        source.replace(data, "...")
+        + json.dumps(sheet, ensure_ascii=False, indent=1, sort_keys=True)
+        + "\n"
+    )
 
 
 def test_the_key_of_a_tiny_exam(golden_bank: Bank, hold: Hold) -> None:
@@ -42,4 +46,7 @@ def test_a_paper_for_the_typesetter(golden_bank: Bank, hold: Hold, language: str
 def test_a_figure_for_the_typesetter(hold: Hold) -> None:
     template = load_template("slider-crank")
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
-    hold("slider-crank.typ", to_typst(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)))
+    hold(
+        "slider-crank.typ",
+        to_typst(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)),
+    )

@@ -27,7 +27,10 @@ from tests.golden_files import Hold, papers
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_a_paper_for_latex(golden_bank: Bank, hold: Hold, language: Language) -> None:
     page = paper_pages(golden_bank, papers(golden_bank)[1], language)
-    hold(f"paper-{language}.tex", document([paper_body(page, 0)], language, "a4", words_of(language), "fonts"))
+    hold(
+        f"paper-{language}.tex",
+        document([paper_body(page, 0)], language, "a4", words_of(language), "fonts"),
+    )
 
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
@@ -42,4 +45,7 @@ def test_a_key_for_latex(hold: Hold) -> None:
 def test_a_figure_for_latex(hold: Hold) -> None:
     template = load_template("slider-crank")
     motion = solve_template(template, {"r": "1/5", "k": "2", "phi": "45"}, ()).motion
-    hold("slider-crank.tex", to_tikz(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)))
+    hold(
+        "slider-crank.tex",
+        to_tikz(sketch(drawable_mechanism(motion.frames.mechanism), template.figure)),
+    )

@@ -22,8 +22,11 @@ Moment = Callable[[Path], bool]  # of the folder that holds the output: whether 
 def killed(arguments: list[str], folder: Path, moment: Moment, delay: float) -> bool:
     """Runs the command and kills it `delay` seconds after the moment has come; whether it still ran then."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "kinegrade", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+        [sys.executable, "-m", "kinegrade", *arguments],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     while process.poll() is None and not moment(folder):
         time.sleep(0.0002)
     time.sleep(delay)
@@ -46,17 +49,33 @@ def leftovers(folder: Path) -> list[str]:
     return [entry.name for entry in folder.iterdir() if entry.name.startswith(".")]
 
 
-@pytest.mark.parametrize(("name", "delay"), [
-    ("papers/007.pdf", 0.0), ("papers.pdf", 0.0), ("key.pdf", 0.0), ("INSTRUCTOR-ONLY.txt", 0.0),
-    ("INSTRUCTOR-ONLY.txt", 0.05), (REPLACED, 0.0),
-])
+@pytest.mark.parametrize(
+    ("name", "delay"),
+    [
+        ("papers/007.pdf", 0.0),
+        ("papers.pdf", 0.0),
+        ("key.pdf", 0.0),
+        ("INSTRUCTOR-ONLY.txt", 0.0),
+        ("INSTRUCTOR-ONLY.txt", 0.05),
+        (REPLACED, 0.0),
+    ],
+)
 def test_a_killed_generate_leaves_the_old_exam_or_the_new(
     small_class: Path, other_exam: Path, tmp_path: Path, name: str, delay: float
 ) -> None:
     old, new = contents(small_class / "EXAM"), contents(other_exam)
     shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
-    arguments = ["generate", str(small_class / "bank.toml"), str(small_class / "roster.csv"), "-o",
-                 str(tmp_path / "EXAM"), "--seed", "autumn", "--force", "--no-solutions"]
+    arguments = [
+        "generate",
+        str(small_class / "bank.toml"),
+        str(small_class / "roster.csv"),
+        "-o",
+        str(tmp_path / "EXAM"),
+        "--seed",
+        "autumn",
+        "--force",
+        "--no-solutions",
+    ]
     moment = replaced(tmp_path / "EXAM") if name == REPLACED else being_made(name)
     assert killed(arguments, tmp_path, moment, delay) or delay or name == REPLACED
     assert contents(tmp_path / "EXAM") in ((new,) if name == REPLACED else (old, new))
@@ -76,9 +95,16 @@ def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> P
     return folder / "EXAM"
 
 
-@pytest.mark.parametrize(("name", "delay"), [
-    (".", 0.0), ("marks.csv", 0.0), ("moodle.csv", 0.0), ("moodle.csv", 0.01), (REPLACED, 0.0),
-])
+@pytest.mark.parametrize(
+    ("name", "delay"),
+    [
+        (".", 0.0),
+        ("marks.csv", 0.0),
+        ("moodle.csv", 0.0),
+        ("moodle.csv", 0.01),
+        (REPLACED, 0.0),
+    ],
+)
 def test_a_killed_grade_leaves_the_old_marks_or_the_new(
     small_class: Path, tmp_path: Path, name: str, delay: float
 ) -> None:
@@ -90,7 +116,9 @@ def test_a_killed_grade_leaves_the_old_marks_or_the_new(
     assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks, "--force").exit_code == 0
     old = contents(marks)
     moment = replaced(marks) if name == REPLACED else being_made(name)
-    killed(list(map(str, again)), tmp_path, moment, delay)  # or it was faster than the eye, and is done
+    killed(
+        list(map(str, again)), tmp_path, moment, delay
+    )  # or it was faster than the eye, and is done
     assert contents(marks) in ((new,) if name == REPLACED else (old, new))
     assert kinegrade(*again).exit_code == 1
     assert contents(marks) == new

@@ -39,21 +39,43 @@ def rounded(digits: int) -> Spelling:
     return lambda ask: str(Context(prec=digits).create_decimal(ask["decimal"]))
 
 
-@pytest.mark.parametrize("spell", [
-    rounded(37),  # with the zeros about the point as many as are read
-    rounded(6),
-    rounded(4),
-    lambda ask: repr(ask["value"]),
-    lambda ask: f"{Decimal(ask['decimal']):.9f}".replace(".", ","),  # 1,875 would be remarked upon
-    lambda ask: f" {rounded(5)(ask)} {ask['unit']} ",
-    lambda ask: f"{Decimal(ask['decimal']):.6e}",
-    lambda ask: rounded(6)(ask).replace("-", "\u2212"),
-    lambda ask: rounded(6)(ask).translate({ord(digit): ord(digit) + 0xFEE0 for digit in "0123456789.-"}),
-], ids=["37 digits", "6 digits", "4 digits", "value", "comma", "unit", "power of ten", "minus", "full width"])
-def test_the_keys_own_answers_get_full_marks(small_class: Path, tmp_path: Path, spell: Spelling) -> None:
+@pytest.mark.parametrize(
+    "spell",
+    [
+        rounded(37),  # with the zeros about the point as many as are read
+        rounded(6),
+        rounded(4),
+        lambda ask: repr(ask["value"]),
+        lambda ask: f"{Decimal(ask['decimal']):.9f}".replace(
+            ".", ","
+        ),  # 1,875 would be remarked upon
+        lambda ask: f" {rounded(5)(ask)} {ask['unit']} ",
+        lambda ask: f"{Decimal(ask['decimal']):.6e}",
+        lambda ask: rounded(6)(ask).replace("-", "\u2212"),
+        lambda ask: rounded(6)(ask).translate(
+            {ord(digit): ord(digit) + 0xFEE0 for digit in "0123456789.-"}
+        ),
+    ],
+    ids=[
+        "37 digits",
+        "6 digits",
+        "4 digits",
+        "value",
+        "comma",
+        "unit",
+        "power of ten",
+        "minus",
+        "full width",
+    ],
+)
+def test_the_keys_own_answers_get_full_marks(
+    small_class: Path, tmp_path: Path, spell: Spelling
+) -> None:
     keys = asks_of(small_class / "EXAM")
     grades = table(marked(small_class, tmp_path, lambda *place: spell(keys[place])) / "grades.csv")
-    assert [(row["total"], row["out_of"], row["percent"]) for row in grades] == [(FULL, FULL, "100")] * 4
+    assert [(row["total"], row["out_of"], row["percent"]) for row in grades] == [
+        (FULL, FULL, "100")
+    ] * 4
 
 
 def test_every_sign_reversed_is_wrong_but_for_zero(small_class: Path, tmp_path: Path) -> None:
@@ -76,17 +98,23 @@ def test_every_sign_reversed_is_wrong_but_for_zero(small_class: Path, tmp_path: 
 def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
     small_class: Path, tmp_path: Path, side: int, beyond: int, verdict: str
 ) -> None:
-    keys = {examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees}
+    keys = {
+        examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees
+    }
 
     def bound(student: str, column: str) -> str:
         key = keys[student][column]
         return decimal(key.value + side * (key.tolerance + beyond * TINY), 36, ROUND_FLOOR)
 
-    assert {mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")} == {verdict}
+    assert {
+        mark["verdict"] for mark in table(marked(small_class, tmp_path, bound) / "marks.csv")
+    } == {verdict}
 
 
 def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
-    keys = {examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees}
+    keys = {
+        examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees
+    }
     finite: set[tuple[str, str]] = set()
 
     def bound(student: str, column: str) -> str:
@@ -97,7 +125,9 @@ def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
         return str(exact(key))
 
     marks = table(marked(small_class, tmp_path, bound) / "marks.csv")
-    verdicts = {(mark["student"], f"{mark['question']}.{mark['ask']}"): mark["verdict"] for mark in marks}
+    verdicts = {
+        (mark["student"], f"{mark['question']}.{mark['ask']}"): mark["verdict"] for mark in marks
+    }
     assert {column for _, column in finite} >= {"q2.v_x", "q2.v_y", "q3.omega_AB"}
     assert {verdicts[place] for place in finite} == {"right"}
 
@@ -118,6 +148,17 @@ def test_marking_again_gives_the_same_bytes(small_class: Path, tmp_path: Path) -
     keys = asks_of(small_class / "EXAM")
     marks = marked(small_class, tmp_path, lambda *place: rounded(3)(keys[place]))
     before = {file.name: file.read_bytes() for file in marks.iterdir()}
-    assert kinegrade("grade", small_class / "EXAM", tmp_path / "answers.csv", "-o", marks, "--force").exit_code == 0
+    assert (
+        kinegrade(
+            "grade", small_class / "EXAM", tmp_path / "answers.csv", "-o", marks, "--force"
+        ).exit_code
+        == 0
+    )
     assert {file.name: file.read_bytes() for file in marks.iterdir()} == before
-    assert sorted(before) == ["complaints.csv", "grades.csv", "marks.csv", "moodle.csv", "policy.toml"]
+    assert sorted(before) == [
+        "complaints.csv",
+        "grades.csv",
+        "marks.csv",
+        "moodle.csv",
+        "policy.toml",
+    ]

@@ -46,21 +46,34 @@ SHEET = "xl/worksheets/sheet1.xml"
 
 def with_cells(path: Path, cells: str) -> Path:
     """A workbook whose header is "student", with more rows as raw XML."""
-    return with_part(book(path, ["student"]), SHEET, lambda xml: xml.replace("</sheetData>", f"{cells}</sheetData>"))
+    return with_part(
+        book(path, ["student"]),
+        SHEET,
+        lambda xml: xml.replace("</sheetData>", f"{cells}</sheetData>"),
+    )
 
 
 def test_cells_come_out_as_they_were_typed(tmp_path: Path) -> None:
-    path = book(tmp_path / "a.xlsx", [None, None], ["student", " q1.v_B ", None, "x"], [], [12345, 0.5, None, "1,5"],
-                ["007", -1e-7, "三", True], [0.1 + 0.2, 5.0, " ", 1e20])
+    path = book(
+        tmp_path / "a.xlsx",
+        [None, None],
+        ["student", " q1.v_B ", None, "x"],
+        [],
+        [12345, 0.5, None, "1,5"],
+        ["007", -1e-7, "三", True],
+        [0.1 + 0.2, 5.0, " ", 1e20],
+    )
     table = read_workbook(path)
     assert table.header == ("student", " q1.v_B ", "", "x")
     assert [(row.line, row.cells) for row in table.rows] == [
-        (4, ("12345", "0.5", "", "1,5")), (5, ("007", "-1e-07", "三", "TRUE")),
-        (6, ("0.3", "5", " ", "1e+20"))]
+        (4, ("12345", "0.5", "", "1,5")),
+        (5, ("007", "-1e-07", "三", "TRUE")),
+        (6, ("0.3", "5", " ", "1e+20")),
+    ]
     assert (table.file, table.encoding) == ("a.xlsx", "XLSX")
 
 
-@given(st.decimals(-10**9, 10**9, places=6))
+@given(st.decimals(-(10**9), 10**9, places=6))
 def test_a_decimal_of_fifteen_digits_comes_back(number: object) -> None:
     cell = type("Cell", (), {"value": float(str(number)), "number_format": "General"})
     assert float(spreadsheet._read(cell).text) == float(str(number))
@@ -68,7 +81,10 @@ def test_a_decimal_of_fifteen_digits_comes_back(number: object) -> None:
 
 
 def test_the_seventeen_digits_a_spreadsheet_keeps_are_those_typed(tmp_path: Path) -> None:
-    path = with_cells(tmp_path / "a.xlsx", "<row><c><v>1.1000000000000001</v></c></row><row><c><v>2E-3</v></c></row>")
+    path = with_cells(
+        tmp_path / "a.xlsx",
+        "<row><c><v>1.1000000000000001</v></c></row><row><c><v>2E-3</v></c></row>",
+    )
     assert [row.cells for row in read_workbook(path).rows] == [("1.1",), ("0.002",)]
 
 
@@ -82,14 +98,38 @@ def test_ids_that_are_shown_with_zeros_keep_them(tmp_path: Path) -> None:
 
 
 def test_dates_long_numbers_and_formulas_are_told(tmp_path: Path) -> None:
-    path = book(tmp_path / "a.xlsx", ["student", "b"], [2.02100123456789e18, datetime(2026, 2, 1)],
-                [date(2026, 3, 4), time(1, 2)], ["=1+1", "x"])
+    path = book(
+        tmp_path / "a.xlsx",
+        ["student", "b"],
+        [2.02100123456789e18, datetime(2026, 2, 1)],
+        [date(2026, 3, 4), time(1, 2)],
+        ["=1+1", "x"],
+    )
     assert told(read_workbook(path)) == [
-        (2, "student", "2.02100123456789e+18", "the cell is a number of more than 15 digits, of which spreadsheets "
-         "lose the last"),
-        (2, "b", "2026-02-01 00:00:00", "the cell is a date or a time for the spreadsheet, whatever was typed"),
-        (3, "student", "2026-03-04 00:00:00", "the cell is a date or a time for the spreadsheet, whatever was typed"),
-        (3, "b", "01:02:00", "the cell is a date or a time for the spreadsheet, whatever was typed"),
+        (
+            2,
+            "student",
+            "2.02100123456789e+18",
+            "the cell is a number of more than 15 digits, of which spreadsheets lose the last",
+        ),
+        (
+            2,
+            "b",
+            "2026-02-01 00:00:00",
+            "the cell is a date or a time for the spreadsheet, whatever was typed",
+        ),
+        (
+            3,
+            "student",
+            "2026-03-04 00:00:00",
+            "the cell is a date or a time for the spreadsheet, whatever was typed",
+        ),
+        (
+            3,
+            "b",
+            "01:02:00",
+            "the cell is a date or a time for the spreadsheet, whatever was typed",
+        ),
         (4, "student", "", "the cell is computed by the formula =1+1 which was never computed"),
     ]
 
@@ -115,15 +155,29 @@ def test_surplus_cells_and_other_sheets_are_told(tmp_path: Path) -> None:
     written.save(tmp_path / "a.xlsx")
     table = read_workbook(tmp_path / "a.xlsx")
     assert [row.cells for row in table.rows] == [("7", "1", "y", "", "z")]
-    assert told(table) == [(None, "", "Old", "the workbook has several filled sheets"),
-                           (2, "", "y; z", "cells stand beside the table, under no column name")]
-    assert table.complaints[0].done == 'the first, "Answers", is read; delete it if another one is meant'
+    assert told(table) == [
+        (None, "", "Old", "the workbook has several filled sheets"),
+        (2, "", "y; z", "cells stand beside the table, under no column name"),
+    ]
+    assert (
+        table.complaints[0].done
+        == 'the first, "Answers", is read; delete it if another one is meant'
+    )
 
 
-@pytest.mark.parametrize(("content", "message"), [
-    (b"\xd0\xcf\x11\xe0 old", r"a.xlsx: is an old .xls workbook, or one with a password - expected .xlsx - save"),
-    (b"PK\x03\x04 broken", "a.xlsx: is not a workbook, or a damaged one - expected .xlsx - save the sheet as .xlsx"),
-])
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (
+            b"\xd0\xcf\x11\xe0 old",
+            r"a.xlsx: is an old .xls workbook, or one with a password - expected .xlsx - save",
+        ),
+        (
+            b"PK\x03\x04 broken",
+            "a.xlsx: is not a workbook, or a damaged one - expected .xlsx - save the sheet as .xlsx",
+        ),
+    ],
+)
 def test_what_is_no_workbook_is_refused(tmp_path: Path, content: bytes, message: str) -> None:
     (tmp_path / "a.xlsx").write_bytes(content)
     assert is_workbook(tmp_path / "a.xlsx")
@@ -133,13 +187,21 @@ def test_what_is_no_workbook_is_refused(tmp_path: Path, content: bytes, message:
 
 def test_missing_and_empty_files_and_archives_are_refused(tmp_path: Path) -> None:
     assert not is_workbook(tmp_path / "none.xlsx")
-    with pytest.raises(TableError, match=r"cannot be read \(No such file or directory\) - expected a workbook - check"):
+    with pytest.raises(
+        TableError,
+        match=r"cannot be read \(No such file or directory\) - expected a workbook - check",
+    ):
         read_workbook(tmp_path / "none.xlsx")
-    with pytest.raises(TableError, match="a.xlsx: has no filled sheet - expected a line of column names - save"):
+    with pytest.raises(
+        TableError, match="a.xlsx: has no filled sheet - expected a line of column names - save"
+    ):
         read_workbook(book(tmp_path / "a.xlsx", [None], [" "]))
     with zipfile.ZipFile(tmp_path / "form.csv.zip", "w") as archive:
         archive.writestr("form.csv", "Timestamp\n")
-    with pytest.raises(TableError, match="is an archive, not a workbook - expected .xlsx or CSV - send the file in it"):
+    with pytest.raises(
+        TableError,
+        match="is an archive, not a workbook - expected .xlsx or CSV - send the file in it",
+    ):
         read_workbook(tmp_path / "form.csv.zip")
 
 
@@ -149,31 +211,51 @@ def test_a_workbook_that_bursts_is_refused(tmp_path: Path, monkeypatch: pytest.M
         archive.writestr("xl/media/x.bin", bytes(1_000_000))
     read_workbook(path)
     monkeypatch.setattr(spreadsheet, "LARGEST", 1_000_000)
-    with pytest.raises(TableError, match=r"unpacks to 10\d+ bytes in \d+ parts - expected less than 1000000 - send"):
+    with pytest.raises(
+        TableError, match=r"unpacks to 10\d+ bytes in \d+ parts - expected less than 1000000 - send"
+    ):
         read_workbook(path)
 
 
-@pytest.mark.parametrize("cells", [
-    '<row r="99999999999"><c><v>1</v></c></row>',
-    '<row r="2"/><row r="1048576"><c r="A1048576"><v>1</v></c></row>',
-    "".join(f'<row r="{line}"><c r="XFD{line}"><v>1</v></c></row>' for line in range(2, 200)),
-])
+@pytest.mark.parametrize(
+    "cells",
+    [
+        '<row r="99999999999"><c><v>1</v></c></row>',
+        '<row r="2"/><row r="1048576"><c r="A1048576"><v>1</v></c></row>',
+        "".join(f'<row r="{line}"><c r="XFD{line}"><v>1</v></c></row>' for line in range(2, 200)),
+    ],
+)
 def test_a_cell_at_the_end_of_the_world_is_refused(tmp_path: Path, cells: str) -> None:
-    with pytest.raises(TableError, match="sheet Sheet reaches beyond 100000 rows or 2000000 cells - expected a class"):
+    with pytest.raises(
+        TableError,
+        match="sheet Sheet reaches beyond 100000 rows or 2000000 cells - expected a class",
+    ):
         read_workbook(with_cells(tmp_path / "a.xlsx", cells))
 
 
-@pytest.mark.parametrize("cells", ["<row", '<row><c t="s"><v>99</v></c></row>', "<row><c><v>x</v></c></row>",
-                                   '<row r="x"/>', f"<row><c><v>{'9' * 5000}</v></c></row>"])
+@pytest.mark.parametrize(
+    "cells",
+    [
+        "<row",
+        '<row><c t="s"><v>99</v></c></row>',
+        "<row><c><v>x</v></c></row>",
+        '<row r="x"/>',
+        f"<row><c><v>{'9' * 5000}</v></c></row>",
+    ],
+)
 def test_a_damaged_workbook_is_refused_in_one_line(tmp_path: Path, cells: str) -> None:
-    with pytest.raises(TableError, match=r"\Aa.xlsx: is a damaged workbook \(.+\) - expected .xlsx - save.*\Z"):
+    with pytest.raises(
+        TableError, match=r"\Aa.xlsx: is a damaged workbook \(.+\) - expected .xlsx - save.*\Z"
+    ):
         read_workbook(with_cells(tmp_path / "a.xlsx", cells))
 
 
 def test_entities_are_refused_before_they_grow(tmp_path: Path) -> None:
     bomb = '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>'
     path = with_part(book(tmp_path / "a.xlsx", ["student"]), SHEET, lambda xml: bomb + xml)
-    with pytest.raises(TableError, match=rf"a.xlsx: {SHEET} declares a document type - expected none"):
+    with pytest.raises(
+        TableError, match=rf"a.xlsx: {SHEET} declares a document type - expected none"
+    ):
         read_workbook(path)
 
 

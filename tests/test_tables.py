@@ -10,23 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.csv_writing import csv_text, neutralised, restored, write_csv
 from kinegrade.errors import TableError
-from kinegrade.tables import (
-    Complaint,
-    Table,
-    csv_text,
-    neutralised,
-    parse_table,
-    read_table,
-    restored,
-    shortened,
-    trimmed,
-    write_csv,
-)
+from kinegrade.tables import Complaint, Table, parse_table, read_table, shortened, trimmed
 
 CHINESE = "student,name,q1.v_B\n007,王伟,0.5\n008,李娜,1.5\n"
 # a file full of control characters is refused as not being text, and lone surrogates are no text at all
-ANY_TEXT = st.text(st.characters(exclude_categories=["Cs", "Cc"], include_characters="\n\r\t"), max_size=40)
+ANY_TEXT = st.text(
+    st.characters(exclude_categories=["Cs", "Cc"], include_characters="\n\r\t"), max_size=40
+)
 
 
 def parsed(text: str) -> Table:
@@ -48,12 +40,16 @@ def problems(table: Table) -> list[str]:
         (CHINESE.encode("gb18030"), "GB18030", True),
     ],
 )
-def test_the_same_table_comes_out_of_every_encoding(content: bytes, encoding: str, complains: bool) -> None:
+def test_the_same_table_comes_out_of_every_encoding(
+    content: bytes, encoding: str, complains: bool
+) -> None:
     table = parse_table(content, "answers.csv")
     assert [row.cells for row in table.rows] == [("007", "王伟", "0.5"), ("008", "李娜", "1.5")]
     assert table.encoding == encoding
     assert problems(table) == (
-        ["2: not valid UTF-8 from this line on (bytes cd f5 ce b0 2c 30 2e 35)"] if complains else []
+        ["2: not valid UTF-8 from this line on (bytes cd f5 ce b0 2c 30 2e 35)"]
+        if complains
+        else []
     )
 
 
@@ -143,7 +139,9 @@ def test_what_is_no_table_is_refused(content: bytes, message: str) -> None:
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match=r"absent.csv: cannot be read \(No such file or directory\)"):
+    with pytest.raises(
+        TableError, match=r"absent.csv: cannot be read \(No such file or directory\)"
+    ):
         read_table(tmp_path / "absent.csv")
 
 
@@ -164,7 +162,9 @@ def test_what_is_written_is_read_back(rows: list[tuple[str, str, str]]) -> None:
 
 def test_written_files_have_lf_and_keep_typed_digits(tmp_path: Path) -> None:
     write_csv(
-        tmp_path / "a.csv", ("student", "n"), [("007", "1.50"), ("a\rb", 'say "hi", 王'), ("\ud800", "")]
+        tmp_path / "a.csv",
+        ("student", "n"),
+        [("007", "1.50"), ("a\rb", 'say "hi", 王'), ("\ud800", "")],
     )
     assert (tmp_path / "a.csv").read_bytes() == (
         'student,n\n007,1.50\n"a\rb","say ""hi"", 王"\n\\ud800,\n'.encode()

@@ -15,13 +15,27 @@ from kinegrade.units import FACTORS, HALF_TURNS, read_unit
 Q = fmpq
 
 
-@pytest.mark.parametrize(("text", "factor", "dimension"), [
-    ("m", Q(1), (1, 0, 0)), ("mm", Q(1, 1000), (1, 0, 0)), ("cm/s", Q(1, 100), (1, -1, 0)),
-    ("mm/s^2", Q(1, 1000), (1, -2, 0)), ("km/h", Q(5, 18), (1, -1, 0)), ("m/min", Q(1, 60), (1, -1, 0)),
-    ("rad/s", Q(1), (0, -1, 1)), ("rad/s^2", Q(1), (0, -2, 1)), ("deg", Q(1), (0, 0, 1)), ("rad", Q(1), (0, 0, 1)),
-    ("1", Q(1), (0, 0, 0)), ("1/s", Q(1), (0, -1, 0)), ("s^-1", Q(1), (0, -1, 0)), ("m^2/s^2", Q(1), (2, -2, 0)),
-    ("m*s", Q(1), (1, 1, 0)), ("cm^2", Q(1, 10000), (2, 0, 0)),
-])
+@pytest.mark.parametrize(
+    ("text", "factor", "dimension"),
+    [
+        ("m", Q(1), (1, 0, 0)),
+        ("mm", Q(1, 1000), (1, 0, 0)),
+        ("cm/s", Q(1, 100), (1, -1, 0)),
+        ("mm/s^2", Q(1, 1000), (1, -2, 0)),
+        ("km/h", Q(5, 18), (1, -1, 0)),
+        ("m/min", Q(1, 60), (1, -1, 0)),
+        ("rad/s", Q(1), (0, -1, 1)),
+        ("rad/s^2", Q(1), (0, -2, 1)),
+        ("deg", Q(1), (0, 0, 1)),
+        ("rad", Q(1), (0, 0, 1)),
+        ("1", Q(1), (0, 0, 0)),
+        ("1/s", Q(1), (0, -1, 0)),
+        ("s^-1", Q(1), (0, -1, 0)),
+        ("m^2/s^2", Q(1), (2, -2, 0)),
+        ("m*s", Q(1), (1, 1, 0)),
+        ("cm^2", Q(1, 10000), (2, 0, 0)),
+    ],
+)
 def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, int, int]) -> None:
     unit = read_unit(text)
     assert unit.factor == factor
@@ -29,18 +43,47 @@ def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, in
     assert unit.text == text
 
 
-@pytest.mark.parametrize("text", ["", " ", "Hz", "N", "m s", "m//s", "/s", "m/", "*m", "m^5", "m^", "m^-", "M", "rpm",
-                                  "m/s²",
-                                  "m1", "m;s", "__class__", "mm mm", "1e3", "m^0", "µm"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        " ",
+        "Hz",
+        "N",
+        "m s",
+        "m//s",
+        "/s",
+        "m/",
+        "*m",
+        "m^5",
+        "m^",
+        "m^-",
+        "M",
+        "rpm",
+        "m/s²",
+        "m1",
+        "m;s",
+        "__class__",
+        "mm mm",
+        "1e3",
+        "m^0",
+        "µm",
+    ],
+)
 def test_what_is_no_unit_is_told_with_what_is_known(text: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         read_unit(text)
-    expected = f'unit "{text}": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s'
+    expected = (
+        f'unit "{text}": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s'
+    )
     assert expected in str(refusal.value)
 
 
 def test_degrees_and_turns_are_exact_parts_of_pi() -> None:
-    assert {name: 1 / share for name, share in HALF_TURNS.items()} == {"deg": Q(180), "turn": Q(1, 2)}
+    assert {name: 1 / share for name, share in HALF_TURNS.items()} == {
+        "deg": Q(180),
+        "turn": Q(1, 2),
+    }
 
 
 @pytest.mark.parametrize("text", ["deg/s", "deg^2", "deg*m", "m/deg"])
@@ -59,7 +102,13 @@ def test_any_text_is_a_unit_or_refused_in_one_line(text: str) -> None:
     assert "\n" not in problem
 
 
-@given(st.lists(st.tuples(st.sampled_from(sorted(set(FACTORS) - {"deg"})), st.integers(1, 4)), min_size=1, max_size=4))
+@given(
+    st.lists(
+        st.tuples(st.sampled_from(sorted(set(FACTORS) - {"deg"})), st.integers(1, 4)),
+        min_size=1,
+        max_size=4,
+    )
+)
 def test_a_product_has_the_product_of_the_factors(parts: list[tuple[str, int]]) -> None:
     unit = read_unit("*".join(f"{name}^{power}" for name, power in parts))
     factor = Q(1)
@@ -68,10 +117,17 @@ def test_a_product_has_the_product_of_the_factors(parts: list[tuple[str, int]]) 
     assert unit.factor == factor
 
 
-@pytest.mark.parametrize(("text", "latex", "printed"), [
-    ("m/s^2", r"\mathrm{m}/\mathrm{s}^2", "m/s²"), ("rad/s", r"\mathrm{rad}/\mathrm{s}", "rad/s"),
-    ("deg", r"^\circ", "°"), ("1", "", "1"), ("s^-1", r"\mathrm{s}^{-1}", "s^-1"), ("mm", r"\mathrm{mm}", "mm"),
-])
+@pytest.mark.parametrize(
+    ("text", "latex", "printed"),
+    [
+        ("m/s^2", r"\mathrm{m}/\mathrm{s}^2", "m/s²"),
+        ("rad/s", r"\mathrm{rad}/\mathrm{s}", "rad/s"),
+        ("deg", r"^\circ", "°"),
+        ("1", "", "1"),
+        ("s^-1", r"\mathrm{s}^{-1}", "s^-1"),
+        ("mm", r"\mathrm{mm}", "mm"),
+    ],
+)
 def test_how_units_print(text: str, latex: str, printed: str) -> None:
     unit = read_unit(text)
     assert (unit.latex, unit.printed, unit.degrees) == (latex, printed, text == "deg")

@@ -33,6 +33,20 @@ def main() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
-for command in (list_templates, show, solve, check, new, gallery, generate,
-                grade, diff, class_report, feedback, sharing, export, quiz):
+for command in (
+    list_templates,
+    show,
+    solve,
+    check,
+    new,
+    gallery,
+    generate,
+    grade,
+    diff,
+    class_report,
+    feedback,
+    sharing,
+    export,
+    quiz,
+):
     main.add_command(command)

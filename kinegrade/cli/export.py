@@ -21,28 +21,76 @@ SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "gen
 
 @click.command()
 @click.argument("marks", type=FILE)
-@click.option("--to", "system", type=click.Choice(SYSTEMS), required=True,
-              help="The learning management system; generic is a plain sheet, xlsx everything for people.")
+@click.option(
+    "--to",
+    "system",
+    type=click.Choice(SYSTEMS),
+    required=True,
+    help="The learning management system; generic is a plain sheet, xlsx everything for people.",
+)
 @click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
-@click.option("--into", type=FILE, metavar="DOWNLOAD", help="The system's own file, to be filled in.")
-@click.option("--column", "columns", multiple=True, metavar="[QUESTION=]HEADER",
-              help="The column meant, by its header; once for each question with --per-question.")
+@click.option(
+    "--into", type=FILE, metavar="DOWNLOAD", help="The system's own file, to be filled in."
+)
+@click.option(
+    "--column",
+    "columns",
+    multiple=True,
+    metavar="[QUESTION=]HEADER",
+    help="The column meant, by its header; once for each question with --per-question.",
+)
 @click.option("--title", default="", help="The item's title in the system.")
-@click.option("--per-question", is_flag=True, help="A column for each question in place of the total.")
-@click.option("--feedback/--no-feedback", default=None, help="Points by question as a comment.  "
-                                                             "[default: where the system has a place for it]")
-@click.option("--ungraded", is_flag=True, help="Also grade those who handed in nothing; they are left alone otherwise.")
-@click.option("--by", type=click.Choice(["id", "login", "email"]), multiple=True,
-              help="What the roster's ids are in the system, or email to go by addresses (with --exam).  "
-                   "[default: any that fits]")
-@click.option("--exam", type=FILE, metavar="EXAM", help="The exam folder, for its title and the e-mail addresses.")
+@click.option(
+    "--per-question", is_flag=True, help="A column for each question in place of the total."
+)
+@click.option(
+    "--feedback/--no-feedback",
+    default=None,
+    help="Points by question as a comment.  [default: where the system has a place for it]",
+)
+@click.option(
+    "--ungraded",
+    is_flag=True,
+    help="Also grade those who handed in nothing; they are left alone otherwise.",
+)
+@click.option(
+    "--by",
+    type=click.Choice(["id", "login", "email"]),
+    multiple=True,
+    help="What the roster's ids are in the system, or email to go by addresses (with --exam).  "
+    "[default: any that fits]",
+)
+@click.option(
+    "--exam",
+    type=FILE,
+    metavar="EXAM",
+    help="The exam folder, for its title and the e-mail addresses.",
+)
 @click.option("--scale", is_flag=True, help="Scale to the maximum that the file states.")
-@click.option("--maximum", metavar="NUMBER", help="What the item counts in the system; grades are scaled to it.")
+@click.option(
+    "--maximum",
+    metavar="NUMBER",
+    help="What the item counts in the system; grades are scaled to it.",
+)
 @FORCE
 @refusing
-def export(*, marks: Path, system: str, output: Path, into: Path | None, columns: tuple[str, ...], title: str,
-           per_question: bool, feedback: bool | None, ungraded: bool, by: tuple[Field, ...], exam: Path | None,
-           scale: bool, maximum: str | None, force: bool) -> None:
+def export(
+    *,
+    marks: Path,
+    system: str,
+    output: Path,
+    into: Path | None,
+    columns: tuple[str, ...],
+    title: str,
+    per_question: bool,
+    feedback: bool | None,
+    ungraded: bool,
+    by: tuple[Field, ...],
+    exam: Path | None,
+    scale: bool,
+    maximum: str | None,
+    force: bool,
+) -> None:
     """Write the grades of MARKS as a learning management system takes them.
 
     \b
@@ -51,7 +99,9 @@ def export(*, marks: Path, system: str, output: Path, into: Path | None, columns
     """
     if system == "xlsx":
         if into is not None:
-            raise click.UsageError("--into: a spreadsheet is written anew - leave it out, or choose a system")
+            raise click.UsageError(
+                "--into: a spreadsheet is written anew - leave it out, or choose a system"
+            )
         _write_workbook(marks, output, force=force)
         return
     from kinegrade.lms.dialect import ExportOptions
@@ -59,8 +109,16 @@ def export(*, marks: Path, system: str, output: Path, into: Path | None, columns
 
     grades = read_grades(marks, exam)
     named = _columns(columns, grades, per_question=per_question)
-    _write(_dialect(system), grades, into, output, ExportOptions(
-        by, named, title.strip(), per_question, feedback, ungraded, scale, _maximum(maximum)), force=force)
+    _write(
+        _dialect(system),
+        grades,
+        into,
+        output,
+        ExportOptions(
+            by, named, title.strip(), per_question, feedback, ungraded, scale, _maximum(maximum)
+        ),
+        force=force,
+    )
 
 
 def _write_workbook(marks: Path, output: Path, *, force: bool) -> None:
@@ -71,7 +129,13 @@ def _write_workbook(marks: Path, output: Path, *, force: bool) -> None:
 
 
 def _write(
-    dialect: Dialect, grades: ClassGrades, into: Path | None, output: Path, options: ExportOptions, *, force: bool
+    dialect: Dialect,
+    grades: ClassGrades,
+    into: Path | None,
+    output: Path,
+    options: ExportOptions,
+    *,
+    force: bool,
 ) -> None:
     from kinegrade.files import write_file
     from kinegrade.lms.fill_in import fill_in
@@ -99,23 +163,36 @@ def _dialect(system: str) -> Dialect:
     from kinegrade.lms.moodle import MOODLE
     from kinegrade.lms.sakai import SAKAI
 
-    return {"moodle": MOODLE, "canvas": CANVAS, "blackboard": BLACKBOARD, "brightspace": BRIGHTSPACE, "sakai": SAKAI,
-            "edx": EDX, "generic": GENERIC}[system]
+    return {
+        "moodle": MOODLE,
+        "canvas": CANVAS,
+        "blackboard": BLACKBOARD,
+        "brightspace": BRIGHTSPACE,
+        "sakai": SAKAI,
+        "edx": EDX,
+        "generic": GENERIC,
+    }[system]
 
 
-def _columns(columns: tuple[str, ...], grades: ClassGrades, *, per_question: bool) -> Mapping[str, str]:
+def _columns(
+    columns: tuple[str, ...], grades: ClassGrades, *, per_question: bool
+) -> Mapping[str, str]:
     """Headers by question, or that of the total under "". Raises BadParameter."""
     if not per_question:
         if len(columns) > 1:
-            raise click.BadParameter("expected one for the total; several need --per-question", param_hint="--column")
+            raise click.BadParameter(
+                "expected one for the total; several need --per-question", param_hint="--column"
+            )
         return {"": columns[0]} if columns else {}
     found: dict[str, str] = {}
     for text in columns:
         question, sign, header = text.partition("=")
         if not sign or question not in grades.questions or question in found:
             known = ", ".join(grades.questions)
-            raise click.BadParameter(f'"{text}": expected QUESTION=HEADER, once for each of {known}',
-                                     param_hint="--column")
+            raise click.BadParameter(
+                f'"{text}": expected QUESTION=HEADER, once for each of {known}',
+                param_hint="--column",
+            )
         found[question] = header
     return found
 
@@ -126,5 +203,7 @@ def _maximum(text: str | None) -> Fraction | None:
 
     value = None if text is None else number(text)
     if text is not None and not value:
-        raise click.BadParameter(f'"{text}": expected a number above zero, like 10 or 12.5', param_hint="--maximum")
+        raise click.BadParameter(
+            f'"{text}": expected a number above zero, like 10 or 12.5', param_hint="--maximum"
+        )
     return value

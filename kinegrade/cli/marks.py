@@ -16,27 +16,71 @@ if TYPE_CHECKING:
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
-EXAM_LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"]),
-                             help="Language of the output.  [default: that of the papers]")
+EXAM_LANGUAGE = click.option(
+    "--lang",
+    "language",
+    type=click.Choice(["en", "zh"]),
+    help="Language of the output.  [default: that of the papers]",
+)
 
 
 @click.command()
 @click.argument("exam", type=FILE)
 @click.argument("answers", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MARKS", help="The folder of marks to write.")
-@click.option("--from", "source", type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
-              help="What ANSWERS was downloaded from.  [default: what its shape tells]")
-@click.option("--encoding", metavar="NAME", help="The encoding of ANSWERS, if it is not UTF-8, such as gb18030.")
-@click.option("--unfinished", is_flag=True, help="Also mark attempts that were not handed in (of a download).")
-@click.option("--decimal", type=click.Choice(["point", "comma"]),
-              help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]")
-@click.option("--policy", type=FILE, metavar="FILE", help="Mark by this policy (TOML): tolerances, credits ...")
-@click.option("--never-lower", type=FILE, metavar="MARKS",
-              help="Nobody's share of the points falls below that in this earlier MARKS.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="MARKS",
+    help="The folder of marks to write.",
+)
+@click.option(
+    "--from",
+    "source",
+    type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
+    help="What ANSWERS was downloaded from.  [default: what its shape tells]",
+)
+@click.option(
+    "--encoding",
+    metavar="NAME",
+    help="The encoding of ANSWERS, if it is not UTF-8, such as gb18030.",
+)
+@click.option(
+    "--unfinished", is_flag=True, help="Also mark attempts that were not handed in (of a download)."
+)
+@click.option(
+    "--decimal",
+    type=click.Choice(["point", "comma"]),
+    help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]",
+)
+@click.option(
+    "--policy",
+    type=FILE,
+    metavar="FILE",
+    help="Mark by this policy (TOML): tolerances, credits ...",
+)
+@click.option(
+    "--never-lower",
+    type=FILE,
+    metavar="MARKS",
+    help="Nobody's share of the points falls below that in this earlier MARKS.",
+)
 @FORCE
 @refusing
-def grade(*, exam: Path, answers: Path, output: Path, source: str | None, encoding: str | None, unfinished: bool,
-          decimal: DecimalMark | None, policy: Path | None, never_lower: Path | None, force: bool) -> None:
+def grade(
+    *,
+    exam: Path,
+    answers: Path,
+    output: Path,
+    source: str | None,
+    encoding: str | None,
+    unfinished: bool,
+    decimal: DecimalMark | None,
+    policy: Path | None,
+    never_lower: Path | None,
+    force: bool,
+) -> None:
     """Mark the class: ANSWERS has the shape of EXAM/answers.csv, or is a download from an LMS or a form (CSV, xlsx).
 
     \b
@@ -54,10 +98,21 @@ def grade(*, exam: Path, answers: Path, output: Path, source: str | None, encodi
     responses = read_responses(answers, exam, source, "all" if unfinished else "finished", encoding)
     for line in responses.assumed:
         click.echo(line, err=True)
-    marks = mark_class(exam, responses.table, output, force=force, exports={"moodle.csv": moodle.export},
-                       decimal=decimal, policy=policy, never_lower=never_lower,
-                       follows=Follows(follow_through, follow_through.in_plan_order))
-    click.echo(f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints", err=True)
+    marks = mark_class(
+        exam,
+        responses.table,
+        output,
+        force=force,
+        exports={"moodle.csv": moodle.export},
+        decimal=decimal,
+        policy=policy,
+        never_lower=never_lower,
+        follows=Follows(follow_through, follow_through.in_plan_order),
+    )
+    click.echo(
+        f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints",
+        err=True,
+    )
     if never_lower:
         kept = sum(each.kept is not None for each in marks.grades)
         click.echo(f"{output / 'kept.csv'}: {kept} students keep an earlier total", err=True)
@@ -67,7 +122,13 @@ def grade(*, exam: Path, answers: Path, output: Path, source: str | None, encodi
 @click.command()
 @click.argument("before", type=FILE, metavar="MARKS1")
 @click.argument("after", type=FILE, metavar="MARKS2")
-@click.option("-o", "--output", type=FILE, metavar="FILE", help="Also write it as CSV, with the reasons of both.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help="Also write it as CSV, with the reasons of both.",
+)
 @FORCE
 @refusing
 def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
@@ -89,11 +150,15 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
 @click.command("report")
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The HTML page to write.")
+@click.option(
+    "-o", "--output", type=FILE, required=True, metavar="FILE", help="The HTML page to write."
+)
 @EXAM_LANGUAGE
 @FORCE
 @refusing
-def class_report(exam: Path, marks: Path, output: Path, language: Language | None, *, force: bool) -> None:
+def class_report(
+    exam: Path, marks: Path, output: Path, language: Language | None, *, force: bool
+) -> None:
     """Report on the class: distribution, how hard each ask was, where points were lost, whether papers were alike.
 
     \b
@@ -111,17 +176,41 @@ def class_report(exam: Path, marks: Path, output: Path, language: Language | Non
 @click.command()
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="FEEDBACK", help="The folder of sheets to write.")
-@click.option("--format", "form", type=click.Choice(["pdf", "html", "md"]), default="pdf", show_default=True,
-              help="What the sheets are written as.")
-@click.option("--solutions/--no-solutions", default=None,
-              help="Also hand out the worked solutions that EXAM holds.  [default: what the bank says, else "
-                   "no-solutions]")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    required=True,
+    metavar="FEEDBACK",
+    help="The folder of sheets to write.",
+)
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["pdf", "html", "md"]),
+    default="pdf",
+    show_default=True,
+    help="What the sheets are written as.",
+)
+@click.option(
+    "--solutions/--no-solutions",
+    default=None,
+    help="Also hand out the worked solutions that EXAM holds.  [default: what the bank says, else "
+    "no-solutions]",
+)
 @EXAM_LANGUAGE
 @FORCE
 @refusing
-def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solutions: bool | None,
-             language: Language | None, force: bool) -> None:
+def feedback(
+    *,
+    exam: Path,
+    marks: Path,
+    output: Path,
+    form: FeedbackForm,
+    solutions: bool | None,
+    language: Language | None,
+    force: bool,
+) -> None:
     """Write everybody a sheet: own answers, right answers, what probably went wrong, points.
 
     \b
@@ -135,6 +224,14 @@ def feedback(*, exam: Path, marks: Path, output: Path, form: FeedbackForm, solut
     wanted = read_exam_record(exam).solutions if solutions is None else solutions
     chosen = language or exam_language(exam)
     printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form
-    count = write_feedback(exam, marks, output, exam_wording(exam, chosen), printed, language=chosen,
-                           solutions=wanted, force=force)
+    count = write_feedback(
+        exam,
+        marks,
+        output,
+        exam_wording(exam, chosen),
+        printed,
+        language=chosen,
+        solutions=wanted,
+        force=force,
+    )
     click.echo(f"{output}: {count} sheets; {output / 'feedback.csv'} says which is whose", err=True)

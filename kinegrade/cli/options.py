@@ -14,24 +14,36 @@ from kinegrade.errors import KinegradeError
 
 COMPLAINTS = 1
 FAILURE = 2
-LANGUAGE = click.option("--lang", "language", type=click.Choice(["en", "zh"]), default="en", show_default=True,
-                        help="Language of the output.")
-METHOD = click.option("--method", type=click.Choice(["base-point", "projection", "pole"]),
-                      help="How worked solutions find velocities where several methods serve.  "
-                           "[default: what the template says]")
+LANGUAGE = click.option(
+    "--lang",
+    "language",
+    type=click.Choice(["en", "zh"]),
+    default="en",
+    show_default=True,
+    help="Language of the output.",
+)
+METHOD = click.option(
+    "--method",
+    type=click.Choice(["base-point", "projection", "pole"]),
+    help="How worked solutions find velocities where several methods serve.  "
+    "[default: what the template says]",
+)
 FORCE = click.option("--force", is_flag=True, help="Replace an output that kinegrade wrote before.")
 FILE = click.Path(path_type=Path)
 
 
 def writable(context: click.Context, parameter: click.Parameter, seed: str | None) -> str | None:
     """A seed that can be written down and used again. Raises BadParameter for a blank one and for broken text."""
-    if seed is not None and (not seed.strip() or any("\ud800" <= character <= "\udfff" for character in seed)):
+    if seed is not None and (
+        not seed.strip() or any("\ud800" <= character <= "\udfff" for character in seed)
+    ):
         raise click.BadParameter("expected some text, like spring-2026")
     return seed
 
 
 def refusing(command: Callable[..., None]) -> Callable[..., None]:
     """A command whose refusals become one line each on standard error, and status 2."""
+
     @wraps(command)
     def run(*arguments: Any, **options: Any) -> None:
         try:
@@ -40,6 +52,7 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
             for problem in error.problems:
                 click.echo(f"error: {' '.join(problem.split())}", err=True)
             sys.exit(FAILURE)
+
     return run
 
 

@@ -12,9 +12,17 @@ from kinegrade.cli.options import FILE, FORCE, refusing
 @click.command()
 @click.argument("exam", type=FILE)
 @click.argument("marks", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The CSV file to write.")
-@click.option("--level", type=click.FloatRange(0, 100, min_open=True, max_open=True), default=1.0, show_default=True,
-              metavar="PERCENT", help="How often a class without any sharing may give a pair by chance.")
+@click.option(
+    "-o", "--output", type=FILE, required=True, metavar="FILE", help="The CSV file to write."
+)
+@click.option(
+    "--level",
+    type=click.FloatRange(0, 100, min_open=True, max_open=True),
+    default=1.0,
+    show_default=True,
+    metavar="PERCENT",
+    help="How often a class without any sharing may give a pair by chance.",
+)
 @FORCE
 @refusing
 def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool) -> None:

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from kinegrade.cli.options import COMPLAINTS, FILE, FORCE, LANGUAGE, METHOD, finish, refusing, writable
+from kinegrade.cli.options import (
+    COMPLAINTS,
+    FILE,
+    FORCE,
+    LANGUAGE,
+    METHOD,
+    finish,
+    refusing,
+    writable,
+)
 from kinegrade.errors import TemplateError
 
 if TYPE_CHECKING:
@@ -36,10 +45,18 @@ def list_templates(language: Language) -> None:
 @click.argument("template_name", metavar="TEMPLATE")
 @LANGUAGE
 @click.option("-o", "--output", type=FILE, help="Also typeset a sample page as PDF.")
-@click.option("--seed", callback=writable, default="sample", show_default=True, help="Which sample is typeset.")
+@click.option(
+    "--seed",
+    callback=writable,
+    default="sample",
+    show_default=True,
+    help="Which sample is typeset.",
+)
 @FORCE
 @refusing
-def show(template_name: str, language: Language, output: Path | None, seed: str, force: bool) -> None:
+def show(
+    template_name: str, language: Language, output: Path | None, seed: str, force: bool
+) -> None:
     """Show a template: statement, parameters, what can be asked, how many instances.
 
     \b
@@ -59,16 +76,31 @@ def show(template_name: str, language: Language, output: Path | None, seed: str,
 
 @click.command()
 @click.argument("template_name", metavar="TEMPLATE")
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-              help="A parameter's value in its unit: a number or an exact expression.")
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="A parameter's value in its unit: a number or an exact expression.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-@click.option("-o", "--output", type=FILE, metavar="FILE", help="Also typeset the worked solution as PDF.")
+@click.option(
+    "-o", "--output", type=FILE, metavar="FILE", help="Also typeset the worked solution as PDF."
+)
 @METHOD
 @LANGUAGE
 @FORCE
 @refusing
-def solve(*, template_name: str, settings: tuple[str, ...], as_json: bool, output: Path | None, method: Method | None,
-          language: Language, force: bool) -> None:
+def solve(
+    *,
+    template_name: str,
+    settings: tuple[str, ...],
+    as_json: bool,
+    output: Path | None,
+    method: Method | None,
+    language: Language,
+    force: bool,
+) -> None:
     """Solve a template exactly at given values; the rest take their published value, or the first drawable one.
 
     \b
@@ -114,23 +146,33 @@ def solution_json(solution: Solution) -> str:
     try:
         return json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
     except ValueError as error:
-        raise TemplateError("a value is beyond 1e308, which JSON numbers do not reach: give smaller ones") from error
+        raise TemplateError(
+            "a value is beyond 1e308, which JSON numbers do not reach: give smaller ones"
+        ) from error
 
 
 def solution_text(solution: Solution) -> str:
     """The solution as a table: name, decimal, unit, exact."""
     lines = []
     for group in (solution.parameters, solution.answers):
-        lines += [f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
-                  f"{quantity.exact or '(certified enclosure)'}" for name, quantity in group.items()]
+        lines += [
+            f"{name:<14} {quantity.decimal(10):>18} {quantity.measure.printed:<6}  "
+            f"{quantity.exact or '(certified enclosure)'}"
+            for name, quantity in group.items()
+        ]
         lines.append("")
     return "\n".join(lines[:-1])
 
 
 @click.command()
 @click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
-@click.option("--sample", type=click.IntRange(1, 1_000_000), default=200, show_default=True,
-              help="How many combinations are drawn.")
+@click.option(
+    "--sample",
+    type=click.IntRange(1, 1_000_000),
+    default=200,
+    show_default=True,
+    help="How many combinations are drawn.",
+)
 @refusing
 def check(template_names: tuple[str, ...], sample: int) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default: all shipped).
@@ -155,7 +197,9 @@ def check(template_names: tuple[str, ...], sample: int) -> None:
 
 @click.command()
 @click.argument("name")
-@click.option("-o", "--output", type=FILE, metavar="FILE", help="The file to write.  [default: NAME.toml]")
+@click.option(
+    "-o", "--output", type=FILE, metavar="FILE", help="The file to write.  [default: NAME.toml]"
+)
 @FORCE
 @refusing
 def new(name: str, output: Path | None, force: bool) -> None:
@@ -174,11 +218,18 @@ def new(name: str, output: Path | None, force: bool) -> None:
 @click.argument("template_names", metavar="[TEMPLATE]...", nargs=-1)
 @click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The PDF to write.")
 @LANGUAGE
-@click.option("--draws", type=click.IntRange(1, 12), default=3, show_default=True,
-              help="At how many draws each figure is shown.")
+@click.option(
+    "--draws",
+    type=click.IntRange(1, 12),
+    default=3,
+    show_default=True,
+    help="At how many draws each figure is shown.",
+)
 @FORCE
 @refusing
-def gallery(*, template_names: tuple[str, ...], output: Path, language: Language, draws: int, force: bool) -> None:
+def gallery(
+    *, template_names: tuple[str, ...], output: Path, language: Language, draws: int, force: bool
+) -> None:
     """Typeset a contact sheet to choose templates from: what each asks, and its figure (default: all shipped).
 
     \b

@@ -53,7 +53,9 @@ class Angle:
     def __mul__(self, factor: Any) -> Angle:
         if not isinstance(factor, (int, fmpq)):
             raise Inexact("an angle times an irrational number")
-        return Angle(self.half_turns * factor, merged(tuple((k * factor, v) for k, v in self.parts)))
+        return Angle(
+            self.half_turns * factor, merged(tuple((k * factor, v) for k, v in self.parts))
+        )
 
     __rmul__ = __mul__
 
@@ -145,7 +147,11 @@ def first_quadrant(degrees: Any, field: Field) -> Direction:
     if degrees in (18, 36):
         five = field.sqrt(fmpq(5))
         short, long = (five - 1) / 4, (five + 1) / 4
-        return (field.sqrt(1 - short * short), short) if degrees == 18 else (long, field.sqrt(1 - long * long))
+        return (
+            (field.sqrt(1 - short * short), short)
+            if degrees == 18
+            else (long, field.sqrt(1 - long * long))
+        )
     if degrees * 2 == 45:
         return halved(first_quadrant(fmpq(45), field), field)
     raise Inexact(f"the cosine of {degrees} degrees")

@@ -14,7 +14,11 @@ from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd, ball
 
-PRECISIONS = (256, 1024, 4096)  # bits; the first leaves over 40 digits after the cancellation of a usual solve
+PRECISIONS = (
+    256,
+    1024,
+    4096,
+)  # bits; the first leaves over 40 digits after the cancellation of a usual solve
 
 
 class Undecided(ArithmeticError):

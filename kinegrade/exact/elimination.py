@@ -40,8 +40,10 @@ def clear_column(table: list[list[Any]], column: int, is_zero: Callable[[Any], b
     for row in table:
         if row is not pivot_row and not is_zero(row[column]):
             multiple = row[column]
-            row[column:] = [entry - multiple * source
-                            for entry, source in zip(row[column:], pivot_row[column:], strict=True)]
+            row[column:] = [
+                entry - multiple * source
+                for entry, source in zip(row[column:], pivot_row[column:], strict=True)
+            ]
 
 
 def reduced(table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]) -> list[int]:
@@ -63,13 +65,18 @@ def reduced(table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]
     return pivots
 
 
-def null_vectors(rows: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]) -> list[set[int]]:
+def null_vectors(
+    rows: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]
+) -> list[set[int]]:
     """For each independent solution of rows * x = 0: which components of x are not zero."""
     table = [list(row) for row in rows]
     pivots = reduced(table, columns, is_zero)
     free = [column for column in range(columns) if column not in pivots]
-    return [{column} | {pivot for depth, pivot in enumerate(pivots) if not is_zero(table[depth][column])}
-            for column in free]
+    return [
+        {column}
+        | {pivot for depth, pivot in enumerate(pivots) if not is_zero(table[depth][column])}
+        for column in free
+    ]
 
 
 def consistent(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], bool]) -> bool:

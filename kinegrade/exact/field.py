@@ -17,7 +17,9 @@ from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Real, Root, Surd, enclosure, sign, surd
 
-MAX_LEVEL = 5  # degree 32: beyond it a solve costs more than by balls (0.3 ms at level 2, 8 ms at level 5)
+MAX_LEVEL = (
+    5  # degree 32: beyond it a solve costs more than by balls (0.3 ms at level 2, 8 ms at level 5)
+)
 TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
 
 
@@ -106,10 +108,15 @@ class Field(Magnitude):
     def embed(self, value: Any) -> Any:
         """A number or Angle of another field, such as a fork, as one of this field; roots are adjoined as needed."""
         if isinstance(value, Angle):
-            return Angle(value.half_turns, tuple((k, (self.embed(x), self.embed(y))) for k, (x, y) in value.parts))
+            return Angle(
+                value.half_turns,
+                tuple((k, (self.embed(x), self.embed(y))) for k, (x, y) in value.parts),
+            )
         if not isinstance(value, Surd):
             return value
-        return self.embed(value.a) + self.embed(value.b) * self.sqrt(self.embed(value.root.radicand))
+        return self.embed(value.a) + self.embed(value.b) * self.sqrt(
+            self.embed(value.root.radicand)
+        )
 
     def cos(self, angle: Any) -> Real:
         """Cosine of an Angle (or of the number 0)."""
@@ -134,7 +141,9 @@ class Field(Magnitude):
 
         Raises Singular when they do not determine the unknowns, Contradiction when a surplus row does not fit.
         """
-        return eliminate([list(map(rational, row)) for row in rows], list(map(rational, right)), self.is_zero)
+        return eliminate(
+            [list(map(rational, row)) for row in rows], list(map(rational, right)), self.is_zero
+        )
 
     def require_zero(self, number: Real) -> None:
         """Raises Contradiction unless the number is zero."""
@@ -160,7 +169,9 @@ def as_angle(value: Any) -> Angle:
 
 def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
     """The direction of (x, y) as a rational multiple of pi, when it is a multiple of 15, 18 or 22.5 degrees."""
-    degrees = round(float(arb.atan2(enclosure(y, 96), enclosure(x, 96))) * 57.29577951308232 * 2) / 2
+    degrees = (
+        round(float(arb.atan2(enclosure(y, 96), enclosure(x, 96))) * 57.29577951308232 * 2) / 2
+    )
     if degrees % 15 and degrees % 18 and degrees % 22.5:
         return None
     candidate = Angle(fmpq(int(degrees * 2), 360))
@@ -203,7 +214,10 @@ def denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """
     if not isinstance(number, Surd):
         return None
-    norm = square_root(number.a * number.a - number.b * number.b * number.root.radicand, roots[:number.root.level - 1])
+    norm = square_root(
+        number.a * number.a - number.b * number.b * number.root.radicand,
+        roots[: number.root.level - 1],
+    )
     return None if norm is None else (number.a + abs(norm)) / 2
 
 

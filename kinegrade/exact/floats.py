@@ -75,15 +75,23 @@ class Floats(Magnitude):
 
         Not a number in instances that do not determine them; raises Singular when no instance does.
         """
-        shape = np.broadcast_shapes(*(np.shape(entry) for row in rows for entry in row), *map(np.shape, right))
-        matrix = np.moveaxis(np.array([[np.broadcast_to(e, shape) for e in row] for row in rows]), (0, 1), (-2, -1))
+        shape = np.broadcast_shapes(
+            *(np.shape(entry) for row in rows for entry in row), *map(np.shape, right)
+        )
+        matrix = np.moveaxis(
+            np.array([[np.broadcast_to(e, shape) for e in row] for row in rows]), (0, 1), (-2, -1)
+        )
         vector = np.moveaxis(np.array([np.broadcast_to(e, shape) for e in right]), 0, -1)
         finite = np.isfinite(matrix).all(axis=(-2, -1))[..., None, None]
         left, sizes, across = np.linalg.svd(np.where(finite, matrix, 0.0), full_matrices=False)
-        regular = (sizes.min(axis=-1) > DEPENDENT * sizes.max(axis=-1)) & (len(rows) >= len(rows[0]))
+        regular = (sizes.min(axis=-1) > DEPENDENT * sizes.max(axis=-1)) & (
+            len(rows) >= len(rows[0])
+        )
         if not regular.any():
             raise Singular("the equations do not determine every unknown")
-        along = (left.swapaxes(-2, -1) @ vector[..., None]) / np.where(regular[..., None], sizes, np.nan)[..., None]
+        along = (left.swapaxes(-2, -1) @ vector[..., None]) / np.where(
+            regular[..., None], sizes, np.nan
+        )[..., None]
         solution = across.swapaxes(-2, -1) @ along
         return list(np.moveaxis(solution[..., 0], -1, 0))
 

@@ -19,7 +19,10 @@ from kinegrade.exact.rounding import NOTHING, Rounded
 
 POWERS = np.array([float(10**power) for power in range(23)])  # those that doubles hold exactly
 NEAR = 1e-14  # relative: far more than a product of two doubles is off
-DEGREES, RADIANS = 180.0 / math.pi, math.pi / 180.0  # as `math.degrees` and `math.radians` have them
+DEGREES, RADIANS = (
+    180.0 / math.pi,
+    math.pi / 180.0,
+)  # as `math.degrees` and `math.radians` have them
 SINE, COSINE = np.frompyfunc(math.sin, 1, 1), np.frompyfunc(math.cos, 1, 1)
 ARCTANGENT = np.frompyfunc(math.atan2, 2, 1)
 
@@ -68,7 +71,13 @@ class RoundedArrays(Rounded):
         if not self.sparing:
             return self.written(number)
         zero = np.abs(number) < NOTHING
-        return np.where(zero, 0.0, number) if isinstance(number, np.ndarray) else 0.0 if zero else number
+        return (
+            np.where(zero, 0.0, number)
+            if isinstance(number, np.ndarray)
+            else 0.0
+            if zero
+            else number
+        )
 
     def number(self, rational: Any) -> Any:
         """A rational or exact number as a double; arrays stay arrays."""
@@ -79,7 +88,9 @@ class RoundedArrays(Rounded):
         zero = np.abs(number) < NOTHING
         if not isinstance(number, np.ndarray):
             return bool(zero)
-        most = bool(2 * np.count_nonzero(zero & ~self.unsettled) > np.count_nonzero(~self.unsettled))
+        most = bool(
+            2 * np.count_nonzero(zero & ~self.unsettled) > np.count_nonzero(~self.unsettled)
+        )
         self.unsettled |= zero != most
         return most
 

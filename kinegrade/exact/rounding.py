@@ -135,4 +135,6 @@ def clear(table: list[list[float]], column: int) -> None:
     for index, row in enumerate(table):
         multiple = row[column]
         if index != column and multiple:
-            table[index] = [entry - multiple * part for entry, part in zip(row, source, strict=True)]
+            table[index] = [
+                entry - multiple * part for entry, part in zip(row, source, strict=True)
+            ]

@@ -17,7 +17,9 @@ from flint import arb, ctx, fmpq
 
 Real = Any  # flint.fmpq or Surd: flint ships no types
 MAX_SIGN_PRECISION = 1 << 16
-MAX_HEIGHT = 1 << 14  # bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
+MAX_HEIGHT = (
+    1 << 14
+)  # bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
 
 
 @dataclass(frozen=True)

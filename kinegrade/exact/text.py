@@ -62,8 +62,11 @@ def radical_terms(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[R
         square, free = split_square(plain)
         key = (free, nested)
         collected[key] = collected.get(key, fmpq(0)) + factor * square
-    return [(factor, free, tuple(exact_text(r.radicand) for r in nested), nested)
-            for (free, nested), factor in collected.items() if factor != 0]
+    return [
+        (factor, free, tuple(exact_text(r.radicand) for r in nested), nested)
+        for (free, nested), factor in collected.items()
+        if factor != 0
+    ]
 
 
 def products(number: Real, roots: tuple[Root, ...] = ()) -> Iterator[tuple[Any, tuple[Root, ...]]]:
@@ -88,9 +91,13 @@ def signed_term(factor: Any, free: int, nested: tuple[Root, ...], form: Form) ->
 def angle_text(angle: Angle, degrees: bool, form: Form = PLAIN) -> str:
     """An exact angle in radians or degrees, e.g. `pi/3`, `60`, `atan(1/3)`, `180*atan(1/3)/pi`."""
     if not angle.parts:
-        return exact_text(angle.half_turns * 180, form) if degrees else pi_text(angle.half_turns, form)
+        return (
+            exact_text(angle.half_turns * 180, form) if degrees else pi_text(angle.half_turns, form)
+        )
     terms = [(factor, arctangent_text(y, x, form)) for factor, (x, y) in angle.parts]
-    turns = angle.half_turns + sum((factor * offset(y, x) for factor, (x, y) in angle.parts), fmpq(0))
+    turns = angle.half_turns + sum(
+        (factor * offset(y, x) for factor, (x, y) in angle.parts), fmpq(0)
+    )
     parts = [(factor < 0, scaled(abs(factor), text, form)) for factor, text in terms]
     if turns != 0:
         parts.append((turns < 0, pi_text(abs(turns), form)))
@@ -132,7 +139,9 @@ def pi_text(half_turns: Any, form: Form = PLAIN) -> str:
         return "0"
     size = abs(half_turns)
     above = form.pi if size.p == 1 else form.product.join([str(size.p), form.pi])
-    return ("-" if half_turns < 0 else "") + (above if size.q == 1 else form.fraction.format(above, size.q))
+    return ("-" if half_turns < 0 else "") + (
+        above if size.q == 1 else form.fraction.format(above, size.q)
+    )
 
 
 def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
@@ -164,7 +173,13 @@ def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
 def bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any]:
     """Rational bounds of a number, worked out with `precision` bits; an Angle in radians or in degrees."""
     with ctx.workprec(precision):
-        value = number if isinstance(number, arb) else number.ball() if isinstance(number, Angle) else ball(number)
+        value = (
+            number
+            if isinstance(number, arb)
+            else number.ball()
+            if isinstance(number, Angle)
+            else ball(number)
+        )
         value = value * 180 / arb.pi() if degrees and isinstance(number, Angle) else value
         return value.lower().fmpq(), value.upper().fmpq()
 

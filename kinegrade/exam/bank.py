@@ -1,26 +1,26 @@
 """The bank's file, an exam's blueprint: which questions are put, for how many points, within which tolerance.
 
-    title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
-    course = { en = "Theoretical mechanics", zh = "理论力学" }
-    tolerance = { relative = "1 %" }         # or { absolute = 0.01 }, { figures = 3 }: significant figures; or several
-    shuffle = true                           # optional: every paper has its own order of the questions
-    versions = 3                             # optional: versions A, B, C instead of a paper for each student
-    engine = "latex"                         # optional: what typesets the exam (typst)
-    credit = { follow-through = "1/2" }      # optional: see bank_credit
-    solutions = true                         # optional: feedback holds the worked solutions
+title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
+course = { en = "Theoretical mechanics", zh = "理论力学" }
+tolerance = { relative = "1 %" }         # or { absolute = 0.01 }, { figures = 3 }: significant figures; or several
+shuffle = true                           # optional: every paper has its own order of the questions
+versions = 3                             # optional: versions A, B, C instead of a paper for each student
+engine = "latex"                         # optional: what typesets the exam (typst)
+credit = { follow-through = "1/2" }      # optional: see bank_credit
+solutions = true                         # optional: feedback holds the worked solutions
 
-    [[questions]]
-    template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
-    asks = { v_B = 3, omega_AB = 2 }         # optional: what is asked, with points
-    draw = { k = ["sqrt(3)", "2"] }          # optional: other domains for some parameters
-    tolerance = { relative = "2 %" }         # optional: for this question
+[[questions]]
+template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
+asks = { v_B = 3, omega_AB = 2 }         # optional: what is asked, with points
+draw = { k = ["sqrt(3)", "2"] }          # optional: other domains for some parameters
+tolerance = { relative = "2 %" }         # optional: for this question
 
-    [[questions]]
-    family = "rolling"                       # or tag = "acceleration": shipped templates, drawn once for the class
-    number = 2                               # optional: how many different ones (1)
-    without = ["rolling-wheel-rim-points"]   # optional: not these
-    asks = "velocity"                        # optional: only this (position, acceleration) of what the template asks
-    points = 10                              # optional: shared out as the template weighs what it asks
+[[questions]]
+family = "rolling"                       # or tag = "acceleration": shipped templates, drawn once for the class
+number = 2                               # optional: how many different ones (1)
+without = ["rolling-wheel-rim-points"]   # optional: not these
+asks = "velocity"                        # optional: only this (position, acceleration) of what the template asks
+points = 10                              # optional: shared out as the template weighs what it asks
 """
 
 from __future__ import annotations
@@ -38,10 +38,21 @@ from kinegrade.exam.blueprint import Bank, Blueprint, Slot, matched, wishes
 from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
-from kinegrade.problem.reading import TOO_LARGE, short_line, too_large
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
+from kinegrade.problem.toml_text import TOO_LARGE, short_line, too_large
 
-KEYS = ("title", "course", "date", "tolerance", "shuffle", "versions", "engine", "credit", "solutions", "questions")
+KEYS = (
+    "title",
+    "course",
+    "date",
+    "tolerance",
+    "shuffle",
+    "versions",
+    "engine",
+    "credit",
+    "solutions",
+    "questions",
+)
 MAX_BYTES = 200_000
 
 
@@ -51,7 +62,9 @@ def bank_path(path: Path) -> Path:
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
-        raise BankError(f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file')
+        raise BankError(
+            f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file'
+        )
     return path
 
 
@@ -72,13 +85,22 @@ def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
         with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
-            raise BankError(f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank file")
+            raise BankError(
+                f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank file"
+            )
         text = data.decode("utf-8-sig")
         table = tomllib.loads(text, parse_float=str)
     except OSError as error:
-        raise BankError(f"{path}: cannot be read: {error.strerror}: give the path of a bank file") from error
-    except (ValueError, RecursionError) as error:  # no UTF-8, no TOML, an integer of thousands of digits
-        raise BankError(f"{path}: not readable as TOML in UTF-8: {error}: mend it, or give a bank file") from error
+        raise BankError(
+            f"{path}: cannot be read: {error.strerror}: give the path of a bank file"
+        ) from error
+    except (
+        ValueError,
+        RecursionError,
+    ) as error:  # no UTF-8, no TOML, an integer of thousands of digits
+        raise BankError(
+            f"{path}: not readable as TOML in UTF-8: {error}: mend it, or give a bank file"
+        ) from error
     if too_large(table):
         raise BankError(f"{path}: {TOO_LARGE}")
     return blueprint(Values(path), table, text, folder or shipped("templates"))
@@ -90,13 +112,18 @@ def blueprint(values: Values, table: Mapping[str, Any], text: str, folder: Path)
     tolerance = values.tolerance("tolerance", table.get("tolerance"), ONE_PER_CENT)
     slots = read_slots(values, table.get("questions"), Entries(values, folder), tolerance)
     frame = Bank(
-        values.translated("title", table.get("title")), values.translated("course", table.get("course")),
-        values.date("date", table.get("date", "")), tolerance, (), text,
+        values.translated("title", table.get("title")),
+        values.translated("course", table.get("course")),
+        values.date("date", table.get("date", "")),
+        tolerance,
+        (),
+        text,
         values.flag("shuffle", table.get("shuffle", False)),
         values.whole("versions", table["versions"], 1, len(LETTERS)) if "versions" in table else 0,
         read_engine(values, table.get("engine", "typst")),
         read_credit(values, table.get("credit")),
-        values.flag("solutions", table.get("solutions", False)))
+        values.flag("solutions", table.get("solutions", False)),
+    )
     if values.faults:
         raise BankError(*values.faults)
     return Blueprint(frame, slots)
@@ -110,7 +137,9 @@ def read_engine(values: Values, value: Any) -> Engine:
     return "typst"
 
 
-def read_slots(values: Values, entries: Any, reader: Entries, tolerance: Tolerance) -> tuple[Slot, ...]:
+def read_slots(
+    values: Values, entries: Any, reader: Entries, tolerance: Tolerance
+) -> tuple[Slot, ...]:
     """The exam's questions q1, q2 ... in the bank's order; an entry may stand for several."""
     if not isinstance(entries, list) or not 1 <= len(entries) <= MAX_QUESTIONS:
         values.fault("questions", f"expected 1 to {MAX_QUESTIONS} tables [[questions]]")
@@ -133,8 +162,10 @@ def same_names(values: Values, found: Mapping[str, Sequence[Slot]]) -> None:
     for place, slots in found.items():
         for template in (slot.candidates[0].template for slot in slots if not slot.drawn):
             if texts.setdefault(template.name, template.text) != template.text:
-                values.fault(f"{place}.template",
-                             f'another template of this bank has the name "{template.name}": rename the file')
+                values.fault(
+                    f"{place}.template",
+                    f'another template of this bank has the name "{template.name}": rename the file',
+                )
 
 
 def enough(values: Values, found: Mapping[str, Sequence[Slot]], slots: Sequence[Slot]) -> None:
@@ -143,5 +174,8 @@ def enough(values: Values, found: Mapping[str, Sequence[Slot]], slots: Sequence[
     for place, own in found.items():
         left = sum(not slot.drawn or slot.identifier in chosen for slot in own)
         if left < len(own):
-            values.fault(f"{place}.number", f"{len(own)} different templates are to be drawn, {left} can be had "
-                                            "besides those of the other questions: draw fewer")
+            values.fault(
+                f"{place}.number",
+                f"{len(own)} different templates are to be drawn, {left} can be had "
+                "besides those of the other questions: draw fewer",
+            )

@@ -30,7 +30,11 @@ class Credit:
 
     def record(self) -> dict[str, Any]:
         """As exam.json keeps it; empty where nothing is said."""
-        mistakes = {"mistakes": {name: str(share) for name, share in self.mistakes.items()}} if self.mistakes else {}
+        mistakes = (
+            {"mistakes": {name: str(share) for name, share in self.mistakes.items()}}
+            if self.mistakes
+            else {}
+        )
         return {**{name: str(share) for name, share in self.alone.items()}, **mistakes}
 
 
@@ -52,9 +56,14 @@ def read_credit(values: Values, content: Any) -> Credit:
     known = sentences()
     for name in sorted(mistakes.keys() - known.keys()):
         values.fault("credit.mistakes", f'unknown mistake "{name}": {did_you_mean(name, known)}')
-    return Credit({name: part(values, f"credit.{name}", content[name]) for name in ALONE if name in content},
-                  {name: part(values, f"credit.mistakes.{name}", share) for name, share in mistakes.items()
-                   if name in known})
+    return Credit(
+        {name: part(values, f"credit.{name}", content[name]) for name in ALONE if name in content},
+        {
+            name: part(values, f"credit.mistakes.{name}", share)
+            for name, share in mistakes.items()
+            if name in known
+        },
+    )
 
 
 def part(values: Values, place: str, content: Any) -> Fraction:

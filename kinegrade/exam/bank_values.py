@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import did_you_mean
-from kinegrade.problem.reading import short_line
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.problem.toml_text import short_line
 
 NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
 DECIMAL = re.compile(NUMBER, re.ASCII)
@@ -41,8 +41,11 @@ class Values:
         """A text in both languages; one text serves for both."""
         if isinstance(value, str) and value.strip():
             return Translated(value, value)
-        if isinstance(value, dict) and set(value) == {"en", "zh"} and all(
-                isinstance(text, str) and text.strip() for text in value.values()):
+        if (
+            isinstance(value, dict)
+            and set(value) == {"en", "zh"}
+            and all(isinstance(text, str) and text.strip() for text in value.values())
+        ):
             return Translated(value["en"], value["zh"])
         self.fault(place, 'expected a text, or texts { en = "...", zh = "..." }')
         return Translated("", "")
@@ -71,12 +74,19 @@ class Values:
         if value is None:
             return default
         if not isinstance(value, dict):
-            self.fault(place, 'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }')
+            self.fault(
+                place,
+                'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }',
+            )
             return default
         self.unknown_keys(place, value, ("relative", "absolute", "figures"))
         relative = self.share(f"{place}.relative", value.get("relative", 0))
         absolute = self.amount(f"{place}.absolute", value.get("absolute", 0))
-        figures = self.whole(f"{place}.figures", value["figures"], 2, MOST_FIGURES) if "figures" in value else None
+        figures = (
+            self.whole(f"{place}.figures", value["figures"], 2, MOST_FIGURES)
+            if "figures" in value
+            else None
+        )
         if relative is None or absolute is None:
             return default
         if relative >= 1 or (relative + absolute == 0 and figures is None):
@@ -87,8 +97,11 @@ class Values:
         """A number of zero or more, exactly."""
         match = DECIMAL.fullmatch(written(value))
         if match is None:
-            self.fault(place, "expected a number like 0.01, at most 4 digits before the point and 9 after it, "
-                              f"not {written(value)!r}")
+            self.fault(
+                place,
+                "expected a number like 0.01, at most 4 digits before the point and 9 after it, "
+                f"not {written(value)!r}",
+            )
             return None
         return Fraction(match[1])
 
@@ -96,7 +109,9 @@ class Values:
         """A number of zero or more, or a percentage as text, exactly."""
         match = SHARE.fullmatch(written(value))
         if match is None:
-            self.fault(place, f'expected a text like "1 %" or a number like 0.01, not {written(value)!r}')
+            self.fault(
+                place, f'expected a text like "1 %" or a number like 0.01, not {written(value)!r}'
+            )
             return None
         return Fraction(match[1]) / (100 if match[2] else 1)
 

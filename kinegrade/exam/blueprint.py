@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 from kinegrade.exam.bank_credit import NO_CREDIT, Credit
 from kinegrade.exam.press import Engine
@@ -84,9 +85,15 @@ class Blueprint:
 
         A blueprint that was read has templates enough for every slot.
         """
-        names = matched(wishes(self.slots, lambda slot, name: address(secret, "template", slot, name)))
-        questions = tuple(candidate for slot in self.slots for candidate in slot.candidates
-                          if names.get(slot.identifier, candidate.template.name) == candidate.template.name)
+        names = matched(
+            wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
+        )
+        questions = tuple(
+            candidate
+            for slot in self.slots
+            for candidate in slot.candidates
+            if names.get(slot.identifier, candidate.template.name) == candidate.template.name
+        )
         return replace(self.frame, questions=questions)
 
 
@@ -94,10 +101,17 @@ def wishes(slots: Iterable[Slot], rank: Callable[[str, str], int]) -> dict[str, 
     """For each slot that is drawn the templates it may take, those of lowest rank first."""
     slots = tuple(slots)
     named = {slot.candidates[0].template.name for slot in slots if not slot.drawn}
-    return {slot.identifier: tuple(sorted(
-        {question.template.name for question in slot.candidates} - named,
-        key=lambda name, identifier=slot.identifier: (rank(identifier, name), name)))  # type: ignore[misc]
-        for slot in slots if slot.drawn}
+    return {
+        slot.identifier: ranked(slot, named, partial(rank, slot.identifier))
+        for slot in slots
+        if slot.drawn
+    }
+
+
+def ranked(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str, ...]:
+    """The templates that a slot may take, without those that the bank names, by rank and name."""
+    candidates = {question.template.name for question in slot.candidates} - named
+    return tuple(sorted(candidates, key=lambda name: (rank(name), name)))
 
 
 def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
@@ -116,7 +130,9 @@ def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
     return {slot: name for name, slot in holders.items()}
 
 
-def displace(slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]) -> bool:
+def displace(
+    slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
+) -> bool:
     """Let a slot take a name whose holder can take another one; whether that was possible (Kuhn's algorithm)."""
     for name in wanted[slot]:
         if name in tried:

@@ -40,5 +40,9 @@ def code_mark(code: str) -> CodeMark:
     21
     """
     matrix = segno.make(code, error="m", micro=False, mask=PATTERN).matrix
-    runs = tuple(Run(dark.start(), y, len(dark[0])) for y, row in enumerate(matrix) for dark in _DARK.finditer(row))
+    runs = tuple(
+        Run(dark.start(), y, len(dark[0]))
+        for y, row in enumerate(matrix)
+        for dark in _DARK.finditer(row)
+    )
     return CodeMark(len(matrix), runs)

@@ -54,8 +54,10 @@ def drafts(run: PrintRun, workplace: Workplace, part: int, places: Sequence[int]
     finally:
         workplace.ledger.write(part, [values_of(paper) for paper, _ in papers])
     done = print_papers(run, workplace.press, [paper for paper, _ in papers]) if papers else []
-    return [Draft(printed, values_of(paper), refused)
-            for printed, (paper, refused) in zip(done, papers, strict=True)]
+    return [
+        Draft(printed, values_of(paper), refused)
+        for printed, (paper, refused) in zip(done, papers, strict=True)
+    ]
 
 
 def drawn(setting: Setting, ledger: Ledger, part: int, places: Sequence[int]) -> list[DrawnPaper]:
@@ -79,8 +81,9 @@ def drawn_alone(setting: Setting, places: Sequence[int]) -> list[DrawnPaper]:
     return papers
 
 
-def drawn_apart(setting: Setting, papers: Sequence[DrawnPaper],
-                taken: Mapping[str, set[Values]]) -> list[DrawnPaper]:
+def drawn_apart(
+    setting: Setting, papers: Sequence[DrawnPaper], taken: Mapping[str, set[Values]]
+) -> list[DrawnPaper]:
     """The papers without numbers that are taken, up to the first for which none are left; what they get is taken."""
     for name, deck in setting.decks.items():
         deck.taken = taken[name]
@@ -88,10 +91,17 @@ def drawn_apart(setting: Setting, papers: Sequence[DrawnPaper],
     done: list[DrawnPaper] = []
     with suppress(DrawError):
         for paper, refused in papers:
-            apart = tuple(question_apart(question, setting.decks[question.question.identifier], paper.student.student)
-                          for question in paper.questions)
-            again = {new.question.identifier: counted(setting.decks[new.question.identifier])
-                     for new, old in zip(apart, paper.questions, strict=True) if new is not old}
+            apart = tuple(
+                question_apart(
+                    question, setting.decks[question.question.identifier], paper.student.student
+                )
+                for question in paper.questions
+            )
+            again = {
+                new.question.identifier: counted(setting.decks[new.question.identifier])
+                for new, old in zip(apart, paper.questions, strict=True)
+                if new is not old
+            }
             done.append((replace(paper, questions=apart), {**refused, **again}))
     return done
 
@@ -112,8 +122,9 @@ def counted(deck: Deck) -> Counter[str]:
     return refused
 
 
-def confirmed(run: PrintRun, setting: Setting, press: Press, places: Sequence[int],
-              found: Sequence[Draft]) -> Iterator[Printed]:
+def confirmed(
+    run: PrintRun, setting: Setting, press: Press, places: Sequence[int], found: Sequence[Draft]
+) -> Iterator[Printed]:
     """What remains of the papers at these places, noted in the decks after all before them as if those had drawn them.
 
     Raises DrawError when nothing can be drawn for a student, TypesetError.
@@ -124,7 +135,7 @@ def confirmed(run: PrintRun, setting: Setting, press: Press, places: Sequence[in
         for name, counts in draft.refused.items():
             setting.decks[name].refused.update(counts)
         yield draft.printed
-    for place in places[len(found):]:
+    for place in places[len(found) :]:
         yield from print_papers(run, press, list(setting.papers([place])))
 
 

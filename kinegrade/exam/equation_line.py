@@ -9,7 +9,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-_RELATIONS = r"= < > \approx \equiv \sim \le \leq \ge \geq \ne \neq \propto \Rightarrow \implies \to"
+_RELATIONS = (
+    r"= < > \approx \equiv \sim \le \leq \ge \geq \ne \neq \propto \Rightarrow \implies \to"
+)
 RELATIONS = frozenset(_RELATIONS.split())
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
 _OPENING = frozenset(("{", "(", "[", r"\left", r"\begin"))
@@ -36,11 +38,16 @@ def equation_line(latex: str) -> EquationLine:
     depths = _depths(tokens)
     marks = [index for index, token in enumerate(tokens) if token == "&" and depths[index] == 0]
     start = marks[0] + 1 if marks else 0
-    starts = [start] + [index for index in range(start + 1, len(tokens))
-                        if depths[index] == 0 and _breaks_before(tokens, index, start)]
+    starts = [start] + [
+        index
+        for index in range(start + 1, len(tokens))
+        if depths[index] == 0 and _breaks_before(tokens, index, start)
+    ]
     ends = [*starts[1:], len(tokens)]
     pieces = ("".join(tokens[begin:end]).strip() for begin, end in zip(starts, ends, strict=True))
-    return EquationLine("".join(tokens[: max(start - 1, 0)]).strip(), tuple(piece for piece in pieces if piece))
+    return EquationLine(
+        "".join(tokens[: max(start - 1, 0)]).strip(), tuple(piece for piece in pieces if piece)
+    )
 
 
 def _depths(tokens: Sequence[str]) -> list[int]:

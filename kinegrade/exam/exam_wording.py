@@ -32,14 +32,23 @@ class ExamWording:
 def exam_wording(exam: Path, language: Language) -> ExamWording:
     """The words of an exam folder in a language. Raises ExamError where exam.json cannot be read."""
     templates = _templates(exam)
-    asks = {f"{question}.{name}": ask for question, template in templates.items()
-            for name, ask in template.asks.items()}
+    asks = {
+        f"{question}.{name}": ask
+        for question, template in templates.items()
+        for name, ask in template.asks.items()
+    }
     return ExamWording(
-        {question: template.title.in_language(language) for question, template in templates.items()},
+        {
+            question: template.title.in_language(language)
+            for question, template in templates.items()
+        },
         {column: ask.means.in_language(language) for column, ask in asks.items()},
         {column: ask.symbol for column, ask in asks.items()},
-        {(question, name): parameter.symbol for question, template in templates.items()
-         for name, parameter in template.parameters.items()},
+        {
+            (question, name): parameter.symbol
+            for question, template in templates.items()
+            for name, parameter in template.parameters.items()
+        },
         {identifier: sentence[language] for identifier, sentence in sentences().items()},
     )
 
@@ -54,7 +63,9 @@ def _templates(exam: Path) -> dict[str, Template]:
     found: dict[str, Template] = {}
     for question in _head(exam / "exam.json")["questions"]:
         try:
-            found[str(question["question"])] = load_template(str(question["template"]), exam / "templates")
+            found[str(question["question"])] = load_template(
+                str(question["template"]), exam / "templates"
+            )
         except (KinegradeError, KeyError, TypeError):
             continue
     return found
@@ -65,6 +76,8 @@ def _head(path: Path) -> dict[str, Any]:
         head: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
         list(head["questions"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as fault:
-        raise ExamError(f"{path}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
-                        "generate - check the name") from fault
+        raise ExamError(
+            f"{path}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
+            "generate - check the name"
+        ) from fault
     return head

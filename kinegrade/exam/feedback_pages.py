@@ -17,8 +17,21 @@ from kinegrade.exam.typst import TypstPress, legible
 
 ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
-WORDS = ("feedback", "name", "student", "paper", "asked", "yours", "right", "verdict", "points", "total", "none",
-         "kept", "about_hints")
+WORDS = (
+    "feedback",
+    "name",
+    "student",
+    "paper",
+    "asked",
+    "yours",
+    "right",
+    "verdict",
+    "points",
+    "total",
+    "none",
+    "kept",
+    "about_hints",
+)
 LANGUAGES = {"zh-CN": "zh"}
 
 
@@ -108,17 +121,34 @@ class FeedbackPress(TypstPress):
         TypesetError with all faults of the exam's own texts.
         """
         plain = [text for text in _plain_texts(sheet) if not text.isascii()]
-        pdf = self._explaining(feedback_source(sheet, self.unprintable(plain), self._size), f"feedback {sheet.code}")
+        pdf = self._explaining(
+            feedback_source(sheet, self.unprintable(plain), self._size), f"feedback {sheet.code}"
+        )
         return pdf if solution is None else joined([pdf, solution])
 
 
-def feedback_source(sheet: FeedbackSheet, missing: frozenset[str] = frozenset(), size: PaperSize = "a4") -> str:
+def feedback_source(
+    sheet: FeedbackSheet, missing: frozenset[str] = frozenset(), size: PaperSize = "a4"
+) -> str:
     """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with all faults."""
     words = sheet.words
     language = LANGUAGES.get(words.language, words.language)
-    parts = gathered(questions=lambda: each(lambda question: _question(question, words, missing), sheet.questions))
-    fixed: Mapping[str, object] = {**_texts(words, WORDS, frozenset()), "page": words.page.split("{}")}
-    said = {"guesses": sheet.guesses, "kept": sheet.kept, "words": fixed, "language": language, "size": size}
+    parts = gathered(
+        questions=lambda: each(
+            lambda question: _question(question, words, missing), sheet.questions
+        )
+    )
+    fixed: Mapping[str, object] = {
+        **_texts(words, WORDS, frozenset()),
+        "page": words.page.split("{}"),
+    }
+    said = {
+        "guesses": sheet.guesses,
+        "kept": sheet.kept,
+        "words": fixed,
+        "language": language,
+        "size": size,
+    }
     return layout_call("feedback", {**parts, **_texts(sheet, SHEET_TEXTS, missing), **said})
 
 
@@ -137,7 +167,11 @@ def _row(row: Row, where: str, words: Words, missing: frozenset[str]) -> Sheet:
         remark=lambda: line(row.remark, f"{where}, remark") if row.remark else None,
     )
     texts = _texts(row, ROW_TEXTS, missing)
-    return parts | texts | {"read_as": words.read_as.format(texts["read_as"]) if texts["read_as"] else ""}
+    return (
+        parts
+        | texts
+        | {"read_as": words.read_as.format(texts["read_as"]) if texts["read_as"] else ""}
+    )
 
 
 def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dict[str, str]:
@@ -146,5 +180,7 @@ def _texts(holder: object, names: Sequence[str], missing: frozenset[str]) -> dic
 
 def _plain_texts(sheet: FeedbackSheet) -> list[str]:
     rows = [row for question in sheet.questions for row in question.rows]
-    return [*_texts(sheet, SHEET_TEXTS, frozenset()).values(),
-            *(text for row in rows for text in _texts(row, ROW_TEXTS, frozenset()).values())]
+    return [
+        *_texts(sheet, SHEET_TEXTS, frozenset()).values(),
+        *(text for row in rows for text in _texts(row, ROW_TEXTS, frozenset()).values()),
+    ]

@@ -35,12 +35,18 @@ class FollowThrough:
     connected: dict[str, frozenset[tuple[str, str]]] = field(default_factory=dict, repr=False)
     instances: dict[tuple[str, str], Follower | None] = field(default_factory=dict, repr=False)
 
-    def __call__(self, student: str, question: str, own: Mapping[str, Fraction], later: str) -> Fraction | None:
+    def __call__(
+        self, student: str, question: str, own: Mapping[str, Fraction], later: str
+    ) -> Fraction | None:
         """What follows for the ask `later` from own answers to other asks of the question, each in its unit.
 
         None where it does not depend on them or nothing follows. Raises ExamError where the key cannot be read.
         """
-        leading = {ask: float(value) for ask, value in own.items() if (ask, later) in self.connections(question)}
+        leading = {
+            ask: float(value)
+            for ask, value in own.items()
+            if (ask, later) in self.connections(question)
+        }
         follower = self.instance(student, question) if leading else None
         value = None if follower is None else follower.value(leading, later)
         return None if value is None else Fraction(value)
@@ -70,9 +76,17 @@ class FollowThrough:
         """The instance, with the plan of its template."""
         template = self.templates.get(question)
         texts = self.drawn(student, question)
-        if template is None or not template.drivers or texts is None or texts.keys() < template.parameters.keys():
+        if (
+            template is None
+            or not template.drivers
+            or texts is None
+            or texts.keys() < template.parameters.keys()
+        ):
             return None
-        values = {name: in_float(parameter, texts[name]) for name, parameter in template.parameters.items()}
+        values = {
+            name: in_float(parameter, texts[name])
+            for name, parameter in template.parameters.items()
+        }
         return Follower(template, values, self.plan(question, template))
 
     def plan(self, question: str, template: Template) -> Plan | None:
@@ -86,7 +100,10 @@ class FollowThrough:
         line = self.line(student)
         try:
             (found,) = (each for each in line["questions"] if each["question"] == question)
-            return {name: str(each["exact"] or each["value"]) for name, each in found["parameters"].items()}
+            return {
+                name: str(each["exact"] or each["value"])
+                for name, each in found["parameters"].items()
+            }
         except (KeyError, TypeError, ValueError, AttributeError):
             return None
 
@@ -150,5 +167,7 @@ def _json(text: bytes, file: Path) -> Any:
 
 
 def _unreadable(file: Path, fault: Exception) -> ExamError:
-    return ExamError(f"{file}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
-                     "generate - restore it as it was generated")
+    return ExamError(
+        f"{file}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
+        "generate - restore it as it was generated"
+    )

@@ -14,4 +14,6 @@ import typst
 def installed_fonts() -> typst.Fonts:
     """The fonts a press may use, none of them the machine's own."""
     folder = pylopdf_fonts_zh_cn.serif_path().parent
-    return typst.Fonts(include_system_fonts=False, include_embedded_fonts=True, font_paths=[str(folder)])
+    return typst.Fonts(
+        include_system_fonts=False, include_embedded_fonts=True, font_paths=[str(folder)]
+    )

@@ -30,7 +30,9 @@ _SYMBOLS = """
     sum mid in
 """
 _FUNCTIONS = "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min max"
-COMMANDS = frozenset(" ".join((_GREEK, _LETTERING, _STRUCTURE, _SYMBOLS, _FUNCTIONS, "begin end")).split())
+COMMANDS = frozenset(
+    " ".join((_GREEK, _LETTERING, _STRUCTURE, _SYMBOLS, _FUNCTIONS, "begin end")).split()
+)
 ENVIRONMENTS = frozenset({"cases", "aligned"})
 
 _COMMAND = re.compile(r"\\([A-Za-z]+|.|$)", re.DOTALL)
@@ -43,7 +45,9 @@ _LEFTOVER = re.compile(r'[#"$]|/\*|//')  # code, or the comment in which tylax r
 RAISED = re.compile(r"\^\{?([-\u2212]?\d+)\}?")
 _SUPERSCRIPTS = str.maketrans("-\u22120123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _OPTIONS = tylax.L2TOptions(frac_to_slash=False)
-_CONTROL = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff]")  # all of Unicode's Cc, Zl, Zp and Cs
+_CONTROL = re.compile(
+    "[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff]"
+)  # all of Unicode's Cc, Zl, Zp and Cs
 _PLACE = "@"  # stands for a text during the conversion
 _PLACED = re.compile(rf"\s*{_PLACE}\s*")  # a blank beside a string literal would be printed
 
@@ -91,7 +95,9 @@ def _convert(latex: str, where: str) -> str:
     texts = ["".join(groups) for groups in TEXT.findall(checked(latex, where))]
     converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
-        raise TypesetError(f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it")
+        raise TypesetError(
+            f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it"
+        )
     following = iter(texts)
     placed = _PLACED.sub(lambda _: literal(unit_text(next(following))), converted)
     return placed.replace("^(circle.small)", "degree").strip()

@@ -65,9 +65,15 @@ def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     figures, faults = drawn_figures(template, draws)
     asked = template.asked()
     return GalleryEntry(
-        template.family, template.name, template.title.in_language(language), template.combinations,
+        template.family,
+        template.name,
+        template.title.in_language(language),
+        template.combinations,
         tuple(template.asks[ask].symbol for ask in asked),
-        tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked), figures, faults)
+        tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked),
+        figures,
+        faults,
+    )
 
 
 def unreadable(name: str, faults: tuple[str, ...]) -> GalleryEntry:
@@ -82,11 +88,15 @@ def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> Gal
     except TypesetError as error:
         faults = entry.faults + (error.problems if entry.family else ())
         missing = press.unprintable((entry.name, *faults))
-        return unreadable(legible(entry.name, missing), tuple(legible(fault, missing) for fault in faults))
+        return unreadable(
+            legible(entry.name, missing), tuple(legible(fault, missing) for fault in faults)
+        )
     return entry
 
 
-def drawn_figures(template: Template, draws: int) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
+def drawn_figures(
+    template: Template, draws: int
+) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
     """The figures of the first draws, the same in every gallery, and why there are no more."""
     deck = Deck(template, template.asked(), template.name, "gallery")
     figures: list[GalleryFigure] = []
@@ -102,6 +112,8 @@ def gallery_figure(solution: Solution) -> GalleryFigure:
     """The figure of an instance with the values drawn."""
     template = solution.template
     figure = sketch(drawable_mechanism(solution.assembly.mechanism), template.figure)
-    givens = (Given(template.parameters[name].symbol, with_unit(quantity))
-              for name, quantity in solution.parameters.items())
+    givens = (
+        Given(template.parameters[name].symbol, with_unit(quantity))
+        for name, quantity in solution.parameters.items()
+    )
     return GalleryFigure(figure, ", ".join(map(str, givens)))

@@ -14,28 +14,40 @@ from typing import Any, TextIO
 
 from kinegrade import __version__
 from kinegrade.collection import seldom_collected
+from kinegrade.csv_writing import neutralised, write_csv
 from kinegrade.errors import BankError
-from kinegrade.exam.blueprint import Blueprint
+from kinegrade.exam.blueprint import BankQuestion, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.join import joining
 from kinegrade.exam.key_record import amount
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun
-from kinegrade.exam.roster import Roster
+from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
 from kinegrade.exam.workshop import printed
 from kinegrade.files import output_folder
 from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Language
-from kinegrade.tables import neutralised, write_csv
 
 FORMAT = 1
 MARKER = "exam.json"
 NOTICE = "INSTRUCTOR-ONLY.txt"
-CONTENTS = (MARKER, NOTICE, "key.jsonl", "key.pdf", "bank.toml", "templates", "papers", "papers.pdf", "answers.csv",
-            "solutions", "solutions.pdf", "tex")
+CONTENTS = (
+    MARKER,
+    NOTICE,
+    "key.jsonl",
+    "key.pdf",
+    "bank.toml",
+    "templates",
+    "papers",
+    "papers.pdf",
+    "answers.csv",
+    "solutions",
+    "solutions.pdf",
+    "tex",
+)
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under papers/ and nothing else, "
     "and after the exam, if you hand them out, their own worked solutions under solutions/. "
@@ -59,9 +71,20 @@ class Generated:
     complaints: tuple[str, ...]
 
 
-def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, language: Language, *,
-             force: bool = False, paper_size: PaperSize = "a4", engine: Engine | None = None, jobs: int = 1,
-             extras: Extras = PLAIN, progress: Progress = lambda papers, count: papers) -> Generated:
+def generate(
+    blueprint: Blueprint,
+    roster: Roster,
+    output: Path,
+    secret: str,
+    language: Language,
+    *,
+    force: bool = False,
+    paper_size: PaperSize = "a4",
+    engine: Engine | None = None,
+    jobs: int = 1,
+    extras: Extras = PLAIN,
+    progress: Progress = lambda papers, count: papers,
+) -> Generated:
     """Write the exam folder `output`, by up to `jobs` processes; the engine is the bank's unless one is given.
 
     `extras` says what is written beside papers and key.
@@ -70,7 +93,10 @@ def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, la
     bank = blueprint.bank(secret)
     setting = set_exam(bank, roster, secret)
     sources = source_files(setting)
-    with seldom_collected(), output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder:
+    with (
+        seldom_collected(),
+        output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder,
+    ):
         order = PressOrder(engine or bank.engine, paper_size, folder / "tex")
         press = order.press()
         run = PrintRun(bank, language, order, folder / "papers", folder / "solutions", extras)
@@ -79,19 +105,23 @@ def generate(blueprint: Blueprint, roster: Roster, output: Path, secret: str, la
         write_blank_answers(setting, folder / "answers.csv")
         write_json(folder / MARKER, exam_record(setting, keys, language))
         (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
-    combinations = {name: deck.combinations() for name, deck in setting.decks.items()}
-    return Generated(len(keys), drawn_templates(blueprint, setting), combinations, setting.refusals(),
-                     complaints(roster, press))
+    drawn = drawn_templates(blueprint, setting)
+    said = complaints(roster, press)
+    return Generated(len(keys), drawn, setting.combinations(), setting.refusals(), said)
 
 
 def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
     """For each question that was drawn the name of its template."""
-    return {slot.identifier: question.template.name
-            for slot, question in zip(blueprint.slots, setting.bank.questions, strict=True) if slot.drawn}
+    return {
+        slot.identifier: question.template.name
+        for slot, question in zip(blueprint.slots, setting.bank.questions, strict=True)
+        if slot.drawn
+    }
 
 
-def write_papers(setting: Setting, run: PrintRun, press: Press, folder: Path, *, jobs: int,
-                 progress: Progress) -> list[KeyPaper]:
+def write_papers(
+    setting: Setting, run: PrintRun, press: Press, folder: Path, *, jobs: int, progress: Progress
+) -> list[KeyPaper]:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
     The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key of each paper
@@ -101,11 +131,20 @@ def write_papers(setting: Setting, run: PrintRun, press: Press, folder: Path, *,
     for place in printouts:
         place.mkdir()
     keys: list[KeyPaper] = []
-    with (closing(printed(run, setting, press, jobs)) as results,
-          (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines, ExitStack() as books):
-        volumes = {place: books.enter_context(joining(place.with_suffix(".pdf"), duplex=True)) for place in printouts}
+    with (
+        closing(printed(run, setting, press, jobs)) as results,
+        (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines,
+        ExitStack() as books,
+    ):
+        volumes = {
+            place: books.enter_context(joining(place.with_suffix(".pdf"), duplex=True))
+            for place in printouts
+        }
         papers = noted(progress(results, len(setting.roster.students)), lines, keys)
-        press.key(key_book(run.bank, bound(papers, setting.roster, volumes), run.language), folder / "key.pdf")
+        press.key(
+            key_book(run.bank, bound(papers, setting.roster, volumes), run.language),
+            folder / "key.pdf",
+        )
     return keys
 
 
@@ -117,8 +156,9 @@ def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> It
         yield result.key
 
 
-def bound(papers: Iterator[KeyPaper], roster: Roster,
-          volumes: Mapping[Path, Callable[[Path], None]]) -> Iterator[KeyPaper]:
+def bound(
+    papers: Iterator[KeyPaper], roster: Roster, volumes: Mapping[Path, Callable[[Path], None]]
+) -> Iterator[KeyPaper]:
     """The same keys; what was printed for each student goes into the volumes, by the folders where it lies."""
     for student, paper in zip(roster.students, papers, strict=True):
         for place, append in volumes.items():
@@ -133,14 +173,18 @@ def source_files(setting: Setting) -> dict[str, str]:
     """
     templates = [question.template for question in setting.bank.questions]
     mechanisms: dict[str, str] = {}
-    faults = {name: f'bank: templates of this bank share two different mechanisms named "{name}": rename one file'
-              for name, text in (template.mechanism for template in templates if template.mechanism)
-              if mechanisms.setdefault(name, text) != text}
+    faults = {
+        name: f'bank: templates of this bank share two different mechanisms named "{name}": rename one file'
+        for name, text in (template.mechanism for template in templates if template.mechanism)
+        if mechanisms.setdefault(name, text) != text
+    }
     if faults:
         raise BankError(*faults.values())
-    return {"bank.toml": setting.bank.text,
-            **{f"templates/{template.name}.toml": template.text for template in templates},
-            **{f"templates/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()}}
+    return {
+        "bank.toml": setting.bank.text,
+        **{f"templates/{template.name}.toml": template.text for template in templates},
+        **{f"templates/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
+    }
 
 
 def write_sources(sources: Mapping[str, str], folder: Path) -> None:
@@ -153,8 +197,15 @@ def write_sources(sources: Mapping[str, str], folder: Path) -> None:
 
 def write_blank_answers(setting: Setting, path: Path) -> None:
     """The blank answer sheet: a row for each student, a column for each ask."""
-    columns = [f"{question.identifier}.{ask.name}" for question in setting.bank.questions for ask in question.asks]
-    rows = ([student.student, neutralised(student.name), *[""] * len(columns)] for student in setting.roster.students)
+    columns = [
+        f"{question.identifier}.{ask.name}"
+        for question in setting.bank.questions
+        for ask in question.asks
+    ]
+    rows = (
+        [student.student, neutralised(student.name), *[""] * len(columns)]
+        for student in setting.roster.students
+    )
     write_csv(path, ["student", "name", *columns], rows)
 
 
@@ -167,28 +218,64 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
     """What exam.json holds."""
     bank = setting.bank
     return {
-        "format": FORMAT, "kinegrade": __version__, "warning": WARNING, "title": bank.title.in_language(language),
-        "course": bank.course.in_language(language), "date": bank.date, "language": language, "seed": setting.secret,
+        "format": FORMAT,
+        "kinegrade": __version__,
+        "warning": WARNING,
+        "title": bank.title.in_language(language),
+        "course": bank.course.in_language(language),
+        "date": bank.date,
+        "language": language,
+        "seed": setting.secret,
         **({"versions": list(version_letters(bank.versions))} if bank.versions else {}),
         **({"credit": bank.credit.record()} if bank.credit.record() else {}),
         **({"solutions": True} if bank.solutions else {}),
-        "questions": [
-            {"question": question.identifier, "template": question.template.name, "points": amount(question.points),
-             "combinations": setting.decks[question.identifier].combinations(),
-             "refused": setting.refusals()[question.identifier],
-             "asks": [{"ask": ask.name, "unit": question.template.asks[ask.name].unit.text,
-                       "sign": question.template.asks[ask.name].sign.en, "points": amount(ask.points)}
-                      for ask in question.asks]}
-            for question in bank.questions],
-        "students": [{"student": student.student, "name": student.name, "email": student.email, "paper": key.code,
-                      **({"version": key.version} if key.version else {}), "file": f"papers/{student.file_name}.pdf"}
-                     for student, key in zip(setting.roster.students, keys, strict=True)],
+        "questions": [question_entry(setting, question) for question in bank.questions],
+        "students": [
+            student_entry(student, key)
+            for student, key in zip(setting.roster.students, keys, strict=True)
+        ],
+    }
+
+
+def question_entry(setting: Setting, question: BankQuestion) -> dict[str, Any]:
+    """What exam.json holds of a question."""
+    asks = question.template.asks
+    return {
+        "question": question.identifier,
+        "template": question.template.name,
+        "points": amount(question.points),
+        "combinations": setting.decks[question.identifier].combinations(),
+        "refused": setting.refusals()[question.identifier],
+        "asks": [
+            {
+                "ask": ask.name,
+                "unit": asks[ask.name].unit.text,
+                "sign": asks[ask.name].sign.en,
+                "points": amount(ask.points),
+            }
+            for ask in question.asks
+        ],
+    }
+
+
+def student_entry(student: Student, key: KeyPaper) -> dict[str, Any]:
+    """What exam.json holds of a student."""
+    return {
+        "student": student.student,
+        "name": student.name,
+        "email": student.email,
+        "paper": key.code,
+        **({"version": key.version} if key.version else {}),
+        "file": f"papers/{student.file_name}.pdf",
     }
 
 
 def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
     """What a person should look at: the roster's oddities, and characters of names that no font has."""
     missing = press.unprintable(student.name for student in roster.students)
-    letters = [f"{student.student}: the name has characters that no font prints, they stand as code points"
-               for student in roster.students if missing & set(student.name)]
+    letters = [
+        f"{student.student}: the name has characters that no font prints, they stand as code points"
+        for student in roster.students
+        if missing & set(student.name)
+    ]
     return (*map(str, roster.complaints), *letters)

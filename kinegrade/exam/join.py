@@ -24,6 +24,7 @@ def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], 
     For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows an odd one.
     """
     with pikepdf.new() as whole:
+
         def append(pdf: Path) -> None:
             _append(whole, pdf)
             if duplex and len(whole.pages) % 2:
@@ -51,5 +52,7 @@ def page_count(pdf: bytes) -> int:
 
 
 def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
-    with pikepdf.open(pdf, access_mode=pikepdf.AccessMode.stream) as part:  # sooner than mapping so small a file
+    with pikepdf.open(
+        pdf, access_mode=pikepdf.AccessMode.stream
+    ) as part:  # sooner than mapping so small a file
         whole.pages.extend(part.pages)

@@ -10,16 +10,22 @@ from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.problem.mistakes import known_mistakes
 
 DIGITS = 9  # significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree to
-Mistaken = Mapping[str, Mapping[str, str]]  # for each ask the identifiers of mistakes with the value they lead to
+Mistaken = Mapping[
+    str, Mapping[str, str]
+]  # for each ask the identifiers of mistakes with the value they lead to
 
 
 def mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mistaken]]:
     """For each paper and question the values, as decimals in the asks' units; what changes nothing is left out."""
-    by_question = [class_mistakes([paper.questions[place] for paper in papers])
-                   for place in range(len(papers[0].questions))]
+    by_question = [
+        class_mistakes([paper.questions[place] for paper in papers])
+        for place in range(len(papers[0].questions))
+    ]
     for number, paper in enumerate(papers):
-        yield {question.question.identifier: mistakes[number]
-               for question, mistakes in zip(paper.questions, by_question, strict=True)}
+        yield {
+            question.question.identifier: mistakes[number]
+            for question, mistakes in zip(paper.questions, by_question, strict=True)
+        }
 
 
 def class_mistakes(questions: Sequence[SetQuestion]) -> list[Mistaken]:
@@ -27,15 +33,22 @@ def class_mistakes(questions: Sequence[SetQuestion]) -> list[Mistaken]:
     first = questions[0]
     template = first.question.template
     asks = {entry.ask.name: template.asks[entry.ask.name] for entry in first.asks}
-    values = {name: [question.drawn.values[name] for question in questions] for name in first.drawn.values}
+    values = {
+        name: [question.drawn.values[name] for question in questions] for name in first.drawn.values
+    }
     known = known_mistakes(template, asks, values, first.drawn.solution.motion.plan)
-    return [{entry.ask.name: of_one(entry, known[entry.ask.name], number) for entry in question.asks}
-            for number, question in enumerate(questions)]
+    return [
+        {entry.ask.name: of_one(entry, known[entry.ask.name], number) for entry in question.asks}
+        for number, question in enumerate(questions)
+    ]
 
 
 def of_one(entry: SetAsk, known: Mapping[str, Any], number: int) -> dict[str, str]:
     """The mistakes that change an answer, with their values."""
     right = entry.answer.value
     values = {name: float(array[number]) for name, array in known.items()}
-    return {name: f"{value:.{DIGITS}g}" for name, value in values.items()
-            if isfinite(value) and not isclose(value, right, rel_tol=1e-9, abs_tol=1e-12)}
+    return {
+        name: f"{value:.{DIGITS}g}"
+        for name, value in values.items()
+        if isfinite(value) and not isclose(value, right, rel_tol=1e-9, abs_tol=1e-12)
+    }

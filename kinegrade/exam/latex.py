@@ -75,15 +75,22 @@ class LatexPress:
         """Write the instructor's key; names are printed and errors raised as by `papers`."""
         papers = tuple(book.papers)
         missing = self.unprintable(paper.name for paper in papers)
-        named = replace(book, papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers))
+        named = replace(
+            book,
+            papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers),
+        )
         body, words = key_body(named), words_of(book.language)
         with self._typeset([body], book.language, words, "key") as outcome:
             _write_pages(outcome.pdf, [(0, _page_count(outcome.pdf), target)])
-        self._keep("", {"key": document([body], book.language, self._size, words, str(font_folder()))})
+        self._keep(
+            "", {"key": document([body], book.language, self._size, words, str(font_folder()))}
+        )
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where TeX is missing."""
-        characters = {character for text in texts for character in text if not is_surely_printed(character)}
+        characters = {
+            character for text in texts for character in text if not is_surely_printed(character)
+        }
         unknown = sorted(characters - self._looked_at.keys())
         if unknown:
             missing = _missing(unknown)
@@ -93,27 +100,58 @@ class LatexPress:
     def _print(self, sheets: Mapping[str, Sheet], kind: Kind[Sheet], folder: Path) -> None:
         missing = self.unprintable(sheet.name for sheet in sheets.values())
         for language in sorted({sheet.language for sheet in sheets.values()}):
-            self._print_class({name: replace(sheet, name=legible(sheet.name, missing))
-                               for name, sheet in sheets.items() if sheet.language == language}, language, kind, folder)
+            self._print_class(
+                {
+                    name: replace(sheet, name=legible(sheet.name, missing))
+                    for name, sheet in sheets.items()
+                    if sheet.language == language
+                },
+                language,
+                kind,
+                folder,
+            )
 
-    def _print_class(self, sheets: Mapping[str, Sheet], language: Language, kind: Kind[Sheet], folder: Path) -> None:
+    def _print_class(
+        self, sheets: Mapping[str, Sheet], language: Language, kind: Kind[Sheet], folder: Path
+    ) -> None:
         """All sheets of one language."""
         words = kind.words(language)
-        bodies = dict(zip(sheets, each(lambda numbered: kind.body(numbered[1], numbered[0]),
-                                       enumerate(sheets.values())), strict=True))
+        bodies = dict(
+            zip(
+                sheets,
+                each(
+                    lambda numbered: kind.body(numbered[1], numbered[0]), enumerate(sheets.values())
+                ),
+                strict=True,
+            )
+        )
         with self._typeset(list(bodies.values()), language, words, kind.folder) as outcome:
-            _write_pages(outcome.pdf, [(first, count, folder / f"{name}.pdf") for name, (_, first, count)
-                                       in zip(bodies, outcome.ranges, strict=True)])
-        self._keep(kind.folder, {name: document([body], language, self._size, words, str(font_folder()))
-                                 for name, body in bodies.items()})
+            _write_pages(
+                outcome.pdf,
+                [
+                    (first, count, folder / f"{name}.pdf")
+                    for name, (_, first, count) in zip(bodies, outcome.ranges, strict=True)
+                ],
+            )
+        self._keep(
+            kind.folder,
+            {
+                name: document([body], language, self._size, words, str(font_folder()))
+                for name, body in bodies.items()
+            },
+        )
 
     @contextmanager
-    def _typeset(self, bodies: list[str], language: Language, words: Any, where: str) -> Iterator[Outcome]:
+    def _typeset(
+        self, bodies: list[str], language: Language, words: Any, where: str
+    ) -> Iterator[Outcome]:
         """The pages of the bodies, as long as the context lasts. Raises TypesetError."""
         program = _program([*bodies, str(words)])
         source = document(bodies, language, self._size, words, FONTS)
         with TemporaryDirectory(prefix="kinegrade-") as folder:
-            outcome = run(program, source, Path(folder), START_SECONDS + SHEET_SECONDS * len(bodies))
+            outcome = run(
+                program, source, Path(folder), START_SECONDS + SHEET_SECONDS * len(bodies)
+            )
             problems = faults(outcome, source, where)
             if problems:
                 raise TypesetError(*problems)
@@ -127,7 +165,9 @@ class LatexPress:
         kept.mkdir(parents=True, exist_ok=True)
         (kept / STYLE).write_text(style(), encoding="utf-8")
         for name, source in documents.items():
-            (kept / f"{name}.tex").write_text(_introduction(name, source) + source, encoding="utf-8", newline="\n")
+            (kept / f"{name}.tex").write_text(
+                _introduction(name, source) + source, encoding="utf-8", newline="\n"
+            )
 
 
 def _program(texts: Iterable[str]) -> Program:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.exam.latex_run import Outcome
-from kinegrade.problem.reading import short_line
+from kinegrade.problem.toml_text import short_line
 
 PLACE = "%% "  # begins the comment lines of a source that say what follows
 
@@ -17,16 +17,23 @@ def faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
     if number is None or number > len(lines):
         return (f"{where}: TeX: {message}; expected LaTeX that can be typeset; mend the formulas",)
     offending = short_line(lines[number - 1].strip())
-    return (f'{_place(lines, number, where)}: TeX: {message} in line "{offending}"; expected math that can be typeset;'
-            " mend the formula in the template",)
+    return (
+        f'{_place(lines, number, where)}: TeX: {message} in line "{offending}"; expected math that can be typeset;'
+        " mend the formula in the template",
+    )
 
 
 def _unprinted(character: str, lines: list[str], where: str) -> str:
-    numbers = (number for number, line in enumerate(lines, start=1)
-               if character in line and not line.startswith(PLACE))
+    numbers = (
+        number
+        for number, line in enumerate(lines, start=1)
+        if character in line and not line.startswith(PLACE)
+    )
     place = _place(lines, next(numbers, 0), where)
-    return (f"{place}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, Cyrillic or"
-            " Chinese; write it otherwise")
+    return (
+        f"{place}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, Cyrillic or"
+        " Chinese; write it otherwise"
+    )
 
 
 def _place(lines: list[str], number: int, where: str) -> str:

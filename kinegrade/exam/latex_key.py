@@ -57,5 +57,12 @@ def _parameter(parameter: KeyParameter, where: str) -> str:
 
 def _answer(answer: KeyAnswer, where: str) -> str:
     exact = "–" if answer.exact is None else f"${math(answer.exact, where)}$"
-    return command("keyanswer", f"${math(answer.symbol, where)}$", exact, signed(answer.decimal), unit(answer.unit),
-                   signed(answer.interval), points_text(answer.points))
+    return command(
+        "keyanswer",
+        f"${math(answer.symbol, where)}$",
+        exact,
+        signed(answer.decimal),
+        unit(answer.unit),
+        signed(answer.interval),
+        points_text(answer.points),
+    )

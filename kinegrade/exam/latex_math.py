@@ -19,7 +19,10 @@ _ENVIRONMENT = re.compile(r"\\(?:begin|end)(?!\{(?:cases|aligned)\}|[A-Za-z])")
 _DOORS = (
     (_COMMENT, "no % in math; write \\%"),
     (_CODED, "one thing behind each ^; write ^{...}"),
-    (_ENVIRONMENT, "braces right behind \\begin and \\end; write \\begin{cases} or \\begin{aligned}"),
+    (
+        _ENVIRONMENT,
+        "braces right behind \\begin and \\end; write \\begin{cases} or \\begin{aligned}",
+    ),
 )
 
 

@@ -101,8 +101,13 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     try:
         done = subprocess.run(
             [found, *_SWITCHES, f"{_JOB}.tex"],
-            cwd=folder, env=kept | own | _SETTINGS, timeout=seconds, check=False,
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            cwd=folder,
+            env=kept | own | _SETTINGS,
+            timeout=seconds,
+            check=False,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
         )
     except subprocess.TimeoutExpired as error:
         raise TypesetError(

@@ -29,7 +29,11 @@ from kinegrade.worked.document import (
     TermTable,
 )
 
-BANDS = ((4, "34mm"), (6, "26mm"), (8, "20mm"))  # so many terms side by side leave each so wide a column of words
+BANDS = (
+    (4, "34mm"),
+    (6, "26mm"),
+    (8, "20mm"),
+)  # so many terms side by side leave each so wide a column of words
 
 
 def solution_body(sheet: SolutionSheet, number: int) -> str:
@@ -47,10 +51,18 @@ def _question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str
     parts = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
-        blocks=lambda: each(lambda place: _block(question.blocks, place, where), range(len(question.blocks))),
+        blocks=lambda: each(
+            lambda place: _block(question.blocks, place, where), range(len(question.blocks))
+        ),
     )
     heading = plain(known.format(question.number, question.identifier))
-    return "\n".join((comment(where), command("worked", heading, parts["title"], parts["statement"]), *parts["blocks"]))
+    return "\n".join(
+        (
+            comment(where),
+            command("worked", heading, parts["title"], parts["statement"]),
+            *parts["blocks"],
+        )
+    )
 
 
 def _block(blocks: Sequence[Block], place: int, where: str) -> str:
@@ -65,13 +77,20 @@ def _content(block: Block, where: str) -> str:
         case Prose():
             return command("reasoning", prose(block.text, where))
         case Display():
-            return command("equations", "".join(each(lambda latex: _line(latex, where), block.lines)))
+            return command(
+                "equations", "".join(each(lambda latex: _line(latex, where), block.lines))
+            )
         case TermTable():
             return "\n".join(_bands(block.terms, where))
         case Pictures():
-            return command("pictures", "%\n".join(each(lambda picture: _picture(picture, where), block.pictures)))
+            return command(
+                "pictures",
+                "%\n".join(each(lambda picture: _picture(picture, where), block.pictures)),
+            )
         case Results():
-            return command("results", "".join(each(lambda result: _result(result, where), block.results)))
+            return command(
+                "results", "".join(each(lambda result: _result(result, where), block.results))
+            )
 
 
 def _line(latex: str, where: str) -> str:
@@ -107,7 +126,11 @@ def _term(term: Term, width: str, where: str) -> tuple[str, str, str]:
         magnitude=lambda: _cell(term.magnitude, width, where),
         direction=lambda: _cell(term.direction, width, where),
     )
-    return f"&${term.sign}$&\\normalsize${parts['symbol']}$", f"&&{parts['magnitude']}", f"&&{parts['direction']}"
+    return (
+        f"&${term.sign}$&\\normalsize${parts['symbol']}$",
+        f"&&{parts['magnitude']}",
+        f"&&{parts['direction']}",
+    )
 
 
 def _cell(text: str, width: str, where: str) -> str:
@@ -119,18 +142,29 @@ def _cell(text: str, width: str, where: str) -> str:
 
 
 def _picture(picture: Picture, where: str) -> str:
-    parts = gathered(caption=lambda: line(picture.caption, where), figure=lambda: to_tikz(picture.scene))
-    return command("drawing", f"{max(picture.scene.width, 40):.6g}mm", parts["figure"], parts["caption"])
+    parts = gathered(
+        caption=lambda: line(picture.caption, where), figure=lambda: to_tikz(picture.scene)
+    )
+    return command(
+        "drawing", f"{max(picture.scene.width, 40):.6g}mm", parts["figure"], parts["caption"]
+    )
 
 
 def _result(result: Result, where: str) -> str:
     parts = gathered(
         symbol=lambda: math(result.symbol, where),
-        exact=lambda: "" if result.exact in (None, result.decimal) else f"= {math(result.exact or '', where)}",
+        exact=lambda: (
+            "" if result.exact in (None, result.decimal) else f"= {math(result.exact or '', where)}"
+        ),
         sense=lambda: line(result.sense, where),
     )
     shown = "" if result.unit == "1" else unit(result.unit)
     space = "" if shown in ("", "°") else r"\,"
     relation = "=" if has_exact_decimal(result) else r"\approx"
     value = rf"{{}}{parts['exact']} {relation} {{}}"
-    return command("result", parts["symbol"], f"${value}${signed(result.decimal)}{space}{shown}", parts["sense"])
+    return command(
+        "result",
+        parts["symbol"],
+        f"${value}${signed(result.decimal)}{space}{shown}",
+        parts["sense"],
+    )

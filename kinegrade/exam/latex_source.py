@@ -25,7 +25,9 @@ from kinegrade.exam.words import Words, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import to_tikz
 
-BESIDE_STUDENT = 8  # columns of the marker's table that leave room for the student's name beside them
+BESIDE_STUDENT = (
+    8  # columns of the marker's table that leave room for the student's name beside them
+)
 
 
 class Block(Environment):  # type: ignore[misc]  # pylatex has no types
@@ -46,11 +48,25 @@ class Answers(Block):
     """The table with the boxes to be filled."""
 
 
-def document(bodies: Iterable[str], language: Language, size: PaperSize, words: Any, fonts: str) -> str:
+def document(
+    bodies: Iterable[str], language: Language, size: PaperSize, words: Any, fonts: str
+) -> str:
     """A whole LaTeX source; `words` is a dataclass of fixed words, `fonts` the folder of the Chinese fonts."""
-    whole = Document(documentclass="article", fontenc=None, inputenc=None, lmodern=False, textcomp=False,
-                     page_numbers=False, indent=True, microtype=False)
-    chosen = [name for name, wanted in (("chinese", language == "zh"), ("letter", size == "letter")) if wanted]
+    whole = Document(
+        documentclass="article",
+        fontenc=None,
+        inputenc=None,
+        lmodern=False,
+        textcomp=False,
+        page_numbers=False,
+        indent=True,
+        microtype=False,
+    )
+    chosen = [
+        name
+        for name, wanted in (("chinese", language == "zh"), ("letter", size == "letter"))
+        if wanted
+    ]
     whole.packages.append(Package("kinegrade", options=chosen or None))
     whole.preamble.extend(_word(name, text) for name, text in asdict(words).items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))
@@ -104,16 +120,27 @@ def _word(name: str, text: str) -> Command:
     """The fixed words as commands: `\\wordpage{1}{3}` where there are places for numbers."""
     places = text.count("{}")
     pieces = [plain(piece) for piece in text.split("{}")]
-    filled = "".join(piece + (f"#{index}" if index <= places else "") for index, piece in enumerate(pieces, start=1))
+    filled = "".join(
+        piece + (f"#{index}" if index <= places else "")
+        for index, piece in enumerate(pieces, start=1)
+    )
     options = Options(places) if places else None
-    return Command("newcommand", NoEscape("\\word" + name.replace("_", "")), options, extra_arguments=NoEscape(filled))
+    return Command(
+        "newcommand",
+        NoEscape("\\word" + name.replace("_", "")),
+        options,
+        extra_arguments=NoEscape(filled),
+    )
 
 
 def _mark(code: str) -> str:
     r"""The QR code: its size in modules, then \dark{column}{row}{length} for each run of dark ones, row by row."""
     mark = code_mark(code)
     rows = groupby(mark.runs, lambda run: run.y)
-    drawn = ("".join(f"\\dark{{{run.x}}}{{{y}}}{{{run.length}}}" for run in runs) + "%\n" for y, runs in rows)
+    drawn = (
+        "".join(f"\\dark{{{run.x}}}{{{y}}}{{{run.length}}}" for run in runs) + "%\n"
+        for y, runs in rows
+    )
     return command("codemark", str(mark.size), "%\n" + "".join(drawn))
 
 
@@ -121,9 +148,17 @@ def _marks(paper: Paper) -> str:
     """The student, and the table of the marker's boxes; a long one stands below the student."""
     columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
     columns.append((r"\wordtotal", points_text(paper.points)))
-    rows = [columns[start : start + COLUMNS_OF_MARKS] for start in range(0, len(columns), COLUMNS_OF_MARKS)]
-    return command("candidate", plain(paper.name), plain(paper.student), "".join(map(_mark_table, rows)),
-                   "beside" if len(columns) <= BESIDE_STUDENT else "below")
+    rows = [
+        columns[start : start + COLUMNS_OF_MARKS]
+        for start in range(0, len(columns), COLUMNS_OF_MARKS)
+    ]
+    return command(
+        "candidate",
+        plain(paper.name),
+        plain(paper.student),
+        "".join(map(_mark_table, rows)),
+        "beside" if len(columns) <= BESIDE_STUDENT else "below",
+    )
 
 
 def _mark_table(columns: Sequence[tuple[str, str]]) -> str:
@@ -144,14 +179,23 @@ def _rule_columns(rules: Sequence[str]) -> list[str]:
 def _question(question: QuestionSheet, words: Words, paper: str) -> str:
     where = named(paper, question.identifier, question.template)
     points = words.point if question.points == 1 else words.points
-    known = "" if question.identifier == f"q{question.number}" else words.known.format(question.identifier)
+    known = (
+        ""
+        if question.identifier == f"q{question.number}"
+        else words.known.format(question.identifier)
+    )
     parts = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
         rows=lambda: each(lambda row: _ask(row, words, where), question.rows),
         figure=lambda: to_tikz(question.figure) if question.figure else "",
     )
-    head = (str(question.number), parts["title"], plain(known), plain(points.format(points_text(question.points))))
+    head = (
+        str(question.number),
+        parts["title"],
+        plain(known),
+        plain(points.format(points_text(question.points))),
+    )
     block = Question(arguments=Arguments(*map(NoEscape, head)))
     block.append(NoEscape(_statement(parts["statement"], question.figure, parts["figure"])))
     block.append(NoEscape(environment(Answers(), parts["rows"])))
@@ -163,7 +207,9 @@ def _question(question: QuestionSheet, words: Words, paper: str) -> str:
 def _statement(text: str, figure: Scene | None, drawn: str) -> str:
     if figure is None:
         return command("statement", text)
-    if figure.width <= BESIDE and figure.height >= figure.width / 4:  # a flat one stands better below the text
+    if (
+        figure.width <= BESIDE and figure.height >= figure.width / 4
+    ):  # a flat one stands better below the text
         return command("beside", f"{figure.width:.6g}mm", text, drawn)
     return command("statement", text) + "\n" + command("below", drawn)
 
@@ -175,4 +221,6 @@ def _ask(row: AnswerRow, words: Words, where: str) -> str:
         sign=lambda: line(row.sign, f"{where}, sign"),
     )
     printed = plain(words.unitless) if row.unit == "1" else unit(row.unit)
-    return command("ask", parts["symbol"], parts["meaning"], parts["sign"], printed, points_text(row.points))
+    return command(
+        "ask", parts["symbol"], parts["meaning"], parts["sign"], printed, points_text(row.points)
+    )

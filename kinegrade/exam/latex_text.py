@@ -36,7 +36,9 @@ _WRITTEN = {
     "\u202f": r"\,",
     "\u2212": "$-$",
 }
-_LIGATURE = re.compile("([-,])(?=[-,])")  # two hyphens would print a dash, two commas a quotation mark
+_LIGATURE = re.compile(
+    "([-,])(?=[-,])"
+)  # two hyphens would print a dash, two commas a quotation mark
 _CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
 _INVISIBLE = "Cf"  # joiners, marks of direction: no font of these has them
 _LATIN = re.compile("[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*")

@@ -31,8 +31,7 @@ class Ledger:
         draft.replace(self.folder / str(part))
 
     def read_before(self, part: int) -> None:
-        """Read the pages of all parts before this one. Parts are begun in order: a page that is missing is waited for.
-        """
+        """Read the pages of all parts before this one. Parts are begun in order: a page that is missing is waited for."""
         while self.known < part:
             page = self.folder / str(self.known)
             while not page.exists():

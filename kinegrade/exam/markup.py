@@ -61,7 +61,9 @@ def prose(markdown: str, where: str) -> str:
     >>> print(prose("The crank $OA$ turns.", "q1"))
     {"The crank ";box($O A$);" turns.";}
     """
-    code = _prose_around_formulas(markdown) or _join(read_prose(markdown, where), where).removesuffix("parbreak();")
+    code = _prose_around_formulas(markdown) or _join(
+        read_prose(markdown, where), where
+    ).removesuffix("parbreak();")
     return "{" + code + "}"
 
 
@@ -125,8 +127,10 @@ def _with_math(markdown: str) -> list[Token] | None:
     following = iter(formulas)
     tokens = [token.copy() for token in _read_words(words)[0]]
     for token in tokens:
-        token.children = token.children and [leaf.copy(content=next(following)) if leaf.type == "math_inline" else leaf
-                                             for leaf in token.children]
+        token.children = token.children and [
+            leaf.copy(content=next(following)) if leaf.type == "math_inline" else leaf
+            for leaf in token.children
+        ]
     return tokens
 
 
@@ -143,7 +147,9 @@ def _separated(markdown: str) -> tuple[str, list[str]] | None:
 def _read_words(words: str) -> tuple[tuple[Token, ...], int]:
     """The tokens of a text, and how many formulas in a line are among them."""
     tokens = tuple(_reader().parse(words))
-    return tokens, sum(leaf.type == "math_inline" for token in tokens for leaf in token.children or ())
+    return tokens, sum(
+        leaf.type == "math_inline" for token in tokens for leaf in token.children or ()
+    )
 
 
 def read_line(markdown: str, where: str) -> list[Token]:
@@ -174,7 +180,9 @@ def leaves_of(tokens: Sequence[Token]) -> list[Token]:
 def _faults(token: Token, where: str) -> tuple[str, ...]:
     if token.type in REFUSED:
         shown = f" ({token.content.strip()})" if token.content.strip() else ""
-        return (f"{where}: {REFUSED[token.type]}{shown} cannot be printed; {EXPECTED}; take it out",)
+        return (
+            f"{where}: {REFUSED[token.type]}{shown} cannot be printed; {EXPECTED}; take it out",
+        )
     if token.type.startswith("math_"):
         try:
             formula(token.content.strip(), where)

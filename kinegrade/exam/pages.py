@@ -38,12 +38,25 @@ Sketcher = Callable[[Mechanism, FigureHints], Scene]
 FULL_TURNS = {"en": "; full turns do not matter", "zh": "；相差整周视为相同"}
 
 
-def paper_pages(bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch) -> Paper:
+def paper_pages(
+    bank: Bank, paper: SetPaper, language: Language, figure: Sketcher = sketch
+) -> Paper:
     """The pages of one student; `figure` draws as `sketch` does."""
-    sheets = tuple(question_sheet(number, question, language, figure)
-                   for number, question in enumerate(paper.printed, start=1))
-    return Paper(language, bank.course.in_language(language), paper_title(bank, paper, language), bank.date,
-                 paper.student.student, paper.student.name, paper.code, rules(bank, language), sheets)
+    sheets = tuple(
+        question_sheet(number, question, language, figure)
+        for number, question in enumerate(paper.printed, start=1)
+    )
+    return Paper(
+        language,
+        bank.course.in_language(language),
+        paper_title(bank, paper, language),
+        bank.date,
+        paper.student.student,
+        paper.student.name,
+        paper.code,
+        rules(bank, language),
+        sheets,
+    )
 
 
 def paper_title(bank: Bank, paper: SetPaper, language: Language) -> str:
@@ -57,14 +70,26 @@ def version_name(letter: str, language: Language) -> str:
     return words_of(language).version.format(letter)
 
 
-def question_sheet(number: int, question: SetQuestion, language: Language, figure: Sketcher = sketch) -> QuestionSheet:
+def question_sheet(
+    number: int, question: SetQuestion, language: Language, figure: Sketcher = sketch
+) -> QuestionSheet:
     """A question with its statement, figure to scale and answer table."""
     template, solution = question.question.template, question.drawn.solution
     drawn = figure(drawable_mechanism(solution.assembly.mechanism), template.figure)
-    rows = tuple(answer_row(template.asks[entry.ask.name], entry.ask.points, language) for entry in question.asks)
-    return QuestionSheet(number, question.question.identifier, template.title.in_language(language),
-                         question.question.points, statement(template, solution.parameters, language), drawn, rows,
-                         template=template.name)
+    rows = tuple(
+        answer_row(template.asks[entry.ask.name], entry.ask.points, language)
+        for entry in question.asks
+    )
+    return QuestionSheet(
+        number,
+        question.question.identifier,
+        template.title.in_language(language),
+        question.question.points,
+        statement(template, solution.parameters, language),
+        drawn,
+        rows,
+        template=template.name,
+    )
 
 
 def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
@@ -76,15 +101,22 @@ def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
 def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
     """The instructor's book: a key for each paper, which may come one after another, or for each version."""
     shown = each_version(tuple(papers), language) if bank.versions else papers
-    return KeyBook(language, bank.course.in_language(language), bank.title.in_language(language),
-                   WARNING[language], shown)
+    return KeyBook(
+        language,
+        bank.course.in_language(language),
+        bank.title.in_language(language),
+        WARNING[language],
+        shown,
+    )
 
 
 def each_version(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
     """One key for each version that somebody got, by letter."""
     first = {paper.version: paper for paper in reversed(papers)}
-    return tuple(replace(first[letter], student="", name=version_name(letter, language), code=letter)
-                 for letter in sorted(first))
+    return tuple(
+        replace(first[letter], student="", name=version_name(letter, language), code=letter)
+        for letter in sorted(first)
+    )
 
 
 def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
@@ -96,15 +128,29 @@ def key_paper(paper: SetPaper, language: Language) -> KeyPaper:
 def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
     """The key of one question."""
     template, solution = question.question.template, question.drawn.solution
-    parameters = tuple(KeyParameter(template.parameters[name].symbol,
-                                    None if quantity.is_plain else quantity.closed_form,
-                                    quantity.decimal(6), quantity.unit)
-                       for name, quantity in solution.parameters.items())
-    answers = tuple(KeyAnswer(template.asks[entry.ask.name].symbol, entry.answer.closed_form,
-                              entry.answer.decimal(6),
-                              entry.answer.unit, interval(entry), entry.ask.points)
-                    for entry in question.asks)
-    return KeyEntry(question.question.identifier, template.title.in_language(language), parameters, answers)
+    parameters = tuple(
+        KeyParameter(
+            template.parameters[name].symbol,
+            None if quantity.is_plain else quantity.closed_form,
+            quantity.decimal(6),
+            quantity.unit,
+        )
+        for name, quantity in solution.parameters.items()
+    )
+    answers = tuple(
+        KeyAnswer(
+            template.asks[entry.ask.name].symbol,
+            entry.answer.closed_form,
+            entry.answer.decimal(6),
+            entry.answer.unit,
+            interval(entry),
+            entry.ask.points,
+        )
+        for entry in question.asks
+    )
+    return KeyEntry(
+        question.question.identifier, template.title.in_language(language), parameters, answers
+    )
 
 
 def interval(entry: SetAsk) -> str:

@@ -39,7 +39,9 @@ def line_inlines(markdown: str, where: str) -> list[Node]:
 
 def math_inline(latex: str, where: str, display: bool = False) -> Node:
     """A formula. Raises TypesetError where it holds anything but the math that every press prints."""
-    return math(TEXT.sub(lambda match: _written(match[1], match[2]), checked(latex.strip(), where)), display)
+    return math(
+        TEXT.sub(lambda match: _written(match[1], match[2]), checked(latex.strip(), where)), display
+    )
 
 
 def _written(words: str | None, comma: str | None) -> str:
@@ -58,13 +60,22 @@ def _block(node: SyntaxTreeNode, where: str) -> list[Node]:
         case "bullet_list":
             return [bullets([_blocks(item, where) for item in node.children])]
         case "ordered_list":
-            return [numbered([_blocks(item, where) for item in node.children], int(node.attrs.get("start", 1)))]
+            return [
+                numbered(
+                    [_blocks(item, where) for item in node.children],
+                    int(node.attrs.get("start", 1)),
+                )
+            ]
     return [paragraph([math_inline(node.content, where, display=True)])]
 
 
 def _inlines(parent: SyntaxTreeNode, where: str) -> list[Node]:
     tokens = [token for child in parent.children if (token := child.token or _opening(child))]
-    return [inline for index, child in enumerate(parent.children) for inline in _inline(child, tokens, index, where)]
+    return [
+        inline
+        for index, child in enumerate(parent.children)
+        for inline in _inline(child, tokens, index, where)
+    ]
 
 
 def _opening(node: SyntaxTreeNode) -> Token | None:

@@ -50,7 +50,10 @@ def line_break() -> Node:
 
 def image(data_uri: str, width: float, description: str) -> Node:
     """A picture `width` millimetres wide, with its bytes in the address."""
-    return {"t": "Image", "c": [["", [], [["width", f"{width:.2f}mm"]]], [text(description)], [data_uri, ""]]}
+    return {
+        "t": "Image",
+        "c": [["", [], [["width", f"{width:.2f}mm"]]], [text(description)], [data_uri, ""]],
+    }
 
 
 def paragraph(inlines: Sequence[Node]) -> Node:
@@ -75,22 +78,44 @@ def bullets(items: Sequence[Sequence[Node]]) -> Node:
 
 def numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
     """A list numbered from `start`."""
-    return {"t": "OrderedList", "c": [[start, {"t": "Decimal"}, {"t": "Period"}], [list(item) for item in items]]}
+    return {
+        "t": "OrderedList",
+        "c": [[start, {"t": "Decimal"}, {"t": "Period"}], [list(item) for item in items]],
+    }
 
 
 def styled(name: str, blocks: Sequence[Node]) -> Node:
     """Blocks in a style: "Answer box" is Word's style of that name and the HTML class "answer-box"."""
-    return {"t": "Div", "c": [["", [name.lower().replace(" ", "-")], [["custom-style", name]]], list(blocks)]}
+    return {
+        "t": "Div",
+        "c": [["", [name.lower().replace(" ", "-")], [["custom-style", name]]], list(blocks)],
+    }
 
 
-def table(name: str, widths: Sequence[float], alignments: Sequence[Alignment], head: Sequence[Node],
-          rows: Sequence[Sequence[Node]]) -> Node:
+def table(
+    name: str,
+    widths: Sequence[float],
+    alignments: Sequence[Alignment],
+    head: Sequence[Node],
+    rows: Sequence[Sequence[Node]],
+) -> Node:
     """A table whose columns have these parts of the page's width; a cell is one block, `head` may be empty."""
-    columns = [[{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
-               for side, width in zip(alignments, widths, strict=True)]
+    columns = [
+        [{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
+        for side, width in zip(alignments, widths, strict=True)
+    ]
     body = [_blank(), 0, [], [_row(row) for row in rows]]
-    return {"t": "Table", "c": [["", [name], []], [None, []], columns, [_blank(), [_row(head)] if head else []], [body],
-                                [_blank(), []]]}
+    return {
+        "t": "Table",
+        "c": [
+            ["", [name], []],
+            [None, []],
+            columns,
+            [_blank(), [_row(head)] if head else []],
+            [body],
+            [_blank(), []],
+        ],
+    }
 
 
 def _row(cells: Iterable[Node]) -> list[Any]:

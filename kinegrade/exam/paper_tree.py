@@ -48,16 +48,27 @@ def paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
     words = words_of(paper.language)
     parts = gathered(
         rules=lambda: each(lambda rule: [plain(line_inlines(rule, "rules"))], paper.rules),
-        questions=lambda: each(lambda question: _question(question, figures, words), paper.questions),
+        questions=lambda: each(
+            lambda question: _question(question, figures, words), paper.questions
+        ),
     )
     head = [*_title(paper), _fields(paper, words), *_marks(paper, words)]
-    rules = [styled("Rules", [_bold_line(words.rules), bullets(parts["rules"])])] if parts["rules"] else []
-    return document([*head, *rules, *(block for question in parts["questions"] for block in question)])
+    rules = (
+        [styled("Rules", [_bold_line(words.rules), bullets(parts["rules"])])]
+        if parts["rules"]
+        else []
+    )
+    return document(
+        [*head, *rules, *(block for question in parts["questions"] for block in question)]
+    )
 
 
 def _title(paper: Paper) -> list[Node]:
     course = f"{paper.course}{GAP}·{GAP}{paper.date}" if paper.date else paper.course
-    return [styled("Course", [paragraph([text(course)])]), styled("Title", [paragraph([text(paper.title)])])]
+    return [
+        styled("Course", [paragraph([text(course)])]),
+        styled("Title", [paragraph([text(paper.title)])]),
+    ]
 
 
 def _fields(paper: Paper, words: Words) -> Node:
@@ -73,10 +84,15 @@ def _marks(paper: Paper, words: Words) -> Iterator[Node]:
     columns.append((words.total, points_text(paper.points)))
     for start in range(0, len(columns), MARKS):
         part = columns[start : start + MARKS]
-        rows = ((words.number_column, *(number for number, _ in part)),
-                (words.out_of, *(points for _, points in part)), (words.mark, *(NO_BREAK for _ in part)))
+        rows = (
+            (words.number_column, *(number for number, _ in part)),
+            (words.out_of, *(points for _, points in part)),
+            (words.mark, *(NO_BREAK for _ in part)),
+        )
         widths = (0.16, *(0.07 for _ in part))
-        yield table("marks", widths, MARK_SIDES[: len(widths)], (), [_plain_cells(row) for row in rows])
+        yield table(
+            "marks", widths, MARK_SIDES[: len(widths)], (), [_plain_cells(row) for row in rows]
+        )
 
 
 def _plain_cells(texts: Iterable[str]) -> list[Node]:
@@ -96,18 +112,32 @@ def _question(question: QuestionSheet, figures: Mapping[int, str], words: Words)
     )
     blocks = [heading(1, _head(question, parts["title"], words)), *parts["statement"]]
     if question.figure and question.number in figures:
-        picture = image(figures[question.number], question.figure.width, f"{words.number_column} {question.number}")
+        picture = image(
+            figures[question.number],
+            question.figure.width,
+            f"{words.number_column} {question.number}",
+        )
         blocks.append(styled("Figure", [paragraph([picture])]))
     heads = (words.asked, NO_BREAK, words.answer, words.point_column)
     blocks.append(table("answers", ROW_WIDTHS, ROW_SIDES, _plain_cells(heads), parts["rows"]))
-    source = [styled("Source", [paragraph([text(words.source.format(question.source))])])] if question.source else []
+    source = (
+        [styled("Source", [paragraph([text(words.source.format(question.source))])])]
+        if question.source
+        else []
+    )
     return [*blocks, *source]
 
 
 def _head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
     """Number, title, the name of its columns in the answer sheet where that has another number, and points."""
-    known = "" if question.identifier == f"q{question.number}" else GAP + words.known.format(question.identifier)
-    points = (words.point if question.points == 1 else words.points).format(points_text(question.points))
+    known = (
+        ""
+        if question.identifier == f"q{question.number}"
+        else GAP + words.known.format(question.identifier)
+    )
+    points = (words.point if question.points == 1 else words.points).format(
+        points_text(question.points)
+    )
     return [text(f"{question.number}{GAP}"), *title, text(f"{known}{GAP}·{GAP}{points}")]
 
 

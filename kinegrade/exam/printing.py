@@ -75,18 +75,34 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
     Raises TypesetError with all faults of their texts.
     """
     figure = partial(sketch_once, run.sketchbook) if run.sketchbook else sketch
-    pages = {paper.student.file_name: paper_pages(run.bank, paper, run.language, figure) for paper in papers}
+    pages = {
+        paper.student.file_name: paper_pages(run.bank, paper, run.language, figure)
+        for paper in papers
+    }
     press.papers(pages, run.papers)
     if run.extras.solutions:
-        from kinegrade.exam.solution_pages import solution_sheet  # loads the whole of worked solutions
+        from kinegrade.exam.solution_pages import (
+            solution_sheet,
+        )  # loads the whole of worked solutions
 
-        press.solutions({paper.student.file_name: solution_sheet(run.bank, paper, run.language, run.extras.method)
-                         for paper in papers}, run.solutions)
+        press.solutions(
+            {
+                paper.student.file_name: solution_sheet(
+                    run.bank, paper, run.language, run.extras.method
+                )
+                for paper in papers
+            },
+            run.solutions,
+        )
     if run.extras.also:
         write_also(pages, run)
-    return [Printed(json.dumps(key_record(paper, mistakes, shuffled=run.bank.shuffle), ensure_ascii=False),
-                    key_paper(paper, run.language))
-            for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)]
+    return [
+        Printed(
+            json.dumps(key_record(paper, mistakes, shuffled=run.bank.shuffle), ensure_ascii=False),
+            key_paper(paper, run.language),
+        )
+        for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)
+    ]
 
 
 def write_also(pages: Mapping[str, Paper], run: PrintRun) -> None:

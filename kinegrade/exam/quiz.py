@@ -24,8 +24,10 @@ from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_q
 
 CHUNK = 20  # papers in one task, few enough for all processes to end together
 AHEAD = 2  # tasks for each process that are under way or wait for it
-ENDED = ("quiz: a process that makes papers was ended from outside - expected room for all of them in memory - use "
-         "fewer: --jobs 1")
+ENDED = (
+    "quiz: a process that makes papers was ended from outside - expected room for all of them in memory - use "
+    "fewer: --jobs 1"
+)
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
 Line = tuple[int, str]
@@ -41,9 +43,15 @@ class QuizOrder:
     pooled: bool
 
 
-def read_quiz(folder: Path, language: Language | None = None, *, variants: int | None = None,
-              wishes: QuizWishes = PLAIN, jobs: int = 1,
-              progress: Progress = lambda papers, count: papers) -> Quiz:
+def read_quiz(
+    folder: Path,
+    language: Language | None = None,
+    *,
+    variants: int | None = None,
+    wishes: QuizWishes = PLAIN,
+    jobs: int = 1,
+    progress: Progress = lambda papers, count: papers,
+) -> Quiz:
     """The quiz of an exam folder, in the papers' language unless another one is wanted, by up to `jobs` processes.
 
     Everybody's own paper, of exams with versions one for each version; or the first `variants` papers for everybody.
@@ -52,12 +60,16 @@ def read_quiz(folder: Path, language: Language | None = None, *, variants: int |
     source = read_quiz_source(folder, language)
     available = len(source.versions) or len(source.names)
     if variants is not None and variants > available:
-        raise ExamError(f"{folder}: has {available} different papers - expected {variants} for {variants} variants of "
-                        f"each question - ask for up to {available}")
+        raise ExamError(
+            f"{folder}: has {available} different papers - expected {variants} for {variants} variants of "
+            f"each question - ask for up to {available}"
+        )
     order = QuizOrder(folder, language, wishes, variants is not None)
     lines = islice(_different(source), variants)
     papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
-    return Quiz(source.language, source.course, source.title, progress(papers, variants or available))
+    return Quiz(
+        source.language, source.course, source.title, progress(papers, variants or available)
+    )
 
 
 def _different(source: QuizSource) -> Iterator[Line]:
@@ -67,13 +79,17 @@ def _different(source: QuizSource) -> Iterator[Line]:
         return
     found: dict[str, Line] = {}
     for number, line in key_lines(source.folder):
-        found.setdefault(str(key_record(source.folder, number, line).get("version", "")), (number, line))
+        found.setdefault(
+            str(key_record(source.folder, number, line).get("version", "")), (number, line)
+        )
         if len(found) == len(source.versions):
             break
     yield from (found[letter] for letter in sorted(found))
 
 
-def _papers(order: QuizOrder, source: QuizSource, lines: Iterator[Line], workers: int) -> Iterator[QuizPaper]:
+def _papers(
+    order: QuizOrder, source: QuizSource, lines: Iterator[Line], workers: int
+) -> Iterator[QuizPaper]:
     """The papers of these lines, in order."""
     if workers > 1:
         yield from by_workers(order, lines, workers)
@@ -117,7 +133,11 @@ def _source(folder: Path, language: Language | None) -> QuizSource:
 def _paper(order: QuizOrder, source: QuizSource, line: Line) -> QuizPaper:
     record = key_record(source.folder, *line)
     if source.versions and not order.pooled:
-        return _version(quiz_paper(source, order.wishes, record, pooled=True), str(record["version"]), source.language)
+        return _version(
+            quiz_paper(source, order.wishes, record, pooled=True),
+            str(record["version"]),
+            source.language,
+        )
     return quiz_paper(source, order.wishes, record, pooled=order.pooled)
 
 

@@ -28,7 +28,10 @@ class QuizMistake:
     @property
     def interval(self) -> tuple[Fraction, Fraction]:
         """What is taken for this mistake, both ends included: as far from its value as the ask's rule allows."""
-        return (self.value if self.low is None else self.low, self.value if self.high is None else self.high)
+        return (
+            self.value if self.low is None else self.low,
+            self.value if self.high is None else self.high,
+        )
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,9 @@ class QuizAsk:
     value: Fraction  # of 40 correct digits where the answer is irrational
     low: Fraction
     high: Fraction
-    period: Fraction | None = None  # a full turn, of an angle that is right with any number of turns
+    period: Fraction | None = (
+        None  # a full turn, of an angle that is right with any number of turns
+    )
     mistakes: tuple[QuizMistake, ...] = ()
 
 

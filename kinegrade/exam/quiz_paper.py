@@ -49,7 +49,9 @@ class QuizWishes:
     method: Method | None = None
 
 
-def quiz_paper(source: QuizSource, wishes: QuizWishes, record: Record, *, pooled: bool = False) -> QuizPaper:
+def quiz_paper(
+    source: QuizSource, wishes: QuizWishes, record: Record, *, pooled: bool = False
+) -> QuizPaper:
     """The questions of one paper, of nobody where they are pooled.
 
     They stand in the bank's order even where the paper is shuffled, for in that order responses are read again. Raises
@@ -57,11 +59,15 @@ def quiz_paper(source: QuizSource, wishes: QuizWishes, record: Record, *, pooled
     """
     try:
         student = str(record["student"])
-        questions = tuple(_question(source, wishes, str(record["paper"]), entry) for entry in record["questions"])
+        questions = tuple(
+            _question(source, wishes, str(record["paper"]), entry) for entry in record["questions"]
+        )
         owner = ("", "") if pooled else (student, source.names[student])
     except BROKEN as fault:
-        raise ExamError(f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
-                        f"({type(fault).__name__}: {fault}) - {MENDING}") from fault
+        raise ExamError(
+            f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
+            f"({type(fault).__name__}: {fault}) - {MENDING}"
+        ) from fault
     return QuizPaper(str(record["paper"]), *owner, questions)
 
 
@@ -71,16 +77,31 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
     given = {parameter: given_text(value) for parameter, value in entry["parameters"].items()}
     try:
         parameters, mechanism = shown(template, given)
-        asks = tuple(_ask(template, ask, stated, wishes, source) for ask, stated in entry["asks"].items())
-        tolerances = {template.asks[ask].symbol: source.tolerances[name, ask] for ask in entry["asks"]}
-        solution = (solution_html(template, given, tuple(entry["asks"]), language, wishes.method)
-                    if wishes.solutions else "")
-        return QuizQuestion(f"{source.identifier}-{code}-{name}", name, template.title.in_language(language),
-                            statement(template, parameters, language), _figure(template, mechanism, language), asks,
-                            solution, answer_rules(tolerances, language))
+        asks = tuple(
+            _ask(template, ask, stated, wishes, source) for ask, stated in entry["asks"].items()
+        )
+        tolerances = {
+            template.asks[ask].symbol: source.tolerances[name, ask] for ask in entry["asks"]
+        }
+        solution = (
+            solution_html(template, given, tuple(entry["asks"]), language, wishes.method)
+            if wishes.solutions
+            else ""
+        )
+        return QuizQuestion(
+            f"{source.identifier}-{code}-{name}",
+            name,
+            template.title.in_language(language),
+            statement(template, parameters, language),
+            _figure(template, mechanism, language),
+            asks,
+            solution,
+            answer_rules(tolerances, language),
+        )
     except KinegradeError as error:
-        raise type(error)(*(f"{source.folder}: paper {code}, {name}: {problem}" for problem in error.problems)
-                          ) from error
+        raise type(error)(
+            *(f"{source.folder}: paper {code}, {name}: {problem}" for problem in error.problems)
+        ) from error
 
 
 def given_text(entry: Record) -> str:
@@ -98,7 +119,10 @@ def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quant
     def work(arithmetic: Any) -> tuple[dict[str, Quantity], Mechanism]:
         values = parameter_values(template, trees, arithmetic)
         known = values if arithmetic.exact else certain(template, trees, values)
-        parameters = {name: in_unit(name, value, template.parameters[name].unit) for name, value in known.items()}
+        parameters = {
+            name: in_unit(name, value, template.parameters[name].unit)
+            for name, value in known.items()
+        }
         return parameters, drawable_mechanism(assemble(template, values, arithmetic).mechanism)
 
     return certified(work)
@@ -107,17 +131,32 @@ def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quant
 def _figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
     scene = sketch(mechanism, template.figure)
     title = template.title.in_language(language).replace("$", "")
-    return QuizFigure(to_svg(scene).encode(), scene.width, scene.height, FIGURE[language].format(title))
+    return QuizFigure(
+        to_svg(scene).encode(), scene.width, scene.height, FIGURE[language].format(title)
+    )
 
 
-def _ask(template: Template, name: str, entry: Record, wishes: QuizWishes, source: QuizSource) -> QuizAsk:
+def _ask(
+    template: Template, name: str, entry: Record, wishes: QuizWishes, source: QuizSource
+) -> QuizAsk:
     row = answer_row(template.asks[name], Fraction(entry["points"]), source.language)
     value = right_value(entry)
     low, high = tolerance_of(entry).interval(value)
     period = Fraction(entry["period"]) if "period" in entry else None
     mistakes = tuple(_mistakes(entry, wishes.credit, source)) if wishes.mistakes else ()
-    return QuizAsk(name, row.symbol, row.meaning, entry["unit"], row.sign, row.points, value, low, high, period,
-                   mistakes)
+    return QuizAsk(
+        name,
+        row.symbol,
+        row.meaning,
+        entry["unit"],
+        row.sign,
+        row.points,
+        value,
+        low,
+        high,
+        period,
+        mistakes,
+    )
 
 
 def right_value(entry: Record) -> Fraction:

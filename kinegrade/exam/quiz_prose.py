@@ -30,7 +30,9 @@ WRITTEN = {
     "list_item_close": "</li>\n",
     "hardbreak": "<br/>\n",
 }
-_CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]")  # what no XML document may hold
+_CONTROL = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]"
+)  # what no XML document may hold
 _BOLD = re.compile(r"\\bm(?![A-Za-z])")
 
 

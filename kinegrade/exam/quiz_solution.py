@@ -14,14 +14,28 @@ from kinegrade.exam.solution_blocks import has_exact_decimal
 from kinegrade.exam.solution_words import SolutionWords, solution_words_of
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Method, Template
-from kinegrade.worked.document import Block, Display, Heading, Prose, Result, Results, Term, TermTable
+from kinegrade.worked.document import (
+    Block,
+    Display,
+    Heading,
+    Prose,
+    Result,
+    Results,
+    Term,
+    TermTable,
+)
 from kinegrade.worked.solution import worked_solution
 
 WHERE = "worked solution"
 
 
-def solution_html(template: Template, given: Mapping[str, str], asks: Sequence[str], language: Language,
-                  method: Method | None = None) -> str:
+def solution_html(
+    template: Template,
+    given: Mapping[str, str],
+    asks: Sequence[str],
+    language: Language,
+    method: Method | None = None,
+) -> str:
     """The worked solution of an instance for the asks named, by the method where several serve.
 
     Raises TemplateError, MechanismError; TypesetError for texts that cannot be shown.
@@ -57,19 +71,28 @@ def _aligned(lines: Sequence[str]) -> str:
     rows = []
     for latex in lines:
         parts = equation_line(latex)
-        rows += [f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} {' '.join(parts.pieces[1:])}".strip()]
+        rows += [
+            f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} {' '.join(parts.pieces[1:])}".strip()
+        ]
     body = r" \\ ".join(rows)
     return math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", WHERE, display=True)
 
 
 def _terms(terms: Sequence[Term], words: SolutionWords) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
-    symbols = [math_html(f"{term.sign}{{}} {term.symbol}".strip() if term.sign else term.symbol, WHERE)
-               for term in terms]
-    rows = [("", symbols), (words.magnitude, [_cell(term.magnitude) for term in terms]),
-            (words.direction, [_cell(term.direction) for term in terms])]
-    written = "".join(f'<tr><th scope="row">{plain_html(head)}</th>{"".join(map(_entry, cells))}</tr>\n'
-                      for head, cells in rows)
+    symbols = [
+        math_html(f"{term.sign}{{}} {term.symbol}".strip() if term.sign else term.symbol, WHERE)
+        for term in terms
+    ]
+    rows = [
+        ("", symbols),
+        (words.magnitude, [_cell(term.magnitude) for term in terms]),
+        (words.direction, [_cell(term.direction) for term in terms]),
+    ]
+    written = "".join(
+        f'<tr><th scope="row">{plain_html(head)}</th>{"".join(map(_entry, cells))}</tr>\n'
+        for head, cells in rows
+    )
     return f"<table><tbody>\n{written}</tbody></table>\n"
 
 

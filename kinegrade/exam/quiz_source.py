@@ -59,18 +59,35 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         templates = _templates(folder, head)
         names = {str(student["student"]): str(student["name"]) for student in head["students"]}
         versions = tuple(map(str, head.get("versions", ())))
-        credits = {str(name): Fraction(share) for name, share in head.get("credit", {}).get("mistakes", {}).items()}
+        credits = {
+            str(name): Fraction(share)
+            for name, share in head.get("credit", {}).get("mistakes", {}).items()
+        }
     except BROKEN as fault:
-        raise ExamError(f"{folder / 'exam.json'}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
-    return QuizSource(folder, sha256(bank.encode()).hexdigest()[:8], language or spoken, title, course, versions,
-                      templates, names, _tolerances(folder), credits)
+        raise ExamError(
+            f"{folder / 'exam.json'}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
+        ) from fault
+    return QuizSource(
+        folder,
+        sha256(bank.encode()).hexdigest()[:8],
+        language or spoken,
+        title,
+        course,
+        versions,
+        templates,
+        names,
+        _tolerances(folder),
+        credits,
+    )
 
 
 def key_lines(folder: Path) -> Iterator[tuple[int, str]]:
     """The lines of key.jsonl, one for each paper, with their numbers. Raises ExamError."""
     try:
         with (folder / "key.jsonl").open(encoding="utf-8") as lines:
-            yield from ((number, line) for number, line in enumerate(lines, start=1) if line.strip())
+            yield from (
+                (number, line) for number, line in enumerate(lines, start=1) if line.strip()
+            )
     except (OSError, UnicodeDecodeError) as fault:
         raise unreadable(folder / "key.jsonl", fault) from fault
 
@@ -79,9 +96,16 @@ def key_record(folder: Path, number: int, line: str) -> dict[str, Any]:
     """A line of key.jsonl, its numbers as the texts that stand there. Raises ExamError."""
     try:
         record: dict[str, Any] = json.loads(line, parse_float=str, parse_int=str)
-        return {"student": record["student"], "paper": record["paper"], "questions": record["questions"], **record}
+        return {
+            "student": record["student"],
+            "paper": record["paper"],
+            "questions": record["questions"],
+            **record,
+        }
     except BROKEN as fault:
-        raise ExamError(f"{folder / 'key.jsonl'}:{number}: is broken ({type(fault).__name__}) - {MENDING}") from fault
+        raise ExamError(
+            f"{folder / 'key.jsonl'}:{number}: is broken ({type(fault).__name__}) - {MENDING}"
+        ) from fault
 
 
 def tolerance_of(ask: Mapping[str, Any]) -> Tolerance:
@@ -94,8 +118,10 @@ def tolerance_of(ask: Mapping[str, Any]) -> Tolerance:
 def unreadable(path: Path, fault: Exception) -> ExamError:
     """The refusal of a file that cannot be read."""
     reason = fault.strerror if isinstance(fault, OSError) else "not UTF-8"
-    return ExamError(f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate "
-                     "- check the name")
+    return ExamError(
+        f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate "
+        "- check the name"
+    )
 
 
 def _text(path: Path) -> str:
@@ -109,9 +135,13 @@ def _head(path: Path) -> dict[str, Any]:
     try:
         head: dict[str, Any] = json.loads(_text(path))
         if head["format"] != FORMAT:
-            raise ValueError(f'"format" is {head["format"]!r}, and {FORMAT} is the only one this kinegrade reads')
+            raise ValueError(
+                f'"format" is {head["format"]!r}, and {FORMAT} is the only one this kinegrade reads'
+            )
     except BROKEN as fault:
-        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
+        raise ExamError(
+            f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
+        ) from fault
     return head
 
 
@@ -122,8 +152,10 @@ def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
     except ValueError:
         return texts
     found = (table.get(name) for name in ("title", "course"))
-    return tuple(str(stated[language]) if isinstance(stated, dict) and language in stated else text
-                 for stated, text in zip(found, texts, strict=True))
+    return tuple(
+        str(stated[language]) if isinstance(stated, dict) and language in stated else text
+        for stated, text in zip(found, texts, strict=True)
+    )
 
 
 def _templates(folder: Path, head: Mapping[str, Any]) -> dict[str, Template]:
@@ -132,7 +164,9 @@ def _templates(folder: Path, head: Mapping[str, Any]) -> dict[str, Template]:
     faults: list[str] = []
     for question in head["questions"]:
         try:
-            found[str(question["question"])] = load_template(str(question["template"]), folder / "templates")
+            found[str(question["question"])] = load_template(
+                str(question["template"]), folder / "templates"
+            )
         except TemplateError as error:
             faults += error.problems
     if faults:

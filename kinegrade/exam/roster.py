@@ -16,7 +16,16 @@ from unicodedata import normalize
 from urllib.parse import quote
 
 from kinegrade.errors import TableError
-from kinegrade.tables import Complaint, Row, Table, header_key, parse_table, read_table, shortened, trimmed
+from kinegrade.tables import (
+    Complaint,
+    Row,
+    Table,
+    header_key,
+    parse_table,
+    read_table,
+    shortened,
+    trimmed,
+)
 
 COLUMN_NAMES: Mapping[str, tuple[str, ...]] = {
     "student": ("student", "id", "id number", "student id", "student number", "学号", "學號"),

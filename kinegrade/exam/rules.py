@@ -14,13 +14,13 @@ from kinegrade.problem.tolerance import Tolerance
 
 WRITING = {
     "en": "Write one number into each box, in the unit printed there, with at least {digits} significant digits: "
-          "{point} or {comma}. Do not separate thousands.",
+    "{point} or {comma}. Do not separate thousands.",
     "zh": "每个答案框内填写一个数，单位已印在框内，至少保留{digits}位有效数字，写成 {point} 或 {comma} 均可；"
-          "不要使用千位分隔符。",
+    "不要使用千位分隔符。",
 }
 AXES = {
     "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive unless stated "
-          "otherwise. Figures are drawn to scale.",
+    "otherwise. Figures are drawn to scale.",
     "zh": "$x$ 轴向右，$y$ 轴向上；除另有说明外，均以逆时针为正。附图按比例绘制。",
 }
 RELATIVE = {
@@ -29,13 +29,13 @@ RELATIVE = {
 }
 FIGURES = {
     "en": "An answer is right if it agrees with the exact value to {figures} significant digits (where that is "
-          "{example}, from {low} to {high}){others}. {zero}",
+    "{example}, from {low} to {high}){others}. {zero}",
     "zh": "答案与精确值在 {figures} 位有效数字内一致（如精确值为 {example} 时，从 {low} 到 {high}）{others}即判为正确。"
-          "{zero}",
+    "{zero}",
 }
 ZERO = {
     "en": "Where the exact value is zero, or less than {share} of the largest quantity of its kind in the mechanism, "
-          "{share} of that quantity is allowed.",
+    "{share} of that quantity is allowed.",
     "zh": "精确值为零或小于该机构中同类量最大值的 {share} 时，允许偏差为该最大值的 {share}。",
 }
 ABSOLUTE = {
@@ -60,7 +60,11 @@ EXCEPTION = {"en": "For {what}: {rule}", "zh": "{what}：{rule}"}
 
 def rules(bank: Bank, language: Language) -> tuple[str, ...]:
     """The sentences of the rules box, with the tolerances of single questions and asks where they differ."""
-    sentences = [writing_rule(bank, language), AXES[language], marking_rule(bank.tolerance, language)]
+    sentences = [
+        writing_rule(bank, language),
+        AXES[language],
+        marking_rule(bank.tolerance, language),
+    ]
     for question in bank.questions:
         for tolerance, what in exceptions(bank, question):
             rule = marking_rule(tolerance, language)
@@ -76,17 +80,23 @@ def exceptions(bank: Bank, question: BankQuestion) -> Iterator[tuple[Tolerance, 
         return
     for ask in question.asks:
         if ask.tolerance != bank.tolerance:
-            yield ask.tolerance, f"{question.identifier}, ${question.template.asks[ask.name].symbol}$"
+            yield (
+                ask.tolerance,
+                f"{question.identifier}, ${question.template.asks[ask.name].symbol}$",
+            )
 
 
 def writing_rule(bank: Bank, language: Language) -> str:
     """How to write answers: with four digits, or as many as the strictest tolerance takes to tell right from wrong."""
-    carried = [ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks]
+    carried = [
+        ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks
+    ]
     digits = max(FEWEST_DIGITS, *carried)
     point = f"{sqrt(3) / 2:.{digits}f}"
-    numerals = NUMERALS[language][digits - FEWEST_DIGITS:]
-    return WRITING[language].format(digits=numerals[0] if numerals else str(digits), point=point,
-                                    comma=point.replace(".", ","))
+    numerals = NUMERALS[language][digits - FEWEST_DIGITS :]
+    return WRITING[language].format(
+        digits=numerals[0] if numerals else str(digits), point=point, comma=point.replace(".", ",")
+    )
 
 
 def marking_rule(tolerance: Tolerance, language: Language) -> str:
@@ -96,13 +106,15 @@ def marking_rule(tolerance: Tolerance, language: Language) -> str:
         return figures_rule(tolerance, tolerance.figures, zero, language)
     if tolerance.relative == 0:
         return ABSOLUTE[language].format(amount=plain(tolerance.absolute))
-    also = OR_ABSOLUTE[language].format(amount=plain(tolerance.absolute)) if tolerance.absolute else ""
+    also = (
+        OR_ABSOLUTE[language].format(amount=plain(tolerance.absolute)) if tolerance.absolute else ""
+    )
     return RELATIVE[language].format(relative=percent(tolerance.relative), absolute=also, zero=zero)
 
 
 def figures_rule(tolerance: Tolerance, figures: int, zero: str, language: Language) -> str:
     """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to 1.235."""
-    example = f"{'1.23456'[:figures + 1]}04"
+    example = f"{'1.23456'[: figures + 1]}04"
     low, high = figures_interval(Fraction(example), figures)
     amounts = []
     if tolerance.relative:
@@ -110,8 +122,9 @@ def figures_rule(tolerance: Tolerance, figures: int, zero: str, language: Langua
     if tolerance.absolute:
         amounts.append(IN_UNIT[language].format(amount=plain(tolerance.absolute)))
     others = OR_WITHIN[language].format(amounts=OR[language].join(amounts)) if amounts else ""
-    return FIGURES[language].format(figures=figures, example=example, low=plain(low), high=plain(high), others=others,
-                                    zero=zero)
+    return FIGURES[language].format(
+        figures=figures, example=example, low=plain(low), high=plain(high), others=others, zero=zero
+    )
 
 
 def percent(share: Fraction) -> str:

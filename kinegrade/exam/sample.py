@@ -19,9 +19,14 @@ from kinegrade.worked.solution import worked_solution
 
 def sample_bank(template: Template) -> Bank:
     """A bank that asks what the template asks."""
-    asks = tuple(BankAsk(name, Fraction(template.asks[name].points), ONE_PER_CENT) for name in template.asked())
+    asks = tuple(
+        BankAsk(name, Fraction(template.asks[name].points), ONE_PER_CENT)
+        for name in template.asked()
+    )
     question = BankQuestion("q1", template, asks, {})
-    return Bank(template.title, Translated("kinegrade", "kinegrade"), "", ONE_PER_CENT, (question,), "")
+    return Bank(
+        template.title, Translated("kinegrade", "kinegrade"), "", ONE_PER_CENT, (question,), ""
+    )
 
 
 def sample_page(template: Template, seed: str, language: Language) -> bytes:
@@ -35,7 +40,15 @@ def worked_page(solution: Solution, language: Language, method: Method | None = 
     """The worked solution of an instance for what the template asks, as PDF; the method as in `worked_solution`."""
     template = solution.template
     worked = worked_solution(solution, template.asked(), language, method)
-    question = WorkedQuestion(1, "q1", template.title.in_language(language),
-                              statement(template, solution.parameters, language), worked.blocks, template.name)
-    sheet = SolutionSheet(language, "kinegrade", template.title.in_language(language), "", "", "", "", (question,))
+    question = WorkedQuestion(
+        1,
+        "q1",
+        template.title.in_language(language),
+        statement(template, solution.parameters, language),
+        worked.blocks,
+        template.name,
+    )
+    sheet = SolutionSheet(
+        language, "kinegrade", template.title.in_language(language), "", "", "", "", (question,)
+    )
     return TypstPress().solution(sheet)

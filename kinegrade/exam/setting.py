@@ -82,11 +82,19 @@ class Setting:
             code = paper_code(self.secret, student.student)
             if versions:
                 letter = version_of(self.secret, place, letters)
-                yield SetPaper(student, f"{letter}-{code}", versions[letter], self.order(f"version {letter}"), letter)
+                yield SetPaper(
+                    student,
+                    f"{letter}-{code}",
+                    versions[letter],
+                    self.order(f"version {letter}"),
+                    letter,
+                )
             else:
                 if number % SEEN_AHEAD == 0:
-                    self.foresee(places[number:number + SEEN_AHEAD])
-                yield SetPaper(student, code, self.draw(student.student), self.order(student.student), "")
+                    self.foresee(places[number : number + SEEN_AHEAD])
+                yield SetPaper(
+                    student, code, self.draw(student.student), self.order(student.student), ""
+                )
 
     def foresee(self, places: Sequence[int]) -> None:
         """Look ahead at the draws of the students at these places."""
@@ -95,15 +103,28 @@ class Setting:
 
     def draw(self, whose: str) -> tuple[SetQuestion, ...]:
         """The questions of a student, or of a version."""
-        return tuple(set_question(question, self.decks[question.identifier], whose) for question in self.bank.questions)
+        return tuple(
+            set_question(question, self.decks[question.identifier], whose)
+            for question in self.bank.questions
+        )
 
     def order(self, whose: str) -> tuple[int, ...]:
         """The order in which the questions of a student, or of a version, are printed."""
         places = range(len(self.bank.questions))
         if not self.bank.shuffle:
             return tuple(places)
-        return tuple(sorted(places, key=lambda place: address(self.secret, "order", whose,
-                                                              self.bank.questions[place].identifier)))
+        return tuple(
+            sorted(
+                places,
+                key=lambda place: address(
+                    self.secret, "order", whose, self.bank.questions[place].identifier
+                ),
+            )
+        )
+
+    def combinations(self) -> dict[str, int]:
+        """For each question how many combinations of values can be drawn."""
+        return {name: deck.combinations() for name, deck in self.decks.items()}
 
     def refusals(self) -> dict[str, dict[str, int]]:
         """For each question how often a draw was refused, by reason."""
@@ -112,13 +133,26 @@ class Setting:
 
 def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
     """A setting. Raises DrawError for every question with fewer combinations than there are papers to be drawn."""
-    decks = {question.identifier: Deck(question.template, tuple(ask.name for ask in question.asks), secret,
-                                       question.identifier, question.domains,
-                                       tolerances={ask.name: ask.tolerance for ask in question.asks})
-             for question in bank.questions}
-    count, whose = (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
-    few = [f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {count} {whose}: "
-           "widen the domains" for name, deck in decks.items() if deck.combinations() < count]
+    decks = {
+        question.identifier: Deck(
+            question.template,
+            tuple(ask.name for ask in question.asks),
+            secret,
+            question.identifier,
+            question.domains,
+            tolerances={ask.name: ask.tolerance for ask in question.asks},
+        )
+        for question in bank.questions
+    }
+    count, whose = (
+        (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
+    )
+    few = [
+        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {count} {whose}: "
+        "widen the domains"
+        for name, deck in decks.items()
+        if deck.combinations() < count
+    ]
     if few:
         raise DrawError(*few)
     return Setting(bank, roster, secret, decks)
@@ -127,11 +161,16 @@ def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
 def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
     """A question drawn for a student, or for a version."""
     drawn = deck.draw(whose)
-    asks = tuple(set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles) for ask in question.asks)
+    asks = tuple(
+        set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
+        for ask in question.asks
+    )
     return SetQuestion(question, drawn, asks)
 
 
-def set_ask(question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles) -> SetAsk:
+def set_ask(
+    question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles
+) -> SetAsk:
     """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is next to zero."""
     tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)

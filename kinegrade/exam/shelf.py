@@ -22,7 +22,9 @@ class Shelf:
 
     def having(self, by: str, word: str) -> tuple[Template, ...]:
         """The templates of a family or with a tag."""
-        return tuple(template for name, template in self.templates.items() if word in self.words[by][name])
+        return tuple(
+            template for name, template in self.templates.items() if word in self.words[by][name]
+        )
 
     def known(self, by: str) -> frozenset[str]:
         """All families, or all tags."""
@@ -42,4 +44,7 @@ def read_shelf(folder: Path) -> Shelf:
     if faults:
         raise BankError(*faults)
     families = {name: frozenset({template.family}) for name, template in templates.items()}
-    return Shelf(templates, {"family": families, "tag": {name: tags(template) for name, template in templates.items()}})
+    return Shelf(
+        templates,
+        {"family": families, "tag": {name: tags(template) for name, template in templates.items()}},
+    )

@@ -11,20 +11,42 @@ from kinegrade.problem.template import Language, Method
 from kinegrade.worked.solution import worked_solution
 
 
-def solution_sheet(bank: Bank, paper: SetPaper, language: Language, method: Method | None = None) -> SolutionSheet:
+def solution_sheet(
+    bank: Bank, paper: SetPaper, language: Language, method: Method | None = None
+) -> SolutionSheet:
     """The worked solutions of one student's paper, in the order of the paper.
 
     By `method` where several serve; None leaves it to each template.
     """
-    questions = tuple(worked_question(number, question, language, method)
-                      for number, question in enumerate(paper.printed, start=1))
-    return SolutionSheet(language, bank.course.in_language(language), paper_title(bank, paper, language), bank.date,
-                         paper.student.student, paper.student.name, paper.code, questions)
+    questions = tuple(
+        worked_question(number, question, language, method)
+        for number, question in enumerate(paper.printed, start=1)
+    )
+    return SolutionSheet(
+        language,
+        bank.course.in_language(language),
+        paper_title(bank, paper, language),
+        bank.date,
+        paper.student.student,
+        paper.student.name,
+        paper.code,
+        questions,
+    )
 
 
-def worked_question(number: int, question: SetQuestion, language: Language, method: Method | None) -> WorkedQuestion:
+def worked_question(
+    number: int, question: SetQuestion, language: Language, method: Method | None
+) -> WorkedQuestion:
     """A question with its worked solution, for the quantities that are asked."""
     template, solution = question.question.template, question.drawn.solution
-    worked = worked_solution(solution, (entry.ask.name for entry in question.asks), language, method)
-    return WorkedQuestion(number, question.question.identifier, template.title.in_language(language),
-                          statement(template, solution.parameters, language), worked.blocks, template.name)
+    worked = worked_solution(
+        solution, (entry.ask.name for entry in question.asks), language, method
+    )
+    return WorkedQuestion(
+        number,
+        question.question.identifier,
+        template.title.in_language(language),
+        statement(template, solution.parameters, language),
+        worked.blocks,
+        template.name,
+    )

@@ -40,8 +40,13 @@ UNKNOWN = "?"
 def solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
     """Typst source of one student's worked solutions; raises TypesetError with all faults of their texts."""
     words = solution_words_of(sheet.language)
-    data: Sheet = {"questions": each(lambda question: _question(question, words, size), sheet.questions)}
-    data |= {name: getattr(sheet, name) for name in ("language", "course", "title", "date", "student", "name", "code")}
+    data: Sheet = {
+        "questions": each(lambda question: _question(question, words, size), sheet.questions)
+    }
+    data |= {
+        name: getattr(sheet, name)
+        for name in ("language", "course", "title", "date", "student", "name", "code")
+    }
     data |= {"size": size, "words": asdict(words) | {"page": words.page.split("{}")}}
     return layout_call("solution", data)
 
@@ -51,7 +56,9 @@ def _question(question: WorkedQuestion, words: SolutionWords, size: PaperSize) -
     sheet = gathered(
         title=lambda: line(question.title, f"{question.identifier}, title"),
         statement=lambda: prose(question.statement, f"{question.identifier}, statement"),
-        blocks=lambda: each(lambda place: _block(question.blocks, place, where, size), range(len(question.blocks))),
+        blocks=lambda: each(
+            lambda place: _block(question.blocks, place, where, size), range(len(question.blocks))
+        ),
     )
     known = words.question if question.identifier == f"q{question.number}" else words.question_known
     return sheet | {"heading": known.format(question.number, question.identifier)}
@@ -69,20 +76,28 @@ def _content(block: Block, where: str, size: PaperSize) -> Sheet:
         case Prose():
             return {"kind": "prose", "text": prose(block.text, where)}
         case Display():
-            return {"kind": "display", "lines": each(lambda latex: _line(latex, where), block.lines)}
+            return {
+                "kind": "display",
+                "lines": each(lambda latex: _line(latex, where), block.lines),
+            }
         case TermTable():
             return {"kind": "terms", "terms": each(lambda term: _term(term, where), block.terms)}
         case Pictures():
             rows = _rows(block.pictures, TEXT_WIDTH[size])
             return {"kind": "pictures", "rows": each(lambda row: _picture_row(row, where), rows)}
         case Results():
-            return {"kind": "results", "results": each(lambda result: _result(result, where), block.results)}
+            return {
+                "kind": "results",
+                "results": each(lambda result: _result(result, where), block.results),
+            }
 
 
 def _line(latex: str, where: str) -> Sheet:
     parts = equation_line(latex)
-    return gathered(left=lambda: _math(parts.left, where),
-                    pieces=lambda: each(lambda piece: _piece(piece, where), parts.pieces))
+    return gathered(
+        left=lambda: _math(parts.left, where),
+        pieces=lambda: each(lambda piece: _piece(piece, where), parts.pieces),
+    )
 
 
 def _piece(latex: str, where: str) -> Sheet:
@@ -100,7 +115,11 @@ def _term(term: Term, where: str) -> Sheet:
 
 def _cell(text: str, where: str) -> Sheet:
     """A formula alone is made smaller where its column is narrow, other text is broken into lines."""
-    return {"text": line(text, where), "formula": bool(fullmatch(FORMULA_ALONE, text)), "unknown": text == UNKNOWN}
+    return {
+        "text": line(text, where),
+        "formula": bool(fullmatch(FORMULA_ALONE, text)),
+        "unknown": text == UNKNOWN,
+    }
 
 
 def _rows(pictures: Iterable[Picture], width: float) -> list[list[Picture]]:
@@ -120,7 +139,9 @@ def _picture_row(row: Sequence[Picture], where: str) -> list[Sheet]:
 
 
 def _picture(picture: Picture, where: str) -> Sheet:
-    sheet = gathered(figure=lambda: f"[{to_typst(picture.scene)}]", caption=lambda: line(picture.caption, where))
+    sheet = gathered(
+        figure=lambda: f"[{to_typst(picture.scene)}]", caption=lambda: line(picture.caption, where)
+    )
     return sheet | {"width": picture.scene.width, "height": picture.scene.height}
 
 

@@ -26,7 +26,9 @@ from kinegrade.exam.layout_call import each
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 KEY_CHUNK = 10  # papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
-FIXED_TIME = 946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
+FIXED_TIME = (
+    946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
+)
 
 Sheet = TypeVar("Sheet", Paper, SolutionSheet)
 
@@ -44,7 +46,9 @@ class TypstPress:
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
         layouts = str(files("kinegrade.exam") / "layouts")  # as root: Typst reads no other folder
-        self._compiler = typst.Compiler(root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True)
+        self._compiler = typst.Compiler(
+            root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True
+        )
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
     def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
@@ -97,7 +101,9 @@ class TypstPress:
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one look for a whole roster."""
-        characters = {character for text in texts for character in set(text) if ord(character) > 126}
+        characters = {
+            character for text in texts for character in set(text) if ord(character) > 126
+        }
         unknown = characters - self._looked_at.keys()
         missing: set[str] = set()
         while found := self._boxes(sorted(unknown - missing)):
@@ -115,7 +121,10 @@ class TypstPress:
     def _legible(self, book: KeyBook) -> KeyBook:
         papers = tuple(book.papers)
         missing = self.unprintable(paper.name for paper in papers)
-        return replace(book, papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers))
+        return replace(
+            book,
+            papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers),
+        )
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains of; it may need several looks to find all."""
@@ -123,7 +132,9 @@ class TypstPress:
             return set()
         date = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
         try:
-            self._pdf(date + "".join(f"#box({literal(character)})\n" for character in characters), "a-2b")
+            self._pdf(
+                date + "".join(f"#box({literal(character)})\n" for character in characters), "a-2b"
+            )
         except typst.TypstError as error:
             return set("".join(_boxed(error)))
         return set()
@@ -159,7 +170,9 @@ class TypstPress:
         return self._pdf(source, "a-2b" if self.unprintable([source]) else None)
 
     def _pdf(self, source: str, standard: Literal["a-2b"] | None) -> bytes:
-        pdf = self._compiler.compile(source.encode(), format="pdf", pdf_standards=standard, timestamp=FIXED_TIME)
+        pdf = self._compiler.compile(
+            source.encode(), format="pdf", pdf_standards=standard, timestamp=FIXED_TIME
+        )
         return pdf if isinstance(pdf, bytes) else b"".join(pdf or ())
 
 
@@ -177,7 +190,9 @@ def legible(name: str, missing: frozenset[str]) -> str:
     >>> legible("Zoë 😀", frozenset("😀"))
     'Zoë [U+1F600]'
     """
-    return "".join(f"[U+{ord(character):04X}]" if character in missing else character for character in name)
+    return "".join(
+        f"[U+{ord(character):04X}]" if character in missing else character for character in name
+    )
 
 
 def _boxed(error: typst.TypstError) -> list[str]:

@@ -45,7 +45,9 @@ COLUMNS_OF_MARKS = 13  # the total among them: as many as stand side by side in 
 LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
 PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+[.)])\s)")  # or item of a list
 PLAIN_SYMBOL = 7  # letters of a symbol that surely fits its column
-PLAIN_EXACT = 26  # letters' widths of an exact value: a wider one may be too wide for its column in the key
+PLAIN_EXACT = (
+    26  # letters' widths of an exact value: a wider one may be too wide for its column in the key
+)
 
 
 def paper_source(paper: Paper, size: PaperSize = "a4") -> str:
@@ -55,19 +57,29 @@ def paper_source(paper: Paper, size: PaperSize = "a4") -> str:
         rules=lambda: _halves(each(lambda rule: prose(rule, "rules"), paper.rules), paper.rules),
         questions=lambda: each(lambda question: _question(question, words), paper.questions),
     )
-    sheet |= {name: getattr(paper, name) for name in ("course", "title", "date", "student", "name", "code")}
-    return layout_call("paper", sheet | {
-        "language": paper.language,
-        "size": size,
-        "mark": _code_image(paper.code),
-        "marks": _marks(paper, words),
-        "words": _words(words),
-    })
+    sheet |= {
+        name: getattr(paper, name)
+        for name in ("course", "title", "date", "student", "name", "code")
+    }
+    return layout_call(
+        "paper",
+        sheet
+        | {
+            "language": paper.language,
+            "size": size,
+            "mark": _code_image(paper.code),
+            "marks": _marks(paper, words),
+            "words": _words(words),
+        },
+    )
 
 
 def key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> str:
     """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all faults."""
-    sheet: Sheet = {"papers": each(_key_paper, book.papers), "words": _words(words_of(book.language))}
+    sheet: Sheet = {
+        "papers": each(_key_paper, book.papers),
+        "words": _words(words_of(book.language)),
+    }
     sheet |= {name: getattr(book, name) for name in ("language", "course", "title", "warning")}
     return layout_call("key", sheet | {"size": size, "first-page": first_page})
 
@@ -76,10 +88,16 @@ def gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
     """Typst source of a contact sheet of templates; raises TypesetError with all faults of their texts."""
     words = gallery_words_of(gallery.language)
     entries = each(lambda entry: _gallery_entry(entry, words), gallery.entries)
-    families = [{"name": family or words.unreadable, "entries": list(members)}
-                for family, members in groupby(entries, lambda entry: entry["family"])]
+    families = [
+        {"name": family or words.unreadable, "entries": list(members)}
+        for family, members in groupby(entries, lambda entry: entry["family"])
+    ]
     sheet = {"families": families, "words": asdict(words) | {"page": words.page.split("{}")}}
-    sheet |= {"language": gallery.language, "size": size, "title": words.title.format(len(gallery.entries))}
+    sheet |= {
+        "language": gallery.language,
+        "size": size,
+        "title": words.title.format(len(gallery.entries)),
+    }
     return layout_call("gallery", sheet)
 
 
@@ -106,13 +124,18 @@ def _marks(paper: Paper, words: Words) -> list[list[tuple[str, str]]]:
     """The columns of the marker's table, number and points of each question and the total, in rows of columns."""
     columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
     columns.append((words.total, points_text(paper.points)))
-    return [columns[start : start + COLUMNS_OF_MARKS] for start in range(0, len(columns), COLUMNS_OF_MARKS)]
+    return [
+        columns[start : start + COLUMNS_OF_MARKS]
+        for start in range(0, len(columns), COLUMNS_OF_MARKS)
+    ]
 
 
 def _halves(pieces: Sequence[str], texts: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
     """The pieces in two columns, of nearly equal length where each is as long as its text."""
     lengths = [len(text) for text in texts]
-    middle = min(range(len(texts) + 1), key=lambda index: abs(sum(lengths[:index]) - sum(lengths[index:])))
+    middle = min(
+        range(len(texts) + 1), key=lambda index: abs(sum(lengths[:index]) - sum(lengths[index:]))
+    )
     return pieces[:middle], pieces[middle:]
 
 
@@ -191,14 +214,18 @@ def _answer_row(row: AnswerRow, where: str, unitless: str) -> Sheet:
 
 
 def _key_paper(paper: KeyPaper) -> Sheet:
-    entries = each(lambda entry: _key_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries)
+    entries = each(
+        lambda entry: _key_entry(entry, f"{paper.code}, {entry.identifier}"), paper.entries
+    )
     return {"student": paper.student, "name": paper.name, "code": paper.code, "entries": entries}
 
 
 def _key_entry(entry: KeyEntry, where: str) -> Sheet:
     sheet = gathered(
         title=lambda: line(entry.title, where),
-        parameters=lambda: each(lambda parameter: _key_parameter(parameter, where), entry.parameters),
+        parameters=lambda: each(
+            lambda parameter: _key_parameter(parameter, where), entry.parameters
+        ),
         answers=lambda: each(lambda answer: _key_answer(answer, where), entry.answers),
     )
     return sheet | {"identifier": entry.identifier}
@@ -234,11 +261,19 @@ def _gallery_entry(entry: GalleryEntry, words: GalleryWords) -> Sheet:
         figures=lambda: each(lambda draw: _gallery_figure(draw, entry.name), entry.figures),
     )
     combinations = words.combinations.format(f"{entry.combinations:,}")
-    return sheet | {"family": entry.family, "name": entry.name, "combinations": combinations, "faults": entry.faults}
+    return sheet | {
+        "family": entry.family,
+        "name": entry.name,
+        "combinations": combinations,
+        "faults": entry.faults,
+    }
 
 
 def _gallery_figure(draw: GalleryFigure, where: str) -> Sheet:
-    return {"figure": f"[{to_typst(draw.figure)}]", "givens": line(draw.givens, f"{where}, values drawn")}
+    return {
+        "figure": f"[{to_typst(draw.figure)}]",
+        "givens": line(draw.givens, f"{where}, values drawn"),
+    }
 
 
 def _symbols(symbols: Iterable[str], where: str) -> list[str]:

@@ -19,4 +19,6 @@ def version_of(secret: str, place: int, letters: tuple[str, ...]) -> str:
     next to each other mostly differ, and a student who is appended changes nobody's version.
     """
     turn, place_in_turn = divmod(place, len(letters))
-    return sorted(letters, key=lambda letter: address(secret, "version", turn, letter))[place_in_turn]
+    return sorted(letters, key=lambda letter: address(secret, "version", turn, letter))[
+        place_in_turn
+    ]

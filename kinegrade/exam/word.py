@@ -46,7 +46,9 @@ class PandocPress:
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
         layouts = str(files("kinegrade.exam") / "layouts")
-        self._compiler = typst.Compiler(root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True)
+        self._compiler = typst.Compiler(
+            root=layouts, font_paths=installed_fonts(), ignore_system_fonts=True
+        )
 
     def also(self, paper: Paper, kind: str) -> bytes:
         """The paper as "docx" or "html". Raises TypesetError as `docx` and `html` do, and for another kind."""
@@ -55,7 +57,9 @@ class PandocPress:
                 return self.docx(paper)
             case "html":
                 return self.html(paper)
-        raise TypesetError(f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}")
+        raise TypesetError(
+            f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}"
+        )
 
     def docx(self, paper: Paper) -> bytes:
         """The paper for Word. Raises TypesetError with all faults of its texts, and where there is no pandoc."""
@@ -68,12 +72,21 @@ class PandocPress:
 
     def html(self, paper: Paper) -> bytes:
         """The paper as one HTML file, in UTF-8. Raises TypesetError as `docx` does."""
-        body = _pandoc("html", ["--mathml"], paper_tree(paper, self._figures(paper, "svg"))).decode()
-        page = Template((files("kinegrade.exam") / "layouts" / "paper.html").read_text(encoding="utf-8"))
+        body = _pandoc(
+            "html", ["--mathml"], paper_tree(paper, self._figures(paper, "svg"))
+        ).decode()
+        page = Template(
+            (files("kinegrade.exam") / "layouts" / "paper.html").read_text(encoding="utf-8")
+        )
         owner = f"{words_of(paper.language).paper} {paper.code} · {paper.student}"
         style = layout("paper.css", size=CSS_SIZES[self._size])
-        return page.substitute(language=LANGUAGES[paper.language], title=escape(f"{paper.title} {paper.code}"),
-                               style=style, body=body, footer=escape(owner)).encode()
+        return page.substitute(
+            language=LANGUAGES[paper.language],
+            title=escape(f"{paper.title} {paper.code}"),
+            style=style,
+            body=body,
+            footer=escape(owner),
+        ).encode()
 
     @cached_property
     def _default_reference(self) -> bytes:
@@ -81,8 +94,11 @@ class PandocPress:
 
     def _figures(self, paper: Paper, kind: Literal["png", "svg"]) -> dict[int, str]:
         """The figure of each question as a data URI."""
-        return {question.number: self._picture(question.figure, kind)
-                for question in paper.questions if question.figure}
+        return {
+            question.number: self._picture(question.figure, kind)
+            for question in paper.questions
+            if question.figure
+        }
 
     def _picture(self, scene: Scene, kind: Literal["png", "svg"]) -> str:
         source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{to_typst(scene)}\n'
@@ -101,12 +117,15 @@ def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
     """What pandoc writes. Raises TypesetError where there is none, and with its own words where it fails or warns."""
     command = [_pandoc_path(kind), "--sandbox", *options]
     try:
-        result = subprocess.run(command, input=given, capture_output=True, timeout=SECONDS, check=False)
+        result = subprocess.run(
+            command, input=given, capture_output=True, timeout=SECONDS, check=False
+        )
     except OSError as error:
         raise TypesetError(f"{kind}: {MISSING}") from error
     except subprocess.TimeoutExpired as error:
-        raise TypesetError(f"{kind}: pandoc has not ended after {SECONDS} s; expected a fraction of one; try again"
-                           ) from error
+        raise TypesetError(
+            f"{kind}: pandoc has not ended after {SECONDS} s; expected a fraction of one; try again"
+        ) from error
     if result.returncode:
         raise TypesetError(*_explained(result.stderr.decode(errors="replace"), kind))
     return result.stdout
@@ -117,8 +136,13 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
     said = " ".join(complaint.split())
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
-        return (f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of version 3",)
-    return tuple(f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it" for latex in formulas)
+        return (
+            f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of version 3",
+        )
+    return tuple(
+        f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it"
+        for latex in formulas
+    )
 
 
 def _pandoc_path(kind: Kind) -> str:

@@ -19,10 +19,14 @@ PAGES = {"a4": (11906, 16838), "letter": (12240, 15840)}  # twentieths of a poin
 MARGINS = 2 * 1134
 LATIN = {"en": "en-GB", "zh": "en-US"}
 FOOTER = "footer1.xml"
-RELATION = (f'<Relationship Id="rIdFooter" Target="{FOOTER}" '
-            'Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/footer"/>')
-KIND = (f'<Override PartName="/word/{FOOTER}" '
-        'ContentType="application/vnd.openxmlformats-officedocument.wordprocessingml.footer+xml"/>')
+RELATION = (
+    f'<Relationship Id="rIdFooter" Target="{FOOTER}" '
+    'Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/footer"/>'
+)
+KIND = (
+    f'<Override PartName="/word/{FOOTER}" '
+    'ContentType="application/vnd.openxmlformats-officedocument.wordprocessingml.footer+xml"/>'
+)
 
 
 def word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
@@ -31,16 +35,23 @@ def word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
     before, between, after = words_of(paper.language).page.split("{}")
     owner = f"{words_of(paper.language).paper} {paper.code}    {paper.student}"
     parts = {
-        "word/styles.xml": layout("word-styles.xml", latin=LATIN[paper.language], measure=str(width - MARGINS)),
+        "word/styles.xml": layout(
+            "word-styles.xml", latin=LATIN[paper.language], measure=str(width - MARGINS)
+        ),
         "word/document.xml": layout("word-page.xml", width=str(width), height=str(height)),
-        f"word/{FOOTER}": layout("word-footer.xml", owner=owner, before=before, between=between, after=after),
+        f"word/{FOOTER}": layout(
+            "word-footer.xml", owner=owner, before=before, between=between, after=after
+        ),
     }
     return _with_parts(default, parts)
 
 
 def layout(name: str, **texts: str) -> str:
     """A file of `layouts/` with texts in place of its `$name`s, escaped for XML; control characters become spaces."""
-    clean = {key: "".join(letter if letter.isprintable() else " " for letter in text) for key, text in texts.items()}
+    clean = {
+        key: "".join(letter if letter.isprintable() else " " for letter in text)
+        for key, text in texts.items()
+    }
     template = (files("kinegrade.exam") / "layouts" / name).read_text(encoding="utf-8")
     return Template(template).substitute({key: escape(text) for key, text in clean.items()})
 

@@ -33,8 +33,10 @@ from kinegrade.exam.setting import Setting, set_exam
 CHUNK = 20  # papers in one task at least: else there are too many of them
 MOST = 60  # papers in one task at most: what is worked out together for a part costs little for each paper then
 AHEAD = 2  # tasks for each process that are under way or wait for it
-ENDED = ("generate: a process that prints papers was ended from outside; expected room for all of them in memory; "
-         "use fewer: --jobs 1")
+ENDED = (
+    "generate: a process that prints papers was ended from outside; expected room for all of them in memory; "
+    "use fewer: --jobs 1"
+)
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,9 @@ class Job:
         return set_exam(self.bank, self.roster, self.secret)
 
 
-def printed(run: PrintRun, setting: Setting, press: Press, jobs: int) -> Generator[Printed, None, None]:
+def printed(
+    run: PrintRun, setting: Setting, press: Press, jobs: int
+) -> Generator[Printed, None, None]:
     """What remains of each paper, in order, by up to `jobs` processes; a small class by this one and its press.
 
     Raises DrawError, and TypesetError with the faults of the first part of the class that has any.
@@ -65,8 +69,14 @@ def printed(run: PrintRun, setting: Setting, press: Press, jobs: int) -> Generat
             figures, ledger = Path(folder, "figures"), Path(folder, "ledger")
             figures.mkdir()
             ledger.mkdir()
-            job = Job(run.papers, replace(run, sketchbook=figures), ledger, setting.bank, setting.roster,
-                      setting.secret)
+            job = Job(
+                run.papers,
+                replace(run, sketchbook=figures),
+                ledger,
+                setting.bank,
+                setting.roster,
+                setting.secret,
+            )
             yield from by_workers(job, setting, press, workers)
         return
     papers = setting.papers()

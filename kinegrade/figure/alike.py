@@ -16,7 +16,9 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
-DECIMALS = 10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
+DECIMALS = (
+    10  # of a mechanism of unit size: far above rounding of floats, far below what a printer shows
+)
 
 
 @dataclass(frozen=True)
@@ -32,15 +34,20 @@ def subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
     """The subject of a mechanism's figure, and the mechanism's size in metres."""
     size = max((abs(number) for number in _lengths(mechanism)), default=0.0) or 1.0
     scaled = to_paper(mechanism, 1 / size)
-    shown = Mechanism({name: _settled(point) for name, point in scaled.points.items()}, scaled.bodies,
-                      tuple(map(_settled, scaled.joints)),
-                      tuple(map(_sense, scaled.drivers)) if any(map(_follows_driver, hints.arrows)) else ())
+    shown = Mechanism(
+        {name: _settled(point) for name, point in scaled.points.items()},
+        scaled.bodies,
+        tuple(map(_settled, scaled.joints)),
+        tuple(map(_sense, scaled.drivers)) if any(map(_follows_driver, hints.arrows)) else (),
+    )
     return Subject(repr((shown, hints)), shown, hints), size
 
 
 def _lengths(mechanism: Mechanism) -> list[float]:
     """All coordinates, and the radii of all circles."""
-    circles = (getattr(joint, name, None) for joint in mechanism.joints for name in ("circle", "on"))
+    circles = (
+        getattr(joint, name, None) for joint in mechanism.joints for name in ("circle", "on")
+    )
     radii = [circle.radius for circle in circles if isinstance(circle, Circle)]
     return radii + [number for point in mechanism.points.values() for number in point]
 
@@ -65,5 +72,9 @@ def _follows_driver(arrow: Turning | Moving) -> bool:
 
 def _sense(driver: Any) -> Any:
     """A driver by the sense of its velocity alone."""
-    direction = {"direction": _settled(unit(driver.direction))} if hasattr(driver, "direction") else {}
-    return replace(driver, velocity=-1.0 if driver.velocity < 0 else 1.0, acceleration=0.0, **direction)
+    direction = (
+        {"direction": _settled(unit(driver.direction))} if hasattr(driver, "direction") else {}
+    )
+    return replace(
+        driver, velocity=-1.0 if driver.velocity < 0 else 1.0, acceleration=0.0, **direction
+    )

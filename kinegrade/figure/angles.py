@@ -19,7 +19,17 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Angle
 
 SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
-RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 3.2)  # millimetres, the nicest first where there is room
+RADII = (
+    7.0,
+    6.2,
+    5.5,
+    4.5,
+    8.5,
+    10.0,
+    12.0,
+    14.0,
+    3.2,
+)  # millimetres, the nicest first where there is room
 SHARE = 0.45  # of the way to the next point on a side of the angle that an arc takes at best
 BEYOND = 2.5  # millimetres a thin line towards a side of the paper goes on beyond the arc
 
@@ -38,14 +48,18 @@ def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
     nicest = min(RADII[0], max(RADII[3], SHARE * _room(vertex, (start, end), at.values())))
     if abs(sweep) > SMALLEST_ANGLE:
         yield [
-            AngleArc(Bow(vertex, radius, start, sweep, THIN), legs, hint, _demerit(radius, nicest, legs))
+            AngleArc(
+                Bow(vertex, radius, start, sweep, THIN), legs, hint, _demerit(radius, nicest, legs)
+            )
             for radius in RADII
         ]
 
 
 def least_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Primitive, ...]:
     """The thin lines that the sides of an angle need in any case, to be spared by what is written before it."""
-    lines = tuple(line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3])))
+    lines = tuple(
+        line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3]))
+    )
     return (Strokes(lines, THIN),) if lines else ()
 
 
@@ -53,7 +67,13 @@ def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg,
     vertex, legs = at[hint.at], []
     for name in (hint.start, hint.end):
         side = angle_of(direction(at, vertex, name))
-        legs.append(Leg(side, _drawn(vertex, polar(side), drawing), length(at[name] - vertex) if name in at else 0.0))
+        legs.append(
+            Leg(
+                side,
+                _drawn(vertex, polar(side), drawing),
+                length(at[name] - vertex) if name in at else 0.0,
+            )
+        )
     return tuple(legs)
 
 
@@ -94,7 +114,10 @@ def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
     for part in drawing.parts:
         if isinstance(part, Bar) and on_line(vertex, Line(part.start, part.end - part.start)):
             steps = [end - vertex for end in (part.start, part.end)]
-            if abs(unit(steps[0] - steps[1]).cross(toward)) < NEAR and min(step.dot(toward) for step in steps) < 1.0:
+            if (
+                abs(unit(steps[0] - steps[1]).cross(toward)) < NEAR
+                and min(step.dot(toward) for step in steps) < 1.0
+            ):
                 reaches += [step.dot(toward) for step in steps]
     return max(reaches)
 

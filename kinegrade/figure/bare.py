@@ -34,7 +34,9 @@ class BareMechanism:
     beside: tuple[Vector, ...] = ()
 
     @staticmethod
-    def of(mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()) -> BareMechanism:
+    def of(
+        mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
+    ) -> BareMechanism:
         """The mechanism of a figure without its givens."""
         bare = without_givens(hints)
         return BareMechanism(in_view(mechanism, bare), bare, tuple(beside))

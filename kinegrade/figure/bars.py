@@ -97,9 +97,13 @@ def bodies_of(
         part
         for body in mechanism.bodies
         if body.name not in round_ones and not body.particle
-        for part in _parts(mechanism, body, tuple(f for f in features if f.body == body.name), shapes)
+        for part in _parts(
+            mechanism, body, tuple(f for f in features if f.body == body.name), shapes
+        )
     )
-    return parts + rods(mechanism, shapes, found, tuple(part for part in parts if isinstance(part, Bar)))
+    return parts + rods(
+        mechanism, shapes, found, tuple(part for part in parts if isinstance(part, Bar))
+    )
 
 
 def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
@@ -108,7 +112,11 @@ def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
         sum(on_line(mechanism.points[name], joint.line) for name in _names(mechanism, body))
         for body in (joint.body, joint.of)
     ]
-    return (joint.of, joint.body) if on_it[1] > on_it[0] and joint.of != GROUND else (joint.body, joint.of)
+    return (
+        (joint.of, joint.body)
+        if on_it[1] > on_it[0] and joint.of != GROUND
+        else (joint.body, joint.of)
+    )
 
 
 def sleeve_centre(mechanism: Mechanism, joint: Sleeve) -> Vector:
@@ -125,7 +133,11 @@ def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
     """The bodies that translate along a straight ground guide, each with its guided point and the guide."""
     fixed = {
         GROUND,
-        *(joint.body for joint in mechanism.joints if isinstance(joint, Parallel) and joint.of == GROUND),
+        *(
+            joint.body
+            for joint in mechanism.joints
+            if isinstance(joint, Parallel) and joint.of == GROUND
+        ),
     }
     found: dict[str, tuple[Vector, Line]] = {}
     for joint in mechanism.joints:
@@ -142,12 +154,15 @@ def rods(
     """The translating rods, each away from the rest and long enough to have its guide clear of the bars."""
     parts = []
     for body, (start, line) in translating(mechanism).items():
-        others = [at for name, at in mechanism.points.items() if name not in _names(mechanism, body)]
+        others = [
+            at for name, at in mechanism.points.items() if name not in _names(mechanism, body)
+        ]
         along = unit(line.direction)
         side = along.dot(mean(others + [rim.at for rim in found]) - start)
         toward = along * (-1.0 if side > 0.01 * ROD else 1.0)
         reach = next(
-            (more for more in range(0, 20, 2) if _clear(start + toward * (ROD - 5.0 + more), bars)), 0
+            (more for more in range(0, 20, 2) if _clear(start + toward * (ROD - 5.0 + more), bars)),
+            0,
         )
         ends = (start, start + toward * (ROD + reach))
         if shapes.get(body) == "through":
@@ -177,7 +192,9 @@ def _features(mechanism: Mechanism, shapes: Mapping[str, str]) -> Iterator[_Feat
         if isinstance(joint, Contact | Roll) and isinstance(joint.on, Line) and joint.of != GROUND:
             contact = touch(mechanism, joint)
             back = unit(contact - mechanism.points[joint.circle.centre])
-            yield _Feature(joint.of, joint.on, contact, "rack" if toothed(joint, shapes) else "face", back)
+            yield _Feature(
+                joint.of, joint.on, contact, "rack" if toothed(joint, shapes) else "face", back
+            )
 
 
 def _parts(
@@ -198,7 +215,11 @@ def _parts(
 
 def _at_edge(feature: _Feature, plate: Plate | None) -> bool:
     """Whether a feature is the edge of a plate, which is drawn anyhow."""
-    return plate is not None and feature.use in ("bar", "face") and outward(plate, feature.line) is not None
+    return (
+        plate is not None
+        and feature.use in ("bar", "face")
+        and outward(plate, feature.line) is not None
+    )
 
 
 def _by_line(features: Iterable[_Feature]) -> list[list[_Feature]]:

@@ -26,11 +26,15 @@ def cam_profile(
     height = (contact - pivot).dot(normal)
     nose = min(radius, 0.35 * max(height, radius * 0.1))
     facing, spread = angle_of(normal), _spread(radius, height)
-    corners = [(curvature_centre + polar(facing + side, radius - nose), nose) for side in (-spread, spread)]
+    corners = [
+        (curvature_centre + polar(facing + side, radius - nose), nose) for side in (-spread, spread)
+    ]
     outer = [*corners, (pivot, BASE * max(height, 0.0))]
     within = [(curvature_centre, radius), *outer]
     turns = (2 * pi * step / STEPS for step in range(-STEPS // 2, STEPS // 2))
-    return tuple(_farthest(within if abs(turn) <= spread else outer, facing + turn) for turn in turns)
+    return tuple(
+        _farthest(within if abs(turn) <= spread else outer, facing + turn) for turn in turns
+    )
 
 
 def _farthest(circles: list[Circle], angle: float) -> Vector:

@@ -15,9 +15,23 @@ from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Length
 
-OFFSETS = (5.5, -5.5, 8.0, -8.0, 10.5, -10.5, 13.0, -13.0, 16.0, -16.0)  # millimetres, of dimension lines
+OFFSETS = (
+    5.5,
+    -5.5,
+    8.0,
+    -8.0,
+    10.5,
+    -10.5,
+    13.0,
+    -13.0,
+    16.0,
+    -16.0,
+)  # millimetres, of dimension lines
 LEAVING = 2.2  # millimetres an extension line runs beside what is drawn at its point anyhow
-LEADERS = (6.0, 9.0)  # millimetres, of the line that leads from a symbol to a bar without room beside it
+LEADERS = (
+    6.0,
+    9.0,
+)  # millimetres, of the line that leads from a symbol to a bar without room beside it
 TURNS = tuple(turn * pi / 6 for turn in range(12))
 DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -28,12 +42,18 @@ def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> li
     measured = {"horizontal": Vector(1.0, 0.0), "vertical": Vector(0.0, 1.0)}.get(
         hint.along or "", unit(end - start)
     )
-    found: list[Mark] = [_dimension((start, end), measured, offset, hint.symbol) for offset in OFFSETS]
+    found: list[Mark] = [
+        _dimension((start, end), measured, offset, hint.symbol) for offset in OFFSETS
+    ]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
     whole = hint.along is None and not _between(start, end, others)
     if whole and drawn.joins(start, end, DRAWN_GAP):
         found.append(Lettered(start, end, hint.symbol))
-        found += [Leader((start + end) / 2, angle, reach, hint.symbol) for reach in LEADERS for angle in TURNS]
+        found += [
+            Leader((start + end) / 2, angle, reach, hint.symbol)
+            for reach in LEADERS
+            for angle in TURNS
+        ]
     return found
 
 
@@ -49,7 +69,8 @@ def _dimension(points: Segment, measured: Vector, offset: float, symbol: str) ->
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
     """Whether one of the other points divides the line, so that a letter beside it could mean a part."""
     return any(
-        length(point - nearest_of(point, start, end)) < NEAR and length(point - start) > NEAR < length(point - end)
+        length(point - nearest_of(point, start, end)) < NEAR
+        and length(point - start) > NEAR < length(point - end)
         for point in others
     )
 
@@ -111,7 +132,9 @@ class Lettered:
 
     def wish(self) -> Wish:
         """Close beside the line."""
-        return Wish(self.symbol, beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3))
+        return Wish(
+            self.symbol, beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=3)
+        )
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Nothing more is drawn."""

@@ -50,7 +50,10 @@ def symbol_size(symbol: str) -> tuple[float, float]:
         if not brace and not blank and place:
             stack[place] += _SCRIPT * _advance(command or character)
         elif not brace and not blank:
-            width, stack = width + max(stack.values()) + _advance(command or character), {"_": 0.0, "^": 0.0}
+            width, stack = (
+                width + max(stack.values()) + _advance(command or character),
+                {"_": 0.0, "^": 0.0},
+            )
         if depth <= depth_of_script and not blank:
             place = ""
     tall = 1.9 if "\\frac" in symbol else 1.0

@@ -17,7 +17,10 @@ MARGIN = 1.2  # millimetres a figure that was too large is aimed below its limit
 
 
 def fitted(
-    compose: Callable[[float], tuple[Primitive, ...]], scale: float, span: tuple[float, float], height: float = HEIGHT
+    compose: Callable[[float], tuple[Primitive, ...]],
+    scale: float,
+    span: tuple[float, float],
+    height: float = HEIGHT,
 ) -> Scene:
     """The scene that `compose` gives at the first scale, from `scale` downward, at which it is within WIDTH x `height`.
 
@@ -28,7 +31,9 @@ def fitted(
         box = box_around(primitives)
         if box.width <= WIDTH and box.height <= height:
             break
-        scale *= min(_shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, height, span[1] * scale))
+        scale *= min(
+            _shrink(box.width, WIDTH, span[0] * scale), _shrink(box.height, height, span[1] * scale)
+        )
     return _in_corner(primitives, box, scale)
 
 
@@ -41,15 +46,23 @@ def scene_of(primitives: Iterable[Primitive], scale: float) -> Scene:
 def _in_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene:
     """The primitives, which the box is around, as a scene."""
     home = Vector(-box.left, -box.bottom)
-    return Scene(box.width, box.height, scale, tuple([moved(primitive, home) for primitive in primitives]))
+    return Scene(
+        box.width, box.height, scale, tuple([moved(primitive, home) for primitive in primitives])
+    )
 
 
-def span_of(mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()) -> tuple[float, float]:
+def span_of(
+    mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
+) -> tuple[float, float]:
     """Width and height in metres of what scales: points, circles, profiles of cams, and points `beside` them."""
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
     for rim in rims(mechanism, hints.shapes, hints.circles):
         cam = rim.kind == "cam"
-        boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)] if cam else [(rim.at, rim.radius)]
+        boxes += (
+            [(point, 0.0) for point in cam_outline(mechanism, rim)]
+            if cam
+            else [(rim.at, rim.radius)]
+        )
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
     upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
     return max(across) - min(across), max(upward) - min(upward)

@@ -64,10 +64,19 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
             if isinstance(part, Plate | SlottedDisc)
             for piece in _part(mechanism, part)
         ),
-        *(piece for name, side in knives.items() for piece in symbols.knife_edge(mechanism.points[name], side)),
+        *(
+            piece
+            for name, side in knives.items()
+            for piece in symbols.knife_edge(mechanism.points[name], side)
+        ),
         *stands(mechanism, found, parts, {*knives}, sleeves),
         *(piece for at, along in sleeves for piece in symbols.sleeve(at, along)),
-        *(piece for part in parts if isinstance(part, Bar | Rod) for piece in _part(mechanism, part)),
+        *(
+            piece
+            for part in parts
+            if isinstance(part, Bar | Rod)
+            for piece in _part(mechanism, part)
+        ),
         *_reference_lines(mechanism, hints),
         *_blocks(mechanism, shapes),
         *_pins(mechanism, found, hints, {*knives}),
@@ -85,7 +94,10 @@ def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
         return _cam(mechanism, rim)
     pen = PENCILS[rim.kind]
     if rim.ring:
-        return (Disc(rim.at, grown(rim, 2.0).radius, FIRM, "grey"), Disc(rim.at, rim.radius, pen, "white"))
+        return (
+            Disc(rim.at, grown(rim, 2.0).radius, FIRM, "grey"),
+            Disc(rim.at, rim.radius, pen, "white"),
+        )
     if rim.kind == "slot":
         half = symbols.SLOT_WIDTH / 2
         return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
@@ -94,7 +106,10 @@ def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
 
 def _cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
     """The profile, with a thin line from the centre of curvature to the contact."""
-    return (Outline(cam_outline(mechanism, rim), FIRM, "grey"), Strokes(((rim.at, rim.touch),), THIN))
+    return (
+        Outline(cam_outline(mechanism, rim), FIRM, "grey"),
+        Strokes(((rim.at, rim.touch),), THIN),
+    )
 
 
 def cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
@@ -115,7 +130,10 @@ def _part(mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod) -> tuple[
         return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
     if isinstance(part, Rod):
         along = unit(part.end - part.start)
-        return (*symbols.guide(part.end - along * 5.0, along), Strokes(((part.start, part.end),), BOLD))
+        return (
+            *symbols.guide(part.end - along * 5.0, along),
+            Strokes(((part.start, part.end),), BOLD),
+        )
     if part.use == "rack":
         return symbols.rack(part.start, part.end, part.back)
     if part.use == "slot":
@@ -127,7 +145,8 @@ def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
     """The slot leaves the ends of a bar whole, and more of it where the bar is pinned."""
     along = unit(part.end - part.start)
     margins = [
-        0.4 if any(length(end - free) < 1e-6 for free in part.free) else 3.0 for end in (part.start, part.end)
+        0.4 if any(length(end - free) < 1e-6 for free in part.free) else 3.0
+        for end in (part.start, part.end)
     ]
     low, high = part.start + along * margins[0], part.end - along * margins[1]
     reach = (symbols.BLOCK_LENGTH - 1.0) / 2
@@ -183,7 +202,12 @@ def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
     at = mechanism.points[name]
     across = along.turned()
     below = -across if across.y > 1e-9 or (abs(across.y) <= 1e-9 and across.x < 0) else across
-    joined = [mechanism.points[own] for body in mechanism.bodies if name in body.points for own in body.points]
+    joined = [
+        mechanism.points[own]
+        for body in mechanism.bodies
+        if name in body.points
+        for own in body.points
+    ]
     levels = [(point - at).dot(below) for point in joined]
     if min(levels, default=0.0) < -1.0 and max(levels, default=0.0) > 1.0:
         return below
@@ -198,13 +222,19 @@ def _pins(
     pinned = {joint.point for joint in mechanism.joints if isinstance(joint, Pin)}
     translated = translating(mechanism)
     sliding = [joint for joint in mechanism.joints if isinstance(joint, Slide)]
-    pinned |= {joint.point for joint in sliding if joint.body not in translated or joint.of != GROUND}
+    pinned |= {
+        joint.point for joint in sliding if joint.body not in translated or joint.of != GROUND
+    }
     pinned -= knives
     owned = {name for body in mechanism.bodies for name in body.points}
-    labelled = {name for name, symbol in hints.labels.items() if symbol and name in mechanism.points}
+    labelled = {
+        name for name, symbol in hints.labels.items() if symbol and name in mechanism.points
+    }
     centres = ({rim.centre for rim in found} | (labelled - owned - knives)) - pinned
     marked = owned - pinned - centres - knives
-    crosses = [piece for name in sorted(centres) for piece in symbols.centre_mark(mechanism.points[name])]
+    crosses = [
+        piece for name in sorted(centres) for piece in symbols.centre_mark(mechanism.points[name])
+    ]
     dots = [piece for name in sorted(marked) for piece in symbols.dot(mechanism.points[name])]
     circles = [piece for name in sorted(pinned) for piece in symbols.pin(mechanism.points[name])]
     return (*crosses, *dots, *circles)

@@ -13,7 +13,11 @@ from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.place import Wish, crowding, label
 from kinegrade.figure.scene import Label, Primitive
 
-BATCHES = (4, 12, 36)  # how many alternatives of a mark are judged together: mostly one of the first will do
+BATCHES = (
+    4,
+    12,
+    36,
+)  # how many alternatives of a mark are judged together: mostly one of the first will do
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,9 @@ class Layout:
 
     def drawn(self, primitives: Sequence[Primitive]) -> Layout:
         """With more lines."""
-        return Layout((*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives))
+        return Layout(
+            (*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives)
+        )
 
     def written(self, wishes: Iterable[Wish]) -> Layout:
         """With a label for each wish, in order."""

@@ -32,11 +32,18 @@ def turning_marks(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list
     sense = 1.0 if (hint.sense or _imposed_sense(mechanism, hint.body)) == "ccw" else -1.0
     crank = _crank(mechanism, hint.body, centre, drawing)
     found: list[Mark] = []
-    for radius in (*TURNING_RADII, *(rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body)):
+    for radius in (
+        *TURNING_RADII,
+        *(rim.radius + 2.0 for rim in drawing.rims if rim.body == hint.body),
+    ):
         span = TURNING_ARC / radius * sense
         for angle in TWELFTHS:
             demerit = 1.5 * abs(radius - TURNING_RADII[0]) + 2.5 * abs(shorter_way(angle - crank))
-            found.append(TurningArrow(Bow(centre, radius, angle - span / 2, span, THIN), hint.symbol, demerit))
+            found.append(
+                TurningArrow(
+                    Bow(centre, radius, angle - span / 2, span, THIN), hint.symbol, demerit
+                )
+            )
     return found
 
 
@@ -65,7 +72,12 @@ class TurningArrow:
 def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) -> float:
     """The direction in which a body extends from its pivot; up when it has none."""
     own = [mechanism.points[name] for name in mechanism.body(body).points]
-    own += [end for part in drawing.parts if isinstance(part, Bar) and part.body == body for end in part.free]
+    own += [
+        end
+        for part in drawing.parts
+        if isinstance(part, Bar) and part.body == body
+        for end in part.free
+    ]
     far = max(own, key=lambda point: length(point - centre))
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
@@ -103,7 +115,9 @@ def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
         for shift in (0.0, -ARROW / 2, 3.0)
         for side in (1.0, -1.0)
     ]
-    return [MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)]
+    return [
+        MovingArrow(start, toward, hint.symbol, 0.5 * rank) for rank, start in enumerate(starts)
+    ]
 
 
 @dataclass(frozen=True)

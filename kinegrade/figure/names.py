@@ -80,7 +80,9 @@ def _away(at: Vector, drawing: Drawing) -> Vector | None:
 
 def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
     """Points that belong to a body, to a circle or to the ground, or are labelled: others are construction only."""
-    used = {name for body in mechanism.bodies for name in body.points} | {rim.centre for rim in drawing.rims}
+    used = {name for body in mechanism.bodies for name in body.points} | {
+        rim.centre for rim in drawing.rims
+    }
     used |= {point for joint in mechanism.joints if (point := getattr(joint, "point", None))}
     return [name for name in mechanism.points if name in used or hints.labels.get(name)]
 
@@ -89,8 +91,12 @@ def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Ve
     """A bar called AB with only A marked ends in B; of two free letters the rod takes the later."""
     for body in mechanism.bodies:
         letters = [letter for letter in _letters(body.name) if letter not in mechanism.points]
-        own = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name]
-        ends = [end for part in sorted(own, key=lambda part: isinstance(part, Bar)) for end in part.free]
+        own = [
+            part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name
+        ]
+        ends = [
+            end for part in sorted(own, key=lambda part: isinstance(part, Bar)) for end in part.free
+        ]
         yield from zip(reversed(letters), ends, strict=False)
 
 
@@ -106,9 +112,13 @@ def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
     if own:
         shares = (0.7, 0.55, 0.4)
         inner = [
-            own[0].at + polar(pi / 4 * turn, own[0].radius * share) for share in shares for turn in range(8)
+            own[0].at + polar(pi / 4 * turn, own[0].radius * share)
+            for share in shares
+            for turn in range(8)
         ]
-        return Wish(symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius))))
+        return Wish(
+            symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius)))
+        )
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
         raise TemplateError(

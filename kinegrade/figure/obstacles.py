@@ -32,7 +32,10 @@ Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its own n
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
-ROOM, SHARED_ROOM = 0.8, 0.6  # millimetres to be kept free on either side of a mark; less for thin lines
+ROOM, SHARED_ROOM = (
+    0.8,
+    0.6,
+)  # millimetres to be kept free on either side of a mark; less for thin lines
 LEAST = 1e-9  # millimetres: a step that is shorter goes nowhere
 SAME_AXIS = 0.05  # millimetres within which two lines count as one
 CORNER = 1.5  # times half its width, how far a pen's corners reach at any angle, and a little more
@@ -75,7 +78,9 @@ class Obstacles:
         """The sum of what an upright box about a centre covers; zero when it is free."""
         wide, high, total = width / 2, height / 2, 0.0
         box = (x - wide, y - high, x + wide, y + high)
-        for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _near(self.lines, box):
+        for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _near(
+            self.lines, box
+        ):
             if _crosses((start_x - x, pace_x, wide + pen), (start_y - y, pace_y, high + pen)):
                 total += cost
         for _, _, _, _, (centre_x, centre_y, inner, outer, cost) in _near(self.rings, box):
@@ -94,8 +99,14 @@ class Obstacles:
         across, upward = zip(*(point for piece in path for point in piece), strict=True)
         box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
         strips = [_strip(start, end, half) for start, end in path]
-        lines, rings = ([thing[-1] for thing in _near(things, box)] for things in (self.lines, self.rings))
-        return sum(line[-1] for line in lines if any(_strip_crosses(strip, line, shared) for strip in strips)) + sum(
+        lines, rings = (
+            [thing[-1] for thing in _near(things, box)] for things in (self.lines, self.rings)
+        )
+        return sum(
+            line[-1]
+            for line in lines
+            if any(_strip_crosses(strip, line, shared) for strip in strips)
+        ) + sum(
             ring[-1] for ring in rings if any(_strip_encircles(strip, ring) for strip in strips)
         )
 
@@ -117,8 +128,11 @@ class Obstacles:
 def _near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
     """The lines or rings whose boxes meet a box."""
     left, bottom, right, top = box
-    return [thing for thing in things
-            if thing[0] <= right and thing[2] >= left and thing[1] <= top and thing[3] >= bottom]
+    return [
+        thing
+        for thing in things
+        if thing[0] <= right and thing[2] >= left and thing[1] <= top and thing[3] >= bottom
+    ]
 
 
 def _strip(start: Vector, end: Vector, half: float) -> Numbers:
@@ -136,7 +150,9 @@ def _strip_crosses(strip: Numbers, line: Numbers, shared: bool) -> bool:
     further, sideways = _turned(dx, dy, along, across)
     if shared and cost <= COST_THIN and abs(off) <= SAME_AXIS and abs(off + sideways) <= SAME_AXIS:
         return False
-    return _crosses((off, _pace(sideways), half_width + pen), (start, _pace(further), half_length + pen))
+    return _crosses(
+        (off, _pace(sideways), half_width + pen), (start, _pace(further), half_length + pen)
+    )
 
 
 def _strip_encircles(strip: Numbers, ring: Numbers) -> bool:
@@ -185,10 +201,15 @@ def _label(label: Label) -> list[Boxed]:
     The middle line is exact against upright boxes; the diagonals reach the corners for strips at an angle.
     """
     half = min(label.width, label.height) / 2
-    along, rise = Vector(label.width / 2, label.height / 2), Vector(label.width / 2, -label.height / 2)
+    along, rise = (
+        Vector(label.width / 2, label.height / 2),
+        Vector(label.width / 2, -label.height / 2),
+    )
     middle = Vector(along.x - half, along.y - half)
     reaches = ((middle, half), (along, 0.0), (rise, 0.0))
-    return [_line(label.centre - reach, label.centre + reach, pen, COST_LABEL) for reach, pen in reaches]
+    return [
+        _line(label.centre - reach, label.centre + reach, pen, COST_LABEL) for reach, pen in reaches
+    ]
 
 
 def _line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
@@ -197,7 +218,13 @@ def _line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
     bottom, top = (y, to_y) if y < to_y else (to_y, y)
     dx, dy = to_x - x, to_y - y
     reach = CORNER * pen
-    return (left - reach, bottom - reach, right + reach, top + reach, (x, y, dx, dy, _pace(dx), _pace(dy), pen, cost))
+    return (
+        left - reach,
+        bottom - reach,
+        right + reach,
+        top + reach,
+        (x, y, dx, dy, _pace(dx), _pace(dy), pen, cost),
+    )
 
 
 def _ring(disc: Disc) -> Boxed:

@@ -70,11 +70,21 @@ def _best(
             break
         some = spots[first : first + AT_ONCE].tolist()
         across, upward = zip(*some, strict=True)
-        near = obstacles.near((min(across) - width / 2, min(upward) - height / 2,
-                               max(across) + width / 2, max(upward) + height / 2))
+        near = obstacles.near(
+            (
+                min(across) - width / 2,
+                min(upward) - height / 2,
+                max(across) + width / 2,
+                max(upward) + height / 2,
+            )
+        )
         for index, (x, y) in enumerate(some, first):
             if FARTHER * index + worse[index] < least:
-                cost = LABEL_WEIGHT * near.under_box(x, y, width, height) + FARTHER * index + worse[index]
+                cost = (
+                    LABEL_WEIGHT * near.under_box(x, y, width, height)
+                    + FARTHER * index
+                    + worse[index]
+                )
                 best, least = (index, cost) if cost < least else (best, least)
     return best, least
 
@@ -128,4 +138,6 @@ def along_bow(symbol: str, bow: Bow) -> Wish:
     half = np.abs(toward) @ size / 2
     levels = bow.radius + _BOW_SIDES[:, None] * (half + _BOW_GAPS[:, None])
     spots = np.array(bow.centre) + toward * levels[:, :, None]
-    return Wish(symbol, spots.reshape(-1, 2), bow.centre + polar(bow.start + bow.sweep / 2, bow.radius))
+    return Wish(
+        symbol, spots.reshape(-1, 2), bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    )

@@ -65,7 +65,9 @@ def on_line(point: Vector, line: Line) -> bool:
 
 def same_line(one: Line, other: Line) -> bool:
     """Whether two lines coincide."""
-    return on_line(other.point, one) and abs(unit(one.direction).cross(unit(other.direction))) < NEAR
+    return (
+        on_line(other.point, one) and abs(unit(one.direction).cross(unit(other.direction))) < NEAR
+    )
 
 
 def collinear(points: Sequence[Vector]) -> bool:

@@ -45,7 +45,11 @@ class Pole:
 
 
 def pole_picture(
-    mechanism: Mechanism, hints: FigureHints, pole: Pole, rays: Sequence[PointArrow], rotation: Turning | None = None
+    mechanism: Mechanism,
+    hints: FigureHints,
+    pole: Pole,
+    rays: Sequence[PointArrow],
+    rotation: Turning | None = None,
 ) -> Scene:
     """The mechanism (floats, metres) with its letters, the velocities `rays` of points of one body, and its pole.
 
@@ -80,7 +84,9 @@ class _Construction:
         bars = tuple(bold_lines(drawing.primitives))
         layout = Layout.of((*drawing.primitives, *self.lines(placed, scale, bars)))
         layout = with_arrows(layout, placed, drawing).drawn(self.mark(paper, scale))
-        layout = layout.written((*letters(paper, bare.hints, drawing), *self.names(placed, scale, bars)))
+        layout = layout.written(
+            (*letters(paper, bare.hints, drawing), *self.names(placed, scale, bars))
+        )
         layout = with_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_turning_about(self.place(scale), self.rotation, placed))
@@ -99,22 +105,33 @@ class _Construction:
             if self.pole.at is None:
                 across = unit(arrow.end - arrow.start).turned()
                 first = first or across
-                yield arrow, pointed(arrow.start, across if across.dot(first) > 0 else -across, bars)
+                yield (
+                    arrow,
+                    pointed(arrow.start, across if across.dot(first) > 0 else -across, bars),
+                )
             elif length(self.place(scale) - arrow.start) > SAME:
                 way = unit(self.place(scale) - arrow.start)
                 yield arrow, self.place(scale) if self.near else pointed(arrow.start, way, bars)
 
-    def lines(self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]) -> tuple[Primitive, ...]:
+    def lines(
+        self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
+    ) -> tuple[Primitive, ...]:
         """The normals, the marks of right angles, the line through the tips of parallel velocities."""
         ways = list(self.normals(placed, scale, bars))
         if not ways:
             return ()
         dashes = [(arrow.start, end) for arrow, end in ways] + list(self._through_tips(ways, scale))
         marks = tuple(_right_angle(arrow, end) for arrow, end in ways)
-        heads = () if self.near else tuple(arrowhead(end, unit(end - arrow.start)) for arrow, end in ways)
+        heads = (
+            ()
+            if self.near
+            else tuple(arrowhead(end, unit(end - arrow.start)) for arrow, end in ways)
+        )
         return (Strokes(tuple(dashes), NORMAL), *marks, *heads)
 
-    def _through_tips(self, ways: Sequence[tuple[VectorArrow, Vector]], scale: float) -> Iterator[Segment]:
+    def _through_tips(
+        self, ways: Sequence[tuple[VectorArrow, Vector]], scale: float
+    ) -> Iterator[Segment]:
         """The line through the pole and the tips of the velocities, where all normals coincide."""
         arrows = [arrow for arrow, _ in ways]
         ends = [arrow.end for arrow in arrows] + [self.place(scale)]
@@ -123,11 +140,15 @@ class _Construction:
 
     def mark(self, paper: Mechanism, scale: float) -> tuple[Primitive, ...]:
         """The pole as a dot, where no point of the mechanism is drawn already."""
-        if not self.near or any(length(at - self.place(scale)) < SAME for at in paper.points.values()):
+        if not self.near or any(
+            length(at - self.place(scale)) < SAME for at in paper.points.values()
+        ):
             return ()
         return dot(self.place(scale))
 
-    def names(self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]) -> Iterator[Wish]:
+    def names(
+        self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
+    ) -> Iterator[Wish]:
         """The symbol at the pole, or at the head of each normal that points to it."""
         if self.near:
             yield Wish(self.pole.symbol, around(self.pole.symbol, self.place(scale)))
@@ -140,13 +161,20 @@ class _Construction:
 def _in_row(one: VectorArrow, other: VectorArrow) -> bool:
     """Whether the normals to two velocities coincide."""
     along, apart = unit(one.end - one.start), other.start - one.start
-    return bool(abs(along.cross(unit(other.end - other.start))) < SAME and abs(along.dot(apart)) < SAME)
+    return bool(
+        abs(along.cross(unit(other.end - other.start))) < SAME and abs(along.dot(apart)) < SAME
+    )
 
 
 def pointed(start: Vector, toward: Vector, bars: Sequence[Segment]) -> Vector:
     """The end of a normal towards a pole outside the picture: past the bars that lie on it."""
-    on_it = [end for bar in bars if on_line(start, Line(bar[0], bar[1] - bar[0])) for end in bar
-             if abs(toward.cross(end - start)) < SAME]
+    on_it = [
+        end
+        for bar in bars
+        if on_line(start, Line(bar[0], bar[1] - bar[0]))
+        for end in bar
+        if abs(toward.cross(end - start)) < SAME
+    ]
     reach: float = max([POINTER, *(toward.dot(end - start) + BEYOND for end in on_it)])
     tip: Vector = start + toward * reach
     return tip
@@ -155,7 +183,9 @@ def pointed(start: Vector, toward: Vector, bars: Sequence[Segment]) -> Vector:
 def _right_angle(arrow: VectorArrow, end: Vector) -> Outline:
     """The small square between a velocity and its normal."""
     one, other = (unit(tip - arrow.start) * SQUARE for tip in (arrow.end, end))
-    return Outline((arrow.start + one, arrow.start + one + other, arrow.start + other), THIN, closed=False)
+    return Outline(
+        (arrow.start + one, arrow.start + one + other, arrow.start + other), THIN, closed=False
+    )
 
 
 def _turning_about(centre: Vector, rotation: Turning, placed: Sequence[VectorArrow]) -> list[Mark]:
@@ -167,5 +197,9 @@ def _turning_about(centre: Vector, rotation: Turning, placed: Sequence[VectorArr
         span = TURNING_ARC / radius * sense
         for angle in TWELFTHS:
             demerit = 1.5 * (radius - TURNING_RADII[0]) + 1.0 * abs(shorter_way(angle - toward))
-            found.append(TurningArrow(Bow(centre, radius, angle - span / 2, span, THIN), rotation.symbol, demerit))
+            found.append(
+                TurningArrow(
+                    Bow(centre, radius, angle - span / 2, span, THIN), rotation.symbol, demerit
+                )
+            )
     return found

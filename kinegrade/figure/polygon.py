@@ -14,8 +14,22 @@ from kinegrade.figure.scene import Disc, Primitive, Scene
 from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
 from kinegrade.mechanics.vector import Vector
 
-WIDE, HIGH = 52.0, 38.0  # millimetres an own polygon takes at most: the rest of a figure is for symbols
-ROUND = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # leading figures of a scale that is easily told
+WIDE, HIGH = (
+    52.0,
+    38.0,
+)  # millimetres an own polygon takes at most: the rest of a figure is for symbols
+ROUND = (
+    1.0,
+    1.2,
+    1.5,
+    2.0,
+    2.5,
+    3.0,
+    4.0,
+    5.0,
+    6.0,
+    8.0,
+)  # leading figures of a scale that is easily told
 NEGLIGIBLE = 0.01  # of the longest vector: what is shorter is not drawn
 OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
@@ -92,6 +106,8 @@ def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tup
 
 def _laid(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
     """The arrows of one side tip to tail on paper, without the negligible ones."""
-    for arrow, start, end in zip(chain, list(_corners(chain))[:-1], list(_corners(chain))[1:], strict=True):
+    for arrow, start, end in zip(
+        chain, list(_corners(chain))[:-1], list(_corners(chain))[1:], strict=True
+    ):
         if length(arrow.value) > least:
             yield VectorArrow(arrow.symbol, start * scale, end * scale, arrow.known)

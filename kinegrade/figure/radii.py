@@ -38,10 +38,14 @@ def radius_marks(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius)
 def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
     """The circle that is meant, of those that joints know of first."""
     for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
-        on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (1 + rim.radius)
+        on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (
+            1 + rim.radius
+        )
         if rim.centre == hint.centre and hint.of in (None, rim.body) and on_it:
             return rim
-    of = (f" of {hint.of!r}" if hint.of else "") + (f" through {hint.through!r}" if hint.through else "")
+    of = (f" of {hint.of!r}" if hint.of else "") + (
+        f" through {hint.through!r}" if hint.through else ""
+    )
     centres = {rim.centre for rim in found}
     raise TemplateError(
         f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints and from 'circles'; "
@@ -63,7 +67,9 @@ class FromCentre:
     def path(self) -> tuple[Segment, ...]:
         """The middle of the arrow: centre and rim are reached in any case."""
         clear = min(3.0, self.radius / 2)
-        return ((self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),)
+        return (
+            (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
+        )
 
     def wish(self) -> Wish:
         """Beside the arrow."""

@@ -68,7 +68,9 @@ def toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:
     return isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
 
 
-def _of_pair(mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> Iterator[Rim]:
+def _of_pair(
+    mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping[str, str]
+) -> Iterator[Rim]:
     at = touch(mechanism, joint)
     geared = toothed(joint, shapes)
     circles = [(joint.body, joint.circle)]
@@ -78,7 +80,9 @@ def _of_pair(mechanism: Mechanism, joint: Contact | Roll | Mesh, shapes: Mapping
     for body, circle in circles:
         kind: Kind = "gear" if geared else "cam" if shapes.get(body) == "cam" else "wheel"
         ring = joint.inside and circle.radius == outer
-        yield Rim(body, circle.centre, mechanism.points[circle.centre], circle.radius, kind, ring, at)
+        yield Rim(
+            body, circle.centre, mechanism.points[circle.centre], circle.radius, kind, ring, at
+        )
 
 
 def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
@@ -87,7 +91,13 @@ def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
     kind: Kind = "slot" if particle else "wheel"
     centre = mechanism.points[joint.circle.centre]
     return Rim(
-        joint.of, joint.circle.centre, centre, joint.circle.radius, kind, False, mechanism.points[joint.point]
+        joint.of,
+        joint.circle.centre,
+        centre,
+        joint.circle.radius,
+        kind,
+        False,
+        mechanism.points[joint.point],
     )
 
 

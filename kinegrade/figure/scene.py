@@ -75,7 +75,9 @@ class Bow:
         count = max(2, ceil(abs(self.sweep) / apart)) + 1
         x, y = self.centre
         angles = [self.start + self.sweep * index / (count - 1) for index in range(count)]
-        return tuple([Vector(x + self.radius * cos(turn), y + self.radius * sin(turn)) for turn in angles])
+        return tuple(
+            [Vector(x + self.radius * cos(turn), y + self.radius * sin(turn)) for turn in angles]
+        )
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,9 @@ class Scene:
 
 def box_about(centre: Vector, width: float, height: float) -> Box:
     """The box of that size about a centre."""
-    return Box(centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2)
+    return Box(
+        centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2
+    )
 
 
 def box_of(primitive: Primitive) -> Box:
@@ -142,7 +146,9 @@ def box_of(primitive: Primitive) -> Box:
         return box_about(primitive.centre, primitive.width, primitive.height)
     half = primitive.pen.width / 2 if primitive.pen else 0.0
     if isinstance(primitive, Disc):
-        return box_about(primitive.centre, 2 * (primitive.radius + half), 2 * (primitive.radius + half))
+        return box_about(
+            primitive.centre, 2 * (primitive.radius + half), 2 * (primitive.radius + half)
+        )
     across, upward = zip(*corners(primitive), strict=True)
     return Box(min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
 
@@ -165,8 +171,15 @@ def moved(primitive: Primitive, by: Vector) -> Primitive:
     """The primitive carried along by a vector."""
     if isinstance(primitive, Strokes):
         x, y = by
-        return Strokes(tuple([(Vector(start.x + x, start.y + y), Vector(end.x + x, end.y + y))
-                              for start, end in primitive.lines]), primitive.pen)
+        return Strokes(
+            tuple(
+                [
+                    (Vector(start.x + x, start.y + y), Vector(end.x + x, end.y + y))
+                    for start, end in primitive.lines
+                ]
+            ),
+            primitive.pen,
+        )
     if isinstance(primitive, Outline):
         return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
     return replace(primitive, centre=primitive.centre + by)

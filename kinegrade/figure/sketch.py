@@ -26,11 +26,19 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
 SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first guess
-WRITING = 4.0, 5.6  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
+WRITING = (
+    4.0,
+    5.6,
+)  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
 ARROWS = 6.6, 2.2  # millimetres that straight arrows take beside the symbols, as a rule
 AXES = 0.0, 4.4  # millimetres that a frame of axes takes at the side, as a rule
-USUAL, FURTHER = 4, 1.2  # marks that find room within WRITING, and the millimetres that each further one takes
-LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+USUAL, FURTHER = (
+    4,
+    1.2,
+)  # marks that find room within WRITING, and the millimetres that each further one takes
+LETTERED = (
+    8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+)
 PLAIN = FigureHints()
 
 
@@ -42,7 +50,9 @@ def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
     return sized(drawn, mechanism, hints)
 
 
-def sized(draw_subject: Callable[[Subject], Scene], mechanism: Mechanism, hints: FigureHints) -> Scene:
+def sized(
+    draw_subject: Callable[[Subject], Scene], mechanism: Mechanism, hints: FigureHints
+) -> Scene:
     """The figure of a mechanism from the figure that `draw_subject` gives of it in unit size."""
     shown, size = subject(in_view(mechanism, hints), hints)
     scene = draw_subject(shown)
@@ -67,7 +77,9 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
     paper = to_paper(mechanism, scale)
     drawing = draw(paper, hints)
     named = tuple(letters(paper, hints, drawing))
-    layout = _with_bound_marks(Layout.of(drawing.primitives), paper, hints, drawing, named).written(named)
+    layout = _with_bound_marks(Layout.of(drawing.primitives), paper, hints, drawing, named).written(
+        named
+    )
     for radius in hints.radii:
         layout = layout.marked(radius_marks(paper.points, drawing.rims, radius))
     if hints.axes:
@@ -88,7 +100,9 @@ def _with_bound_marks(
         if isinstance(given, Turning):
             pivot = pivot_of(paper, given.body, drawing.rims)
             close = [wish for wish in named if length(Vector(*wish.spots[0]) - pivot) < LETTERED]
-            layout = layout.marked(turning_marks(paper, given, drawing), layout.written(close).labels)
+            layout = layout.marked(
+                turning_marks(paper, given, drawing), layout.written(close).labels
+            )
     for distance in hints.lengths:
         layout = layout.marked(length_marks(paper.points, distance, layout.obstacles))
     for straight in hints.arrows:

@@ -57,5 +57,7 @@ def _scene_part(record: Any) -> Any:
     if isinstance(record, list):
         return tuple(map(_scene_part, record))
     if isinstance(record, dict):
-        return KINDS[record.pop("kind")](**{name: _scene_part(value) for name, value in record.items()})
+        return KINDS[record.pop("kind")](
+            **{name: _scene_part(value) for name, value in record.items()}
+        )
     return record

@@ -57,13 +57,19 @@ def _free_side(at: Vector, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]) -
         if isinstance(part, Bar | Rod):
             near = foot(at, _axis(part))
             if length(near - at) < 1.0:
-                leaving += [angle_of(end - at) for end in (part.start, part.end) if length(end - at) > 1.0]
+                leaving += [
+                    angle_of(end - at) for end in (part.start, part.end) if length(end - at) > 1.0
+                ]
 
     def room(side: Vector) -> float:
         return min((abs(shorter_way(angle - angle_of(side))) for angle in leaving), default=pi)
 
     sides = [SIDE_VECTORS[name] for name in ("down", "left", "right", "up")]
-    return sides[0] if room(sides[0]) > STAND_ROOM else max(sides, key=lambda side: round(room(side), 6))
+    return (
+        sides[0]
+        if room(sides[0]) > STAND_ROOM
+        else max(sides, key=lambda side: round(room(side), 6))
+    )
 
 
 def _axis(part: Bar | Rod) -> Line:

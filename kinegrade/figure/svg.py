@@ -35,13 +35,19 @@ def _document(width: float, height: float, primitives: tuple[Primitive, ...]) ->
     """The document of a figure; papers of a class hold many equal ones."""
     across, upward = _mm(width), _mm(height)
     lines = [_written(primitive, height) for primitive in primitives]
-    return "\n".join((
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{across}mm" height="{upward}mm" '
-        f'viewBox="0 0 {across} {upward}">',
-        f'<rect width="{across}" height="{upward}" fill="#fff"/>',
-        f'<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" '
-        f'font-size="{_mm(EM)}">',
-        *lines, "</g>", "</svg>", ""))
+    return "\n".join(
+        (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{across}mm" height="{upward}mm" '
+            f'viewBox="0 0 {across} {upward}">',
+            f'<rect width="{across}" height="{upward}" fill="#fff"/>',
+            f'<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" '
+            f'font-size="{_mm(EM)}">',
+            *lines,
+            "</g>",
+            "</svg>",
+            "",
+        )
+    )
 
 
 def _written(primitive: Primitive, height: float) -> str:
@@ -72,7 +78,9 @@ def _arc(bow: Bow, height: float) -> str:
     ends = [bow.start + bow.sweep * index / count for index in range(count + 1)]
     points = [_point(bow.centre + Vector(cos(end), sin(end)) * bow.radius, height) for end in ends]
     sense = int(bow.sweep < 0)
-    return f"M{points[0]}" + "".join(f"A{_mm(bow.radius)} {_mm(bow.radius)} 0 0 {sense} {end}" for end in points[1:])
+    return f"M{points[0]}" + "".join(
+        f"A{_mm(bow.radius)} {_mm(bow.radius)} 0 0 {sense} {end}" for end in points[1:]
+    )
 
 
 @lru_cache(maxsize=64)
@@ -103,10 +111,13 @@ def _runs(symbol: str) -> tuple[Run, ...]:
 def _spans(runs: tuple[Run, ...]) -> str:
     spans, baseline = [], 0.0
     for run in runs:
-        styles = [("dx", _mm(-run.back * EM) if run.back else ""),
-                  ("dy", _mm((baseline - run.shift) * EM) if run.shift != baseline else ""),
-                  ("font-size", _mm(run.size * EM) if run.size != 1 else ""),
-                  ("font-style", "italic" if run.italic else ""), ("font-weight", "bold" if run.bold else "")]
+        styles = [
+            ("dx", _mm(-run.back * EM) if run.back else ""),
+            ("dy", _mm((baseline - run.shift) * EM) if run.shift != baseline else ""),
+            ("font-size", _mm(run.size * EM) if run.size != 1 else ""),
+            ("font-style", "italic" if run.italic else ""),
+            ("font-weight", "bold" if run.bold else ""),
+        ]
         written = "".join(f' {name}="{value}"' for name, value in styles if value)
         spans.append(f"<tspan{written}>{escape(run.text)}</tspan>")
         baseline = run.shift

@@ -15,18 +15,57 @@ from kinegrade.figure.extent import EM, symbol_size
 SCRIPT = 0.72  # of the size of what the script belongs to
 RAISED, LOWERED = 0.38, -0.2  # the baseline of a script, in em of what it belongs to
 _GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ϵ", "varepsilon": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "vartheta": "ϑ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ",
-    "varrho": "ϱ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "ϕ", "varphi": "φ", "chi": "χ", "psi": "ψ",
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ϵ",
+    "varepsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "vartheta": "ϑ",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "pi": "π",
+    "rho": "ρ",
+    "varrho": "ϱ",
+    "sigma": "σ",
+    "tau": "τ",
+    "upsilon": "υ",
+    "phi": "ϕ",
+    "varphi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
     "omega": "ω",
 }
 _UPRIGHT = {
-    "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ",
-    "Psi": "Ψ", "Omega": "Ω", "prime": "′", "circ": "°", "cdot": "·", "infty": "∞", "-": "−",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Pi": "Π",
+    "Sigma": "Σ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
+    "prime": "′",
+    "circ": "°",
+    "cdot": "·",
+    "infty": "∞",
+    "-": "−",
 }
 _ACCENTS = {"vec": "\u20d7", "dot": "\u0307", "ddot": "\u0308", "bar": "\u0304"}
 _TOKEN = re.compile(r"\\[A-Za-z]+|\S")
-_LOW, _DEEP, _BOTH = frozenset("acemnorsuvwxzαγεικνοπστυωϵ"), frozenset("gpqyηχμ"), frozenset("jβζξρφϕψϱ,;()")
+_LOW, _DEEP, _BOTH = (
+    frozenset("acemnorsuvwxzαγεικνοπστυωϵ"),
+    frozenset("gpqyηχμ"),
+    frozenset("jβζξρφϕψϱ,;()"),
+)
 
 
 @dataclass(frozen=True)
@@ -82,10 +121,14 @@ class _Reader:
         """One script, or two, of which the second stands above or below the first."""
         first_place = self._place
         runs = self.script(token, style)
-        width = symbol_size("".join(self._tokens[first_place:self._place]))[0] / EM - 0.12
+        width = symbol_size("".join(self._tokens[first_place : self._place]))[0] / EM - 0.12
         if self._peek() in ("_", "^"):
             second = self.script(self._next(), style)
-            runs += [replace(second[0], back=width * SCRIPT * style.size), *second[1:]] if second else []
+            runs += (
+                [replace(second[0], back=width * SCRIPT * style.size), *second[1:]]
+                if second
+                else []
+            )
         return runs
 
     def script(self, token: str, style: Run) -> list[Run]:
@@ -93,7 +136,9 @@ class _Reader:
         raised = style.shift + style.size * (RAISED if token == "^" else LOWERED)
         inner = self.atom(self._next(), replace(style, size=style.size * SCRIPT, shift=raised))
         plain = token == "^" and all(run.text in "′°" for run in inner)
-        return [replace(run, size=style.size, shift=style.shift) for run in inner] if plain else inner
+        return (
+            [replace(run, size=style.size, shift=style.shift) for run in inner] if plain else inner
+        )
 
     def atom(self, token: str, style: Run) -> list[Run]:
         """A letter, a sign, a group or a command with its arguments."""
@@ -106,17 +151,26 @@ class _Reader:
             case "mathrm":
                 return [replace(run, italic=False) for run in self.atom(self._next(), style)]
             case "mathbf":
-                return [replace(run, italic=False, bold=True) for run in self.atom(self._next(), style)]
+                return [
+                    replace(run, italic=False, bold=True) for run in self.atom(self._next(), style)
+                ]
             case "boldsymbol":
                 return [replace(run, bold=True) for run in self.atom(self._next(), style)]
             case "sqrt":
                 return self.root(style)
             case "frac":
-                return [*self.atom(self._next(), style), replace(style, text="/"), *self.atom(self._next(), style)]
+                return [
+                    *self.atom(self._next(), style),
+                    replace(style, text="/"),
+                    *self.atom(self._next(), style),
+                ]
             case "'":
                 return [replace(style, text="′")]
         if name in _ACCENTS:
-            return [replace(run, text=run.text + _ACCENTS[name]) for run in self.atom(self._next(), style)]
+            return [
+                replace(run, text=run.text + _ACCENTS[name])
+                for run in self.atom(self._next(), style)
+            ]
         if name in _UPRIGHT:
             return [replace(style, text=_UPRIGHT[name])]
         letter = _GREEK.get(name, name)

@@ -23,7 +23,10 @@ BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH = 1.9, 3.5
 GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 1.8  # from the pitch line of a rack to its back
-STAND, TALL_STAND = 3.6, 5.2  # height of a fixed pin's stand; taller where a sleeve turns about the pin
+STAND, TALL_STAND = (
+    3.6,
+    5.2,
+)  # height of a fixed pin's stand; taller where a sleeve turns about the pin
 HEAD_LENGTH, HEAD_WIDTH = 2.0, 1.1
 
 
@@ -71,19 +74,30 @@ def round_ground(centre: Vector, radius: float, outward: bool) -> tuple[Primitiv
         (x, y), angle = centre, 2 * pi * index / count
         along, upward = cos(angle), sin(angle)
         x, y = x + along * radius, y + upward * radius
-        lines.append((Vector(x, y), Vector(x + (along - upward * 0.7) * depth, y + (upward + along * 0.7) * depth)))
+        lines.append(
+            (
+                Vector(x, y),
+                Vector(x + (along - upward * 0.7) * depth, y + (upward + along * 0.7) * depth),
+            )
+        )
     return (Strokes(tuple(lines), THIN), Disc(centre, radius, FIRM))
 
 
-def block(at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = BLOCK_WIDTH) -> Outline:
+def block(
+    at: Vector, along: Vector, size: float = BLOCK_LENGTH, width: float = BLOCK_WIDTH
+) -> Outline:
     """A slider: a rectangle with its long side along the guide."""
     half, across = along * (size / 2), along.turned() * (width / 2)
     return Outline(
-        (at - half - across, at + half - across, at + half + across, at - half + across), FIRM, "white"
+        (at - half - across, at + half - across, at + half + across, at - half + across),
+        FIRM,
+        "white",
     )
 
 
-def ground_slider(at: Vector, along: Vector, side: Vector, reach: float = 7.5) -> tuple[Primitive, ...]:
+def ground_slider(
+    at: Vector, along: Vector, side: Vector, reach: float = 7.5
+) -> tuple[Primitive, ...]:
     """A block on a hatched ground guide that lies on the given side of it."""
     base = at + side * (BLOCK_WIDTH / 2 + FIRM.width / 2)
     return (*ground(base - along * reach, base + along * reach, side), block(at, along))
@@ -96,7 +110,9 @@ def guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive, ...
     return tuple(
         part
         for side in sides
-        for part in ground(at + side * GUIDE_GAP - along * reach, at + side * GUIDE_GAP + along * reach, side)
+        for part in ground(
+            at + side * GUIDE_GAP - along * reach, at + side * GUIDE_GAP + along * reach, side
+        )
     )
 
 
@@ -104,7 +120,9 @@ def stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
     """The contour of a strip with round ends about the two points."""
     facing = angle_of(end - start)
     caps = ((end, facing - pi / 2), (start, facing + pi / 2))
-    return tuple(point for centre, turn in caps for point in Bow(centre, width / 2, turn, pi, FIRM).path())
+    return tuple(
+        point for centre, turn in caps for point in Bow(centre, width / 2, turn, pi, FIRM).path()
+    )
 
 
 def slotted_bar(start: Vector, end: Vector, slot: tuple[Vector, Vector]) -> tuple[Primitive, ...]:
@@ -142,7 +160,9 @@ def arrow(start: Vector, end: Vector) -> tuple[Primitive, ...]:
     return (shaft, arrowhead(end, toward))
 
 
-def curved_arrow(centre: Vector, radius: float, start: float, sweep: float) -> tuple[Primitive, ...]:
+def curved_arrow(
+    centre: Vector, radius: float, start: float, sweep: float
+) -> tuple[Primitive, ...]:
     """An arrow along a circular arc for a given rotation."""
     back = HEAD_LENGTH / radius * (1 if sweep > 0 else -1)
     tip = centre + polar(start + sweep, radius)

@@ -17,7 +17,9 @@ from kinegrade.problem.hints import symbol_fault
 
 _FILLS: dict[Fill, str] = {"none": "", "white": "white", "grey": "black!9", "black": "black"}
 _DASHES = {"solid": "", "dashed": "{3pt}{3pt}", "dash-dotted": "{3pt}{2pt}{0.01pt}{2pt}"}
-_BEND = pi / 2  # the longest sweep of one Bezier curve: it leaves the circle by 0.03 % of the radius
+_BEND = (
+    pi / 2
+)  # the longest sweep of one Bezier curve: it leaves the circle by 0.03 % of the radius
 
 
 def to_tikz(scene: Scene) -> str:
@@ -66,7 +68,9 @@ def _pen(pen: Pen, before: Pen | None) -> str:
 
 
 def _use(pen: Pen | None, fill: Fill) -> str:
-    actions = [name for name, wanted in (("fill", fill != "none"), ("stroke", pen is not None)) if wanted]
+    actions = [
+        name for name, wanted in (("fill", fill != "none"), ("stroke", pen is not None)) if wanted
+    ]
     return rf"\pgfusepath{{{','.join(actions) or 'discard'}}}"
 
 
@@ -96,7 +100,9 @@ def _arc(bow: Bow) -> str:
     for index in range(count):
         begin, end = bow.start + turn * index, bow.start + turn * (index + 1)
         handles = _on(bow, begin) + _tangent(begin) * reach, _on(bow, end) - _tangent(end) * reach
-        path += "\\pgfpathcurveto" + "".join(f"{{{_corner(point)}}}" for point in (*handles, _on(bow, end)))
+        path += "\\pgfpathcurveto" + "".join(
+            f"{{{_corner(point)}}}" for point in (*handles, _on(bow, end))
+        )
     return path
 
 

@@ -40,8 +40,16 @@ def tracks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, 
 
 def fixed_pins(mechanism: Mechanism) -> list[str]:
     """The points that stand on the ground: its pins, and those about which it guides a moving line."""
-    pins = [joint.point for joint in mechanism.joints if isinstance(joint, Pin) and GROUND in joint.bodies]
-    pins += [joint.point for joint in mechanism.joints if isinstance(joint, Slide) and joint.body == GROUND]
+    pins = [
+        joint.point
+        for joint in mechanism.joints
+        if isinstance(joint, Pin) and GROUND in joint.bodies
+    ]
+    pins += [
+        joint.point
+        for joint in mechanism.joints
+        if isinstance(joint, Slide) and joint.body == GROUND
+    ]
     return list(dict.fromkeys(pins))
 
 
@@ -59,7 +67,11 @@ def _feet(mechanism: Mechanism, shapes: Mapping[str, str]) -> Iterator[_Foot]:
 
 
 def _one_surface(one: _Foot, other: _Foot) -> bool:
-    return same_line(one.line, other.line) and one.away.dot(other.away) > 0 and one.toothed == other.toothed
+    return (
+        same_line(one.line, other.line)
+        and one.away.dot(other.away) > 0
+        and one.toothed == other.toothed
+    )
 
 
 def _surface(group: list[_Foot], pins: list[Vector]) -> tuple[Primitive, ...]:

@@ -41,7 +41,9 @@ def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
     lines = [_write(primitive, height) for primitive in primitives]
     body = "\n".join(f"  {line}" for line in lines)
     size = f"width: {_mm(width)}, height: {_mm(height)}"
-    return f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n{body}\n}})"
+    return (
+        f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n{body}\n}})"
+    )
 
 
 def to_typst_picture(scene: Scene) -> str:
@@ -57,10 +59,14 @@ def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> 
     """The picture in its box, hidden from those who listen, as lines are; labels are topmost in every scene."""
     lines = tuple(primitive for primitive in primitives if not isinstance(primitive, Label))
     drawing = to_svg(Scene(width, height, 1.0, lines)).replace('"', "'")
-    symbols = "\n".join(f"  {_write_label(label, height)}" for label in primitives if isinstance(label, Label))
+    symbols = "\n".join(
+        f"  {_write_label(label, height)}" for label in primitives if isinstance(label, Label)
+    )
     size = f"width: {_mm(width)}, height: {_mm(height)}"
-    return (f'#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n'
-            f'  place(pdf.artifact(image(bytes("{drawing}"), format: "svg", {size})))\n{symbols}\n}})')
+    return (
+        f"#box({size}, {{\n  set text(size: {FONT_SIZE:g}pt)\n  set par(leading: 0pt)\n"
+        f'  place(pdf.artifact(image(bytes("{drawing}"), format: "svg", {size})))\n{symbols}\n}})'
+    )
 
 
 @lru_cache(maxsize=1024)
@@ -88,11 +94,15 @@ def _write(primitive: Primitive, height: float) -> str:
         corner = _at(primitive.centre.x - radius, height - primitive.centre.y - radius)
         return f"{corner}, circle(radius: {_mm(radius)}, {_style(primitive.pen, primitive.fill)}))"
     if isinstance(primitive, Strokes):
-        steps = [f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
-                 for start, end in primitive.lines]
+        steps = [
+            f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
+            for start, end in primitive.lines
+        ]
         return f"place(curve({_style(primitive.pen, 'none')}, {', '.join(steps)}))"
     outline = (
-        Outline(primitive.path(), primitive.pen, closed=False) if isinstance(primitive, Bow) else primitive
+        Outline(primitive.path(), primitive.pen, closed=False)
+        if isinstance(primitive, Bow)
+        else primitive
     )
     first, *rest = (_point(corner, height) for corner in outline.corners)
     steps = [f"curve.move({first})", *(f"curve.line({corner})" for corner in rest)]

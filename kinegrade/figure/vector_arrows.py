@@ -49,7 +49,10 @@ class VectorArrow:
         back, across = tip - toward * head, toward.turned() * (head * HEAD_WIDTH / HEAD_LENGTH / 2)
         corners = (tip, back + across, back - across)
         if self.known:
-            return (Strokes(((start, back + toward * (0.2 * head)),), FIRM), Outline(corners, None, "black"))
+            return (
+                Strokes(((start, back + toward * (0.2 * head)),), FIRM),
+                Outline(corners, None, "black"),
+            )
         return (Strokes(((start, back),), DASHED), Outline(corners, Pen(0.25), "white"))
 
     def ties(self) -> tuple[Primitive, ...]:
@@ -61,13 +64,17 @@ class VectorArrow:
     def wish_beside(self, others: Iterable[VectorArrow]) -> Wish:
         """The symbol beside the middle of the arrow, nearer to it than to any other."""
         start, end = self.line
-        return self._wish(np.concatenate((beside(self.symbol, start, end), self._about_tip())), others)
+        return self._wish(
+            np.concatenate((beside(self.symbol, start, end), self._about_tip())), others
+        )
 
     def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
         """The symbol about the tip of the arrow, or beside its farther half, nearer to it than to any other."""
         start, end = self.line
         half = beside(self.symbol, (start + end) / 2, end, gaps=(0.5, 1.4))
-        return self._wish(np.concatenate((self._about_tip()[:8], half, self._about_tip()[8:])), others)
+        return self._wish(
+            np.concatenate((self._about_tip()[:8], half, self._about_tip()[8:])), others
+        )
 
     def _about_tip(self) -> Floats:
         start, end = self.line
@@ -75,7 +82,12 @@ class VectorArrow:
 
     def _wish(self, spots: Floats, others: Iterable[VectorArrow]) -> Wish:
         lines = [other.line for other in others if other is not self]
-        return Wish(self.symbol, spots, None, MISTAKEN * nearer_to_lines(self.symbol, spots, self.line, lines))
+        return Wish(
+            self.symbol,
+            spots,
+            None,
+            MISTAKEN * nearer_to_lines(self.symbol, spots, self.line, lines),
+        )
 
 
 def nearer_to_lines(symbol: str, spots: Floats, own: Segment, others: Sequence[Segment]) -> Floats:
@@ -90,7 +102,9 @@ def nearer_to_lines(symbol: str, spots: Floats, own: Segment, others: Sequence[S
 def _distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
     """From boxes about the spots to the nearest of the lines, each taken as a row of points."""
     shares = np.linspace(0.0, 1.0, 17)[:, None]
-    points = np.concatenate([np.array(start) + shares * np.array(end - start) for start, end in lines])
+    points = np.concatenate(
+        [np.array(start) + shares * np.array(end - start) for start, end in lines]
+    )
     gaps = np.maximum(np.abs(spots[:, None] - points) - half, 0.0)
     return np.asarray(np.hypot(gaps[..., 0], gaps[..., 1]).min(axis=1))
 
@@ -106,7 +120,9 @@ def side_by_side(
     for arrow in arrows:
         upper = _upper_side(unit(arrow.end - arrow.start))
         ways = [replace(arrow, aside=upper * offset) for offset in (0.0, *offsets)]
-        chosen = next((way for way in ways if not any(look_like_one(way.line, line) for line in lines)), arrow)
+        chosen = next(
+            (way for way in ways if not any(look_like_one(way.line, line) for line in lines)), arrow
+        )
         placed.append(chosen)
         lines.append(chosen.line)
     return tuple(placed)

@@ -19,11 +19,22 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Turning
 
-LONGEST, CROWDED = 16.0, 21.0  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
+LONGEST, CROWDED = (
+    16.0,
+    21.0,
+)  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
 FEW = 3
 SHORTEST = 1.2  # millimetres: a shorter arrow could not be seen and is left out
-OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)  # millimetres between arrows, or an arrow and a bar, on one line
-LETTERED = 8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+OFFSETS = (
+    1.5,
+    -1.5,
+    3.0,
+    -3.0,
+    4.5,
+)  # millimetres between arrows, or an arrow and a bar, on one line
+LETTERED = (
+    8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+)
 
 
 @dataclass(frozen=True)
@@ -37,7 +48,10 @@ class PointArrow:
 
 
 def with_vectors(
-    mechanism: Mechanism, hints: FigureHints, arrows: Sequence[PointArrow], turnings: Sequence[Turning] = ()
+    mechanism: Mechanism,
+    hints: FigureHints,
+    arrows: Sequence[PointArrow],
+    turnings: Sequence[Turning] = (),
 ) -> Scene:
     """The mechanism (floats, metres) with its letters but without its givens, and all arrows to one scale.
 
@@ -48,7 +62,9 @@ def with_vectors(
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     bare = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
-    return fitted(lambda scale: _compose(bare, arrows, turnings, scale), bare.first_scale(), bare.span)
+    return fitted(
+        lambda scale: _compose(bare, arrows, turnings, scale), bare.first_scale(), bare.span
+    )
 
 
 def placed_arrows(
@@ -56,11 +72,18 @@ def placed_arrows(
 ) -> tuple[VectorArrow, ...]:
     """The arrows on paper to one scale of their own, beside bold lines and beside each other, the longest first."""
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
-    reach = CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
+    reach = (
+        CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
+    )
     seen = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
     ordered = sorted(seen, key=lambda arrow: -round(length(arrow.value) / longest, 6))
     on_paper = [
-        VectorArrow(arrow.symbol, arrow.at * scale, arrow.at * scale + arrow.value * (reach / longest), arrow.known)
+        VectorArrow(
+            arrow.symbol,
+            arrow.at * scale,
+            arrow.at * scale + arrow.value * (reach / longest),
+            arrow.known,
+        )
         for arrow in ordered
     ]
     return side_by_side(on_paper, bold_lines(drawing.primitives), OFFSETS)
@@ -79,8 +102,13 @@ def with_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     return layout
 
 
-def with_turnings(layout: Layout, paper: Mechanism, turnings: Sequence[Turning], drawing: Drawing,
-                  hints: FigureHints) -> Layout:
+def with_turnings(
+    layout: Layout,
+    paper: Mechanism,
+    turnings: Sequence[Turning],
+    drawing: Drawing,
+    hints: FigureHints,
+) -> Layout:
     """The curved arrows, which spare the letters to come at their pivots."""
     named = tuple(letters(paper, hints, drawing))
     for turning in turnings:

@@ -13,9 +13,19 @@ from kinegrade.problem.hints import FigureHints
 def in_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
     """The mechanism without the points that are construction only, which may lie far away."""
     labelled = tuple(name for name, symbol in hints.labels.items() if symbol)
-    marks = (hints.lengths, hints.angles, hints.radii, hints.circles, hints.lines, hints.arrows, labelled)
+    marks = (
+        hints.lengths,
+        hints.angles,
+        hints.radii,
+        hints.circles,
+        hints.lines,
+        hints.arrows,
+        labelled,
+    )
     used = set(_texts((mechanism.bodies, mechanism.joints, mechanism.drivers, marks)))
-    return replace(mechanism, points={name: at for name, at in mechanism.points.items() if name in used})
+    return replace(
+        mechanism, points={name: at for name, at in mechanism.points.items() if name in used}
+    )
 
 
 def _texts(value: Any) -> Iterator[str]:

@@ -41,7 +41,9 @@ Alternatives = Mapping[tuple[str, str], tuple[Alternative, ...]]  # by student a
 
 def alternatives(exam: Sitting, policy: Policy, givens: Givens) -> Alternatives:
     """All accepted answers of all papers. Raises PolicyError where one has no value."""
-    wanted = [(ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted]
+    wanted = [
+        (ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted
+    ]
     found: dict[tuple[str, str], tuple[Alternative, ...]] = {}
     failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
     constant: dict[tuple[str, int], Alternative] = {}
@@ -58,8 +60,11 @@ def alternatives(exam: Sitting, policy: Policy, givens: Givens) -> Alternatives:
             found[place] = (*found.get(place, ()), alternative)
             if not _used(accepted):
                 constant[which] = alternative
-    faults = [_fault(ask, accepted, failing[ask.column, accepted.number])
-              for ask, accepted in wanted if (ask.column, accepted.number) in failing]
+    faults = [
+        _fault(ask, accepted, failing[ask.column, accepted.number])
+        for ask, accepted in wanted
+        if (ask.column, accepted.number) in failing
+    ]
     if faults:
         raise PolicyError(*faults)
     return found
@@ -74,15 +79,21 @@ def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]
     """One line however many papers it is: a fault in an expression shows on most."""
     student, fault = failing[0]
     others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
-    return (f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value for student '
-            f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend it')
+    return (
+        f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value for student '
+        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend it'
+    )
 
 
-def _on_paper(exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, givens: Givens) -> Alternative:
+def _on_paper(
+    exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, givens: Givens
+) -> Alternative:
     return _alternative(accepted, _numbers(exam, ask, paper, givens, _used(accepted)))
 
 
-def _numbers(exam: Sitting, ask: Ask, paper: Paper, givens: Givens, used: set[str]) -> Mapping[str, Number]:
+def _numbers(
+    exam: Sitting, ask: Ask, paper: Paper, givens: Givens, used: set[str]
+) -> Mapping[str, Number]:
     """What the names stand for, each with its unit: a text for a parameter, a number for a right answer."""
     found: dict[str, Number] = {}
     for number, other in enumerate(exam.asks):
@@ -122,8 +133,11 @@ def _in_si(number: Number, arithmetic: Any) -> Any:
     written = written_unit(unit) if unit != "1" else _PURE
     if written is None:
         raise ExpressionError(f'the unit "{unit}" is not known')
-    size = (arithmetic.number(rational_amount(amount).size) if isinstance(amount, Fraction)
-            else evaluate(read(amount), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic))
+    size = (
+        arithmetic.number(rational_amount(amount).size)
+        if isinstance(amount, Fraction)
+        else evaluate(read(amount), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
+    )
     size = size * arithmetic.number(rational_amount(written.factor).size)
     if (written.length, written.time, written.angle) == (0, 0, 1) and not isinstance(size, Angle):
         return _angle(size, written.pi, arithmetic)

@@ -17,9 +17,13 @@ def amount_text(amount: Fraction, places: int = PLACES) -> str:
     return _amount_text(amount.numerator, amount.denominator, places)
 
 
-@lru_cache(maxsize=4096)  # by whole numbers, because to hash a fraction takes longer than to write it
+@lru_cache(
+    maxsize=4096
+)  # by whole numbers, because to hash a fraction takes longer than to write it
 def _amount_text(numerator: int, denominator: int, places: int) -> str:
-    whole, decimals = divmod((2 * numerator * 10**places + denominator) // (2 * denominator), 10**places)
+    whole, decimals = divmod(
+        (2 * numerator * 10**places + denominator) // (2 * denominator), 10**places
+    )
     digits = f"{decimals:0{places}d}".rstrip("0")
     return f"{whole}.{digits}" if digits else str(whole)
 

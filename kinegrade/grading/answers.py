@@ -41,8 +41,14 @@ PAPERS_RULE = DecimalStyle()
 PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?"  # what most people type
 _PLAIN = re.compile(PLAIN)
 _NO_LABEL = r"(?!sqrt|pi\b|\u03c0\s*=)"
-_LABEL = re.compile(rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*", re.IGNORECASE)
-_ABOUT = re.compile(r"(?:[\u2248~\u2243\u2245\u223c]|about|approx(?:imately)?\.?|ca\.|大?[约約]为?)\s*", re.IGNORECASE)
+_LABEL = re.compile(
+    rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*",
+    re.IGNORECASE,
+)
+_ABOUT = re.compile(
+    r"(?:[\u2248~\u2243\u2245\u223c]|about|approx(?:imately)?\.?|ca\.|大?[约約]为?)\s*",
+    re.IGNORECASE,
+)
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
@@ -108,7 +114,9 @@ def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: 
     rest = bare[found.end :]
     factor = _conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
-        raise Unreadable("\u03c0 without a unit where degrees are asked for; write rad or \u00b0 after it")
+        raise Unreadable(
+            "\u03c0 without a unit where degrees are asked for; write rad or \u00b0 after it"
+        )
     written = sign[1] if sign else ""
     turn, remark = direction(sense, written, convention) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
@@ -129,7 +137,9 @@ def _undressed(text: str) -> str:
 def _conversion(rest: str, unit: str, typed: str) -> Conversion:
     """What the text after the number makes of it. Raises Unreadable or WrongUnit."""
     if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
-        raise Unreadable(f'"{shown(typed.strip(BLANKS))}" is more than one number; one number was expected')
+        raise Unreadable(
+            f'"{shown(typed.strip(BLANKS))}" is more than one number; one number was expected'
+        )
     return conversion(rest, unit)
 
 
@@ -138,8 +148,12 @@ def _as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Readi
     return Reading("number", typed, value, f"{'-' if minus else ''}{found.digits}", remark=remark)
 
 
-def _worked(typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str) -> Reading:
-    amount: Amount = rational_amount(found.value) if isinstance(found, TypedNumber) else worked_out(found)
+def _worked(
+    typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str
+) -> Reading:
+    amount: Amount = (
+        rational_amount(found.value) if isinstance(found, TypedNumber) else worked_out(found)
+    )
     value, error = converted(amount, -factor.factor if minus else factor.factor, factor.pi)
     return Reading("number", typed, value, decimal_text(value), remark=remark, error=error)
 
@@ -150,6 +164,8 @@ def decimal_text(value: Fraction) -> str:
     >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
     ('0.75', '0.666666666667')
     """
-    rounded = Context(prec=SHOWN_DIGITS).divide(Decimal(value.numerator), Decimal(value.denominator))
+    rounded = Context(prec=SHOWN_DIGITS).divide(
+        Decimal(value.numerator), Decimal(value.denominator)
+    )
     short = rounded.normalize()
     return f"{short:f}" if -7 < short.adjusted() < 21 else str(short).lower()

@@ -31,8 +31,14 @@ from kinegrade.grading.stated_keys import StatedKeys, stated_mistakes
 from kinegrade.grading.typed_cells import CellReader
 
 Places = NDArray[np.intp]
-Open = dict[int, Collection[str] | None]  # places to be decided one by one: the mistakes that come in question, or all
-_LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")  # numbers from which somebody may have gone on
+Open = dict[
+    int, Collection[str] | None
+]  # places to be decided one by one: the mistakes that come in question, or all
+_LED_ON: tuple[Kind, ...] = (
+    "wrong",
+    "mistake",
+    "accepted",
+)  # numbers from which somebody may have gone on
 _TOO_NEAR = 1e-9  # relative: of two mistakes that are nearer together either may be the nearer one
 _NO_RULE = rule(Fraction(0), Fraction(0))
 _NO_KEY = Key(Fraction(0), Fraction(0))
@@ -86,7 +92,10 @@ class BlockJudge:
     def _compared(self, block: JudgedBlock) -> Open:
         """Puts down all that is certain, and gives what is not."""
         papers = [paper for paper, _ in block.rows]
-        rules, centres = self._rules_now(papers), np.array([_centres(paper) for paper in papers], dtype=np.float64)
+        rules, centres = (
+            self._rules_now(papers),
+            np.array([_centres(paper) for paper in papers], dtype=np.float64),
+        )
         comparison = compare(block.cells.values, centres.reshape(-1), rules)
         self._put_numbers(block, comparison)
         wrong = np.flatnonzero(comparison.certain & ~comparison.right)
@@ -107,9 +116,16 @@ class BlockJudge:
         ends, reasons = self._suffixes(), comparison.reasons(certain)
         if any(ends):
             places = certain.tolist()
-            reasons = [f"{reason}{ends[place % len(ends)]}" for place, reason in zip(places, reasons, strict=True)]
-        for place, right, reason in zip(certain.tolist(), comparison.right[certain].tolist(), reasons, strict=True):
-            block.kinds[place], block.shares[place] = ("right", FULL_SHARE) if right else ("wrong", NO_SHARE)
+            reasons = [
+                f"{reason}{ends[place % len(ends)]}"
+                for place, reason in zip(places, reasons, strict=True)
+            ]
+        for place, right, reason in zip(
+            certain.tolist(), comparison.right[certain].tolist(), reasons, strict=True
+        ):
+            block.kinds[place], block.shares[place] = (
+                ("right", FULL_SHARE) if right else ("wrong", NO_SHARE)
+            )
             block.reasons[place] = reason
 
     def _suffixes(self) -> list[str]:
@@ -121,7 +137,11 @@ class BlockJudge:
         found: Open = {}
         for place in np.flatnonzero(~certain).tolist():
             reading = block.cells.odd.get(place)
-            if reading is not None and reading.kind != "number" and not self._ruling(place).wrong_unit:
+            if (
+                reading is not None
+                and reading.kind != "number"
+                and not self._ruling(place).wrong_unit
+            ):
                 block.put(place, (judge(reading, _NO_KEY), block.credits[NO_SHARE]))
             elif block.cells.typed[place]:
                 found[place] = None
@@ -131,7 +151,11 @@ class BlockJudge:
         """Puts down the wrong answers to which just one mistake leads; gives those with several, or other ways out."""
         listed, none = wrong.tolist(), block.credits[NO_SHARE]
         credit = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
-        found: Open = {place: None for place in listed if self._others(block, place)} if self.alternatives else {}
+        found: Open = (
+            {place: None for place in listed if self._others(block, place)}
+            if self.alternatives
+            else {}
+        )
         for place, group in groupby(self._ways(block, listed, rules), _OWNER):
             leading, shares = list(group), credit[place % len(credit)]
             best = _best(leading, shares)
@@ -139,23 +163,38 @@ class BlockJudge:
                 found.setdefault(place, {way.name for way in leading})
             elif place not in found:
                 others = besides([way.name for way in leading if way is not best])
-                block.set(place, "mistake", f"{best.name}: leads to {best.reason}{others}",
-                          shares.get(best.name, none))
+                block.set(
+                    place,
+                    "mistake",
+                    f"{best.name}: leads to {best.reason}{others}",
+                    shares.get(best.name, none),
+                )
         return found
 
     def _ways(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> Iterator[_Way]:
         """The mistakes that may lead to the wrong answers at these places, in their order."""
-        mistakes = _mistakes([(block.rows[place // len(self.asks)][0], place % len(self.asks)) for place in wrong])
+        mistakes = _mistakes(
+            [(block.rows[place // len(self.asks)][0], place % len(self.asks)) for place in wrong]
+        )
         names = list(chain.from_iterable(mistakes))
-        values = np.fromiter(chain.from_iterable(each.values() for each in mistakes), np.float64, len(names))
+        values = np.fromiter(
+            chain.from_iterable(each.values() for each in mistakes), np.float64, len(names)
+        )
         owners = np.repeat(np.array(wrong, dtype=np.intp), list(map(len, mistakes)))
         near = np.flatnonzero(may_agree(block.cells.values[owners], values, rules.at(owners)))
         names, owners = [names[each] for each in near.tolist()], owners[near]
         led = compare(block.cells.values[owners], values[near], rules.at(owners))
         likely = np.flatnonzero(led.right | ~led.decided)
         reasons = [reason.removeprefix("key ") for reason in led.reasons(likely)]
-        return map(_Way, owners[likely].tolist(), [names[each] for each in likely.tolist()],
-                   led.certain[likely].tolist(), led.difference[likely].tolist(), led.centres[likely].tolist(), reasons)
+        return map(
+            _Way,
+            owners[likely].tolist(),
+            [names[each] for each in likely.tolist()],
+            led.certain[likely].tolist(),
+            led.difference[likely].tolist(),
+            led.centres[likely].tolist(),
+            reasons,
+        )
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))
@@ -165,7 +204,9 @@ class BlockJudge:
         """One answer, decided exactly; of the mistakes by those of these names, or by all."""
         row, number = divmod(place, len(self.asks))
         key, reread = block.rows[row][0].key(number, names), partial(block.cells.reread, place)
-        return decide(block.cells.reading(place), key, self._ruling(place), self._others(block, place), reread)
+        return decide(
+            block.cells.reading(place), key, self._ruling(place), self._others(block, place), reread
+        )
 
     def _led_on(self, block: JudgedBlock) -> Iterator[tuple[int, range]]:
         """Rows and questions with a number that is not right after another one."""
@@ -175,11 +216,18 @@ class BlockJudge:
                 if sum(kind in _LED_ON for kind in kinds[question.start : question.stop]) > 1:
                     yield row, question
 
-    def _follow_through(self, block: JudgedBlock, row: int, question: range, follows: Follows) -> None:
+    def _follow_through(
+        self, block: JudgedBlock, row: int, question: range, follows: Follows
+    ) -> None:
         paper, first = block.rows[row][0], row * len(self.asks)
         answers = [
-            Decided(self.asks[number], block.cells.reading(first + number), paper.key(number, ()),
-                    self._ruling(number), block.decision(first + number))
+            Decided(
+                self.asks[number],
+                block.cells.reading(first + number),
+                paper.key(number, ()),
+                self._ruling(number),
+                block.decision(first + number),
+            )
             for number in question
         ]
         better = follow_through(paper.student, answers, follows)
@@ -192,7 +240,9 @@ class BlockJudge:
         if ruling.void:
             for row, (_, entry) in enumerate(block.rows):
                 place = row * len(self.asks) + number
-                block.put(place, voided(block.decision(place), ruling, handed_in=entry.line is not None))
+                block.put(
+                    place, voided(block.decision(place), ruling, handed_in=entry.line is not None)
+                )
 
 
 def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
@@ -233,4 +283,8 @@ def _by_policy(ruling: Ruling, stated: Rule) -> Rule:
 def _mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:
     """What mistakes lead to in these asks."""
     stated = [(paper.keys, ask) for paper, ask in wrong if isinstance(paper.keys, StatedKeys)]
-    return stated_mistakes(stated) if len(stated) == len(wrong) else [paper.keys[ask].mistakes for paper, ask in wrong]
+    return (
+        stated_mistakes(stated)
+        if len(stated) == len(wrong)
+        else [paper.keys[ask].mistakes for paper, ask in wrong]
+    )

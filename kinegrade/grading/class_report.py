@@ -15,7 +15,13 @@ from typing import Any, Literal
 from markupsafe import Markup
 
 from kinegrade.grading.class_tally import ClassTally, tally
-from kinegrade.grading.equal_hardness import ENOUGH, ParameterTrend, Third, kruskal_wallis, parameter_trends
+from kinegrade.grading.equal_hardness import (
+    ENOUGH,
+    ParameterTrend,
+    Third,
+    kruskal_wallis,
+    parameter_trends,
+)
 from kinegrade.grading.exam_record import ExamRecord, read_exam_record
 from kinegrade.grading.html_layout import layout
 from kinegrade.grading.item_statistics import (
@@ -36,8 +42,17 @@ Page = dict[str, Any]  # what a layout reads
 HARD, EASY, FLAT = 0.3, 0.9, 0.1
 SIGNIFICANT = 0.05
 MOST_COMPLAINTS, MOST_TRENDS = 200, 8
-VERDICTS = ("right", "accepted", "follow-through", "void", "mistake", "wrong", "wrong unit", "unreadable",
-            "blank")  # as a bar shows them
+VERDICTS = (
+    "right",
+    "accepted",
+    "follow-through",
+    "void",
+    "mistake",
+    "wrong",
+    "wrong unit",
+    "unreadable",
+    "blank",
+)  # as a bar shows them
 LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that say least stand last
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
@@ -46,15 +61,25 @@ def class_report(marks: Path, exam: Path, wording: Wording, language: Literal["e
     """The page of a marks folder, by the exam folder it was made from. Raises TableError, ExamError."""
     record = read_exam_record(exam)
     counts, words = tally(marks, exam, record), report_words_of(language)
-    page: Page = {"words": words, "exam": record, "answered": len(counts.answered),
-                  "silent": [f"{each.name} ({each.student})" for each in counts.silent],
-                  "roster": len(counts.answered) + len(counts.silent), "enough": ENOUGH,
-                  "complaints": complaints(marks), "most_complaints": MOST_COMPLAINTS}
+    page: Page = {
+        "words": words,
+        "exam": record,
+        "answered": len(counts.answered),
+        "silent": [f"{each.name} ({each.student})" for each in counts.silent],
+        "roster": len(counts.answered) + len(counts.silent),
+        "enough": ENOUGH,
+        "complaints": complaints(marks),
+        "most_complaints": MOST_COMPLAINTS,
+    }
     figures = summary(counts.percents)
     if figures is not None:
-        page |= {**totals_part(counts, figures, words), "asks": list(ask_rows(counts, wording, words)),
-                 "legend": legend(counts, words), "losses": list(loss_rows(counts, wording, words)),
-                 **hardness_part(counts, record, wording, words)}
+        page |= {
+            **totals_part(counts, figures, words),
+            "asks": list(ask_rows(counts, wording, words)),
+            "legend": legend(counts, words),
+            "losses": list(loss_rows(counts, wording, words)),
+            **hardness_part(counts, record, wording, words),
+        }
     return layout("class_report.html").render(page)
 
 
@@ -63,28 +88,44 @@ def totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> Pag
     out_of = max(each.out_of for each in counts.answered)
     alpha = reliability(counts.points)
     cards = [
-        (percent(figures.mean), words.mean), (percent(figures.median), words.median),
+        (percent(figures.mean), words.mean),
+        (percent(figures.median), words.median),
         ("–" if figures.sd is None else percent(figures.sd), words.sd),
         (f"{percent(figures.lower)} – {percent(figures.upper)}", words.quartiles),
-        (f"{percent(figures.minimum)} – {percent(figures.maximum)}", words.span), (decimal(alpha), words.reliability),
+        (f"{percent(figures.minimum)} – {percent(figures.maximum)}", words.span),
+        (decimal(alpha), words.reliability),
     ]
-    plot = histogram_plot(histogram(counts.percents), figures, words.percent_axis, words.students, words.marks_on_axis)
-    return {"cards": cards, "distribution": plot, "out_of": words.of_points.format(f"{float(out_of):g}")}
+    plot = histogram_plot(
+        histogram(counts.percents), figures, words.percent_axis, words.students, words.marks_on_axis
+    )
+    return {
+        "cards": cards,
+        "distribution": plot,
+        "out_of": words.of_points.format(f"{float(out_of):g}"),
+    }
 
 
 def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
     """For each ask its line of the table."""
     shares, correlations = facilities(counts.points, counts.out_of), discriminations(counts.points)
     for place, column in enumerate(counts.columns):
-        facility, discrimination, verdicts = shares[place], correlations[place], counts.verdicts[column]
+        facility, discrimination, verdicts = (
+            shares[place],
+            correlations[place],
+            counts.verdicts[column],
+        )
         question = column.split(".")[0]
         yield {
-            "question": question, "title": wording.titles.get(question, ""),
+            "question": question,
+            "title": wording.titles.get(question, ""),
             "first": place == 0 or counts.columns[place - 1].split(".")[0] != question,
-            "symbol": symbol_of(column, wording), "meaning": wording.meanings.get(column, ""),
-            "points": f"{counts.out_of[place]:g}", "facility": share_text(facility),
+            "symbol": symbol_of(column, wording),
+            "meaning": wording.meanings.get(column, ""),
+            "points": f"{counts.out_of[place]:g}",
+            "facility": share_text(facility),
             "bar": bar(facility or 0.0, "column", share_text(facility), 70.0, track=True),
-            "discrimination": decimal(discrimination), "answers": verdict_bar(verdicts, words),
+            "discrimination": decimal(discrimination),
+            "answers": verdict_bar(verdicts, words),
             "verdicts": verdict_text(verdicts, words),
             "note": note(facility, discrimination, len(counts.answered), words),
         }
@@ -99,28 +140,40 @@ def symbol_of(column: str, wording: Wording) -> Markup:
 def verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
     """All answers to an ask as one bar."""
     whole = verdicts.total()
-    parts = [(SHADES.get(verdict, "shade5"), count / whole) for verdict, count in in_order(verdicts)]
+    parts = [
+        (SHADES.get(verdict, "shade5"), count / whole) for verdict, count in in_order(verdicts)
+    ]
     return stacked_bar(parts, verdict_text(verdicts, words))
 
 
 def verdict_text(verdicts: Counter[str], words: ReportWords) -> str:
     """How often each verdict was given."""
-    return ", ".join(f"{words.verdicts.get(verdict, verdict)}\u00a0{count}" for verdict, count in in_order(verdicts))
+    return ", ".join(
+        f"{words.verdicts.get(verdict, verdict)}\u00a0{count}"
+        for verdict, count in in_order(verdicts)
+    )
 
 
 def in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
     """Verdicts with their counts, right ones first; unknown ones at the end."""
     known = [verdict for verdict in VERDICTS if verdicts[verdict]]
-    return [(verdict, verdicts[verdict]) for verdict in (*known, *sorted(set(verdicts) - set(VERDICTS)))]
+    return [
+        (verdict, verdicts[verdict]) for verdict in (*known, *sorted(set(verdicts) - set(VERDICTS)))
+    ]
 
 
 def legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
     """The shades of the verdicts that occur."""
     occurring = sum(counts.verdicts.values(), Counter[str]())
-    return [(SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict)) for verdict, _ in in_order(occurring)]
+    return [
+        (SHADES.get(verdict, "shade5"), words.verdicts.get(verdict, verdict))
+        for verdict, _ in in_order(occurring)
+    ]
 
 
-def note(facility: float | None, discrimination: float | None, students: int, words: ReportWords) -> str:
+def note(
+    facility: float | None, discrimination: float | None, students: int, words: ReportWords
+) -> str:
     """What is worth a look, in words; a correlation within two standard errors of zero counts as none."""
     notes = []
     if facility is not None and facility < HARD:
@@ -134,15 +187,27 @@ def note(facility: float | None, discrimination: float | None, students: int, wo
 
 def loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
     """For each question the reasons for which points were lost, the most frequent first."""
-    most = max((reasons.most_common(1)[0][1] for reasons in by_question(counts).values() if reasons), default=1)
+    most = max(
+        (reasons.most_common(1)[0][1] for reasons in by_question(counts).values() if reasons),
+        default=1,
+    )
     for question, reasons in by_question(counts).items():
-        ordered = sorted(reasons.items(), key=lambda reason: (reason[0] in LAST, -reason[1], reason[0]))
-        rows = [{
-            "reason": reason_text(reason, wording, words), "count": count,
-            "bar": bar(count / most, "faint" if reason in LAST else "column", str(count)),
-            "asks": [(symbol_of(column, wording), counts.losses[column][reason]) for column in counts.columns
-                     if column.startswith(f"{question}.") and counts.losses[column][reason]],
-        } for reason, count in ordered]
+        ordered = sorted(
+            reasons.items(), key=lambda reason: (reason[0] in LAST, -reason[1], reason[0])
+        )
+        rows = [
+            {
+                "reason": reason_text(reason, wording, words),
+                "count": count,
+                "bar": bar(count / most, "faint" if reason in LAST else "column", str(count)),
+                "asks": [
+                    (symbol_of(column, wording), counts.losses[column][reason])
+                    for column in counts.columns
+                    if column.startswith(f"{question}.") and counts.losses[column][reason]
+                ],
+            }
+            for reason, count in ordered
+        ]
         if rows:
             yield {"question": question, "title": wording.titles.get(question, ""), "rows": rows}
 
@@ -160,7 +225,9 @@ def reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
     return wording.mistakes.get(reason) or words.reasons.get(reason) or reason
 
 
-def hardness_part(counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords) -> Page:
+def hardness_part(
+    counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords
+) -> Page:
     """Whether papers were equally hard: versions against each other, or drawn numbers against points."""
     enough = len(counts.answered) >= ENOUGH
     part: Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
@@ -174,29 +241,52 @@ def hardness_part(counts: ClassTally, record: ExamRecord, wording: Wording, word
         verdict = words.same_papers
     else:
         clear = trends[0].adjusted < SIGNIFICANT
-        verdict = f"{words.trends.format(len(trends))} {words.trend_found if clear else words.no_trend}"
+        verdict = (
+            f"{words.trends.format(len(trends))} {words.trend_found if clear else words.no_trend}"
+        )
     rows = [trend_row(trend, wording) for trend in trends[:MOST_TRENDS]]
     return part | {"trends": rows, "verdict_on_papers": verdict}
 
 
-def versions_part(counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords, enough: bool) -> Page:
+def versions_part(
+    counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords, enough: bool
+) -> Page:
     """The versions of an exam held against each other."""
     letters = sorted(set(counts.versions))
-    percents = {letter: [value for value, version in zip(counts.percents, counts.versions, strict=True)
-                         if version == letter] for letter in letters}
+    percents = {
+        letter: [
+            value
+            for value, version in zip(counts.percents, counts.versions, strict=True)
+            if version == letter
+        ]
+        for letter in letters
+    }
     groups = [(letter, figures) for letter in letters if (figures := summary(percents[letter]))]
     test = kruskal_wallis(counts.points.sum(axis=1), counts.versions) if enough else None
     verdict = words.too_few.format(ENOUGH) if not enough else ""
     if test is not None:
-        measured = words.test_of_versions.format(decimal(test.statistic), p_text(test.p), f"{test.permutations:,}")
-        verdict = f"{measured} {words.versions_differ if test.p < SIGNIFICANT else words.versions_alike}"
-    rows = [{"letter": letter, "figures": figures, "mean": percent(figures.mean),
-             "sd": "–" if figures.sd is None else percent(figures.sd),
-             "questions": [version_share(counts, letter, question) for question in record.questions]}
-            for letter, figures in groups]
+        measured = words.test_of_versions.format(
+            decimal(test.statistic), p_text(test.p), f"{test.permutations:,}"
+        )
+        verdict = (
+            f"{measured} {words.versions_differ if test.p < SIGNIFICANT else words.versions_alike}"
+        )
+    rows = [
+        {
+            "letter": letter,
+            "figures": figures,
+            "mean": percent(figures.mean),
+            "sd": "–" if figures.sd is None else percent(figures.sd),
+            "questions": [version_share(counts, letter, question) for question in record.questions],
+        }
+        for letter, figures in groups
+    ]
     names = [(f"{words.version} {letter} ({figures.count})", figures) for letter, figures in groups]
-    return {"versions": rows, "version_plot": box_plot(names, words.percent_axis, words.hardness),
-            "verdict_on_papers": verdict}
+    return {
+        "versions": rows,
+        "version_plot": box_plot(names, words.percent_axis, words.hardness),
+        "verdict_on_papers": verdict,
+    }
 
 
 def version_share(counts: ClassTally, letter: str, question: str) -> str:
@@ -210,13 +300,21 @@ def trend_row(trend: ParameterTrend, wording: Wording) -> Page:
     """One drawn number and how points go with it."""
     known = wording.parameters.get((trend.question, trend.parameter))
     thirds = [(share_text(third.share), span_text(third), third.count) for third in trend.thirds]
-    return {"question": trend.question, "symbol": symbol_html(known) if known else trend.parameter, "thirds": thirds,
-            "correlation": decimal(trend.correlation), "p": p_text(trend.test.p), "adjusted": p_text(trend.adjusted)}
+    return {
+        "question": trend.question,
+        "symbol": symbol_html(known) if known else trend.parameter,
+        "thirds": thirds,
+        "correlation": decimal(trend.correlation),
+        "p": p_text(trend.test.p),
+        "adjusted": p_text(trend.adjusted),
+    }
 
 
 def span_text(third: Third) -> str:
     """From which number to which."""
-    return " … ".join(dict.fromkeys(f"{bound:g}".replace("-", "−") for bound in (third.lowest, third.highest)))
+    return " … ".join(
+        dict.fromkeys(f"{bound:g}".replace("-", "−") for bound in (third.lowest, third.highest))
+    )
 
 
 def percent(value: float) -> str:

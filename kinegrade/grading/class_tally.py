@@ -20,7 +20,12 @@ from kinegrade.errors import TableError
 from kinegrade.grading.exam_record import ExamRecord, PaperRecord, PaperRecords
 from kinegrade.grading.hints import Hint, hint
 from kinegrade.grading.item_statistics import Points
-from kinegrade.grading.marked_class import MarkedAnswer, StudentTotal, answers_by_student, student_totals
+from kinegrade.grading.marked_class import (
+    MarkedAnswer,
+    StudentTotal,
+    answers_by_student,
+    student_totals,
+)
 
 RIGHT, BLANK = "right", "blank"
 UNEXPLAINED = "unexplained"
@@ -49,7 +54,9 @@ class ClassTally:
 
     def share(self, question: str) -> Points:
         """Each student's share of the points of a question; NaN where it has none."""
-        places = [place for place, column in enumerate(self.columns) if column.split(".")[0] == question]
+        places = [
+            place for place, column in enumerate(self.columns) if column.split(".")[0] == question
+        ]
         out_of = float(self.out_of[places].sum())
         shares: Points = self.points[:, places].sum(axis=1) / (out_of or np.nan)
         return shares
@@ -57,7 +64,9 @@ class ClassTally:
     @property
     def percents(self) -> list[float]:
         """The totals in per cent, as grades.csv has them; of nothing, 0."""
-        return [float(100 * each.total / each.out_of) if each.out_of else 0.0 for each in self.answered]
+        return [
+            float(100 * each.total / each.out_of) if each.out_of else 0.0 for each in self.answered
+        ]
 
 
 @dataclass
@@ -75,7 +84,9 @@ class _Count:
     parameters: list[array[float]] = field(default_factory=list)
     names: tuple[tuple[str, str], ...] = ()  # of the parameters, as the first paper has them
 
-    def include(self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str) -> None:
+    def include(
+        self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str
+    ) -> None:
         """One more student who answered something."""
         self.answered.append(total)
         self.points.append(array("d", (float(answer.points) for answer in answers)))
@@ -95,11 +106,18 @@ def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
         columns = tuple(answer.column for answer in answers)
         _open(count, columns, [float(answer.out_of) for answer in answers])
         if columns != count.columns or student not in totals:
-            raise TableError(f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or the '
-                             "others - expected the same asks for everybody - grade again")
+            raise TableError(
+                f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or the '
+                "others - expected the same asks for everybody - grade again"
+            )
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
             sitter = record.students.get(student)
-            count.include(totals[student], answers, papers.marked(student, columns), sitter.version if sitter else "")
+            count.include(
+                totals[student],
+                answers,
+                papers.marked(student, columns),
+                sitter.version if sitter else "",
+            )
         else:
             count.silent.append(totals[student])
     return _closed(count)
@@ -115,10 +133,21 @@ def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
 
 def _closed(count: _Count) -> ClassTally:
     points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
-    numbers = np.array(count.parameters, dtype=np.float64).reshape(len(count.parameters), len(count.names))
+    numbers = np.array(count.parameters, dtype=np.float64).reshape(
+        len(count.parameters), len(count.names)
+    )
     parameters = {name: numbers[:, place] for place, name in enumerate(count.names)}
-    return ClassTally(count.columns, np.array(count.out_of), tuple(count.answered), tuple(count.silent), points,
-                      count.verdicts, count.losses, tuple(count.versions), parameters)
+    return ClassTally(
+        count.columns,
+        np.array(count.out_of),
+        tuple(count.answered),
+        tuple(count.silent),
+        points,
+        count.verdicts,
+        count.losses,
+        tuple(count.versions),
+        parameters,
+    )
 
 
 def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.errors import one_line
 from kinegrade.grading.amounts import amount_text, change_text
 from kinegrade.grading.marks_folder import Line, Lines, Total, read_lines, read_totals
 from kinegrade.grading.text_table import aligned, cut
-from kinegrade.tables import csv_text, neutralised
 
 HEADER = (
     "student", "name", "what", "before", "after", "change", "out_of_before", "out_of_after",
@@ -45,7 +45,11 @@ class AskChange:
         parts = []
         if before.typed != after.typed:
             parts.append(f'"{before.typed}" -> "{after.typed}"')
-        parts.append(before.verdict if before.verdict == after.verdict else f"{before.verdict} -> {after.verdict}")
+        parts.append(
+            before.verdict
+            if before.verdict == after.verdict
+            else f"{before.verdict} -> {after.verdict}"
+        )
         if before.out_of != after.out_of:
             parts.append(f"worth {amount_text(before.out_of)} -> {amount_text(after.out_of)}")
         return ": ".join(filter(None, (", ".join(parts), after.reason)))
@@ -87,12 +91,22 @@ def compare(first: Path, second: Path) -> Comparison:
     """Holds two folders of marks against each other. Raises TableError."""
     before, after = read_totals(first), read_totals(second)
     asks = _ask_changes(read_lines(first), read_lines(second))
-    found = (StudentChange(student, before.get(student), after.get(student), tuple(asks.get(student, ())))
-             for student in {**before, **after})
+    found = (
+        StudentChange(
+            student, before.get(student), after.get(student), tuple(asks.get(student, ()))
+        )
+        for student in {**before, **after}
+    )
     both = [(before[student], after[student]) for student in before if student in after]
     return Comparison(
-        tuple(change for change in found if change.asks or _worth(change.before) != _worth(change.after)), len(both),
-        sum(new.share > old.share for old, new in both), sum(new.share < old.share for old, new in both),
+        tuple(
+            change
+            for change in found
+            if change.asks or _worth(change.before) != _worth(change.after)
+        ),
+        len(both),
+        sum(new.share > old.share for old, new in both),
+        sum(new.share < old.share for old, new in both),
         _mean([new.points - old.points for old, new in both]),
         _mean([100 * (new.share - old.share) for old, new in both]),
     )
@@ -111,7 +125,9 @@ def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
         yield (*person, "total", *_amounts(old, new), "", "", "", "", *map(neutralised, reasons))
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
-            texts = (getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides)
+            texts = (
+                getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides
+            )
             yield (*person, ask.column, *_amounts(ask.before, ask.after), *map(neutralised, texts))
 
 
@@ -121,7 +137,10 @@ def comparison_text(comparison: Comparison) -> str:
     for each in comparison.changes:
         person = one_line(each.student), cut(one_line(each.name), _WIDEST_NAME)
         rows.append((*person, "total", *_amounts(each.before, each.after)[:3], _presence(each)))
-        rows += [("", "", ask.column, *_amounts(ask.before, ask.after)[:3], one_line(ask.why)) for ask in each.asks]
+        rows += [
+            ("", "", ask.column, *_amounts(ask.before, ask.after)[:3], one_line(ask.why))
+            for ask in each.asks
+        ]
     table = aligned((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
     return f"{table}{_summary(comparison)}"
 
@@ -150,11 +169,14 @@ def _mean(amounts: Sequence[Fraction]) -> Fraction:
 
 
 def _amounts(before: Line | Total | None, after: Line | Total | None) -> tuple[str, ...]:
-    """Points before, after and their change, then what they are out of before and after; blank on a side that is not.
-    """
+    """Points before, after and their change, then what they are out of before and after; blank on a side that is not."""
     points = [amount_text(side.points) if side else "" for side in (before, after)]
     change = change_text(after.points - before.points) if before and after else ""
-    return (*points, change, *(amount_text(side.out_of) if side else "" for side in (before, after)))
+    return (
+        *points,
+        change,
+        *(amount_text(side.out_of) if side else "" for side in (before, after)),
+    )
 
 
 def _presence(change: StudentChange) -> str:
@@ -165,13 +187,22 @@ def _presence(change: StudentChange) -> str:
     if change.after.kept:
         return change.after.kept
     worth = change.before.out_of, change.after.out_of
-    return "" if worth[0] == worth[1] else f"out of {amount_text(worth[0])} -> {amount_text(worth[1])}"
+    return (
+        "" if worth[0] == worth[1] else f"out of {amount_text(worth[0])} -> {amount_text(worth[1])}"
+    )
 
 
 def _summary(comparison: Comparison) -> str:
     unchanged = comparison.students - comparison.up - comparison.down
-    alone = [change for change in comparison.changes if change.before is None or change.after is None]
+    alone = [
+        change for change in comparison.changes if change.before is None or change.after is None
+    ]
     lone = f"; {len(alone)} in one of the two only" if alone else ""
-    points, percent = change_text(comparison.mean_points), change_text(comparison.mean_percent, places=2)
-    return (f"{comparison.up} up, {comparison.down} down, {unchanged} unchanged{lone}; "
-            f"mean change {points} points, {percent} percentage points")
+    points, percent = (
+        change_text(comparison.mean_points),
+        change_text(comparison.mean_percent, places=2),
+    )
+    return (
+        f"{comparison.up} up, {comparison.down} down, {unchanged} unchanged{lone}; "
+        f"mean change {points} points, {percent} percentage points"
+    )

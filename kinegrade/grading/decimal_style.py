@@ -18,9 +18,12 @@ from kinegrade.grading.number_text import DecimalStyle, MarkUse, folded, mantiss
 Mark = Literal["comma", "point"]
 LONGEST_EVIDENCE = 200
 _NUMBER = re.compile(r"[.,]?[0-9]")
-_USUAL = re.compile(r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)")
+_USUAL = re.compile(
+    r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)"
+)
 _USUAL_LINES = re.compile(
-    r"(?:[+-]?(?:0\.[0-9]{1,99}|[0-9]{1,99}\.(?:[0-9]{1,2}|[0-9]{4,99})|[0-9]{1,3}(?:\.[0-9]{3})?|)\n)*+")
+    r"(?:[+-]?(?:0\.[0-9]{1,99}|[0-9]{1,99}\.(?:[0-9]{1,2}|[0-9]{4,99})|[0-9]{1,3}(?:\.[0-9]{3})?|)\n)*+"
+)
 _DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
 
@@ -56,12 +59,17 @@ class FileStyle:
             return self.style
         comma, comma_reason = self._comma(own)
         if "." in own.groups and "." not in own.decimal:
-            return DecimalStyle(comma, "groups", comma_reason, "this student groups digits by points elsewhere")
+            return DecimalStyle(
+                comma, "groups", comma_reason, "this student groups digits by points elsewhere"
+            )
         return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
 
     def _comma(self, own: Evidence) -> tuple[MarkUse, str]:
         if "," in own.decimal and "," in own.groups:
-            return "unknown", "this student uses commas in both ways; ask, or declare the decimal mark"
+            return (
+                "unknown",
+                "this student uses commas in both ways; ask, or declare the decimal mark",
+            )
         if "," in own.decimal:
             return "decimal", "the comma is the decimal mark in this student's other answers"
         if "," in own.groups:
@@ -108,24 +116,34 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
     if declared is not None:
         reason = f"the decimal mark was declared to be the {declared}"
         point_groups = DecimalStyle("decimal", "groups", reason, reason)
-        return FileStyle(point_groups if declared == "comma" else DecimalStyle("groups", "decimal", reason),
-                         declared=True)
+        return FileStyle(
+            point_groups if declared == "comma" else DecimalStyle("groups", "decimal", reason),
+            declared=True,
+        )
     found = [evidence(row) for row in rows if any(row)]
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
     comma, reason = _file_comma(commas, points, len(found))
     doubt = "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"
-    return FileStyle(DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""), commas=commas > 0)
+    return FileStyle(
+        DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""),
+        commas=commas > 0,
+    )
 
 
 def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
     """What a comma means where a row says nothing: it groups if most rows show a decimal point and none a comma."""
     if not commas and 2 * points > rows:
-        return "groups", f"the point is the decimal mark in the answers of {_students(points)}, and nobody's the comma"
+        return (
+            "groups",
+            f"the point is the decimal mark in the answers of {_students(points)}, and nobody's the comma",
+        )
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason
-    return "decimal", ("a comma is the decimal mark, as the papers say; "
-                       f"so it is in the answers of {_students(commas)}, the point in those of {_students(points)}")
+    return "decimal", (
+        "a comma is the decimal mark, as the papers say; "
+        f"so it is in the answers of {_students(commas)}, the point in those of {_students(points)}"
+    )
 
 
 def _students(count: int) -> str:

@@ -23,7 +23,11 @@ _FULL, _NONE = Fraction(1), Fraction(0)
 
 
 def decide(
-    reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative], reread: Callable[[str], Reading]
+    reading: Reading,
+    key: Key,
+    ruling: Ruling,
+    others: Sequence[Alternative],
+    reread: Callable[[str], Reading],
 ) -> Decision:
     """The verdict and the share of the points, as if nothing was void. Never raises.
 
@@ -58,7 +62,9 @@ def _said(verdict: Verdict, ruling: Ruling) -> Verdict:
     return replace(verdict, reason=f"{verdict.reason}{BY_POLICY}")
 
 
-def _accepted(reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative]) -> Iterable[Decision]:
+def _accepted(
+    reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alternative]
+) -> Iterable[Decision]:
     for other in others:
         margin = replace(reading, error=reading.error + other.error)
         verdict = judge(margin, ruling.beside(key, other.value))
@@ -71,11 +77,21 @@ def _accepted(reading: Reading, key: Key, ruling: Ruling, others: Sequence[Alter
 def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
     """The mistakes that lead to this answer, the nearest first; each tells of the others."""
     value = reading.value or Fraction(0)
-    likely = [(abs(wrong - value), name) for name, wrong in key.mistakes.items() if _may_agree(value, wrong, key)]
-    verdicts = {name: judge(reading, ruling.beside(key, key.mistakes[name])) for _, name in sorted(likely)}
-    leading = {name: verdict.reason for name, verdict in verdicts.items() if verdict.kind == "right"}
+    likely = [
+        (abs(wrong - value), name)
+        for name, wrong in key.mistakes.items()
+        if _may_agree(value, wrong, key)
+    ]
+    verdicts = {
+        name: judge(reading, ruling.beside(key, key.mistakes[name])) for _, name in sorted(likely)
+    }
+    leading = {
+        name: verdict.reason for name, verdict in verdicts.items() if verdict.kind == "right"
+    }
     for name, compared in leading.items():
-        reason = f"{name}: leads to {compared.removeprefix('key ')}{besides(leading.keys() - {name})}"
+        reason = (
+            f"{name}: leads to {compared.removeprefix('key ')}{besides(leading.keys() - {name})}"
+        )
         yield Verdict("mistake", reason), ruling.mistakes.get(name, _NONE)
 
 
@@ -85,7 +101,9 @@ def besides(others: Collection[str]) -> str:
     >>> besides(["sense-reversed"])
     '; so does sense-reversed'
     """
-    return f"; so {'does' if len(others) == 1 else 'do'} {', '.join(sorted(others))}" if others else ""
+    return (
+        f"; so {'does' if len(others) == 1 else 'do'} {', '.join(sorted(others))}" if others else ""
+    )
 
 
 def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
@@ -94,7 +112,10 @@ def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
         return True
     size, stated = abs(float(wrong)), key.rule or Rule(absolute=key.tolerance)
     share = float(stated.relative) + (11 / 10**stated.figures if stated.figures else 0)
-    return abs(float(value) - float(wrong)) <= 1.01 * (share * size + float(stated.absolute)) + 1e-9 * size
+    return (
+        abs(float(value) - float(wrong))
+        <= 1.01 * (share * size + float(stated.absolute)) + 1e-9 * size
+    )
 
 
 def _bare_number(
@@ -107,4 +128,7 @@ def _bare_number(
     bare = (reread(reading.typed[:end]) for end in ends)
     number = next((each for each in bare if each.kind == "number"), None)
     if number is not None and judge(number, key).kind == "right":
-        yield Verdict("wrong unit", f"{reading.reason}; the number is right, credit by the policy"), ruling.wrong_unit
+        yield (
+            Verdict("wrong unit", f"{reading.reason}; the number is right, credit by the policy"),
+            ruling.wrong_unit,
+        )

@@ -80,7 +80,9 @@ def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
 
     def statistic(order: Points) -> Points:
         """H for each row of ranks."""
-        heights: Points = scale * ((order @ members) ** 2 / members.sum(axis=0)).sum(axis=-1) - shift
+        heights: Points = (
+            scale * ((order @ members) ** 2 / members.sum(axis=0)).sum(axis=-1) - shift
+        )
         return heights
 
     observed = float(statistic(ranked))
@@ -98,8 +100,9 @@ def spearman(first: Points, second: Points) -> Test | None:
     return _tested(observed, len(one), lambda orders: np.abs(one[orders] @ other) >= reached)
 
 
-def parameter_trends(parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
-                     ) -> tuple[ParameterTrend, ...]:
+def parameter_trends(
+    parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
+) -> tuple[ParameterTrend, ...]:
     """For each drawn number that varies its trend, the clearest first; NaN stands for a student without one."""
     found = []
     for (question, name), numbers in parameters.items():
@@ -109,16 +112,26 @@ def parameter_trends(parameters: Mapping[tuple[str, str], Points], shares: Mappi
             found.append((question, name, test, thirds(numbers[known], shares[question][known])))
     found.sort(key=lambda trend: (trend[2].p, -abs(trend[2].statistic)))
     adjusted = holm([test.p for _, _, test, _ in found])
-    return tuple(ParameterTrend(question, name, test.statistic, test, p, groups)
-                 for (question, name, test, groups), p in zip(found, adjusted, strict=True))
+    return tuple(
+        ParameterTrend(question, name, test.statistic, test, p, groups)
+        for (question, name, test, groups), p in zip(found, adjusted, strict=True)
+    )
 
 
 def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
     """Students in up to three groups by a drawn number, equal numbers together; the shares are means."""
     lower, upper = np.quantile(numbers, (1 / 3, 2 / 3))
     masks = (numbers <= lower, (numbers > lower) & (numbers <= upper), numbers > upper)
-    return tuple(Third(float(numbers[mask].min()), float(numbers[mask].max()), int(mask.sum()),
-                       float(shares[mask].mean())) for mask in masks if mask.any())
+    return tuple(
+        Third(
+            float(numbers[mask].min()),
+            float(numbers[mask].max()),
+            int(mask.sum()),
+            float(shares[mask].mean()),
+        )
+        for mask in masks
+        if mask.any()
+    )
 
 
 def holm(ascending: Sequence[float]) -> tuple[float, ...]:
@@ -142,6 +155,8 @@ def _tested(observed: float, count: int, reaches: Callable[[Orders], Any]) -> Te
     as_much = 0
     for start in range(0, permutations, at_once):
         rows = min(at_once, permutations - start)
-        orders = np.argsort(generator.random_raw(rows * count).reshape(rows, count), axis=1, kind="stable")
+        orders = np.argsort(
+            generator.random_raw(rows * count).reshape(rows, count), axis=1, kind="stable"
+        )
         as_much += int(np.count_nonzero(reaches(orders)))
     return Test(observed, (1 + as_much) / (1 + permutations), permutations)

@@ -15,12 +15,21 @@ from typing import Any, BinaryIO, NamedTuple, TypeVar
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.roster import student_key
-from kinegrade.grading.json_fields import FieldError, field, identifier, list_of, not_negative, parsed
+from kinegrade.grading.json_fields import (
+    FieldError,
+    field,
+    identifier,
+    list_of,
+    not_negative,
+    parsed,
+)
 from kinegrade.grading.key import Ask, Exam, Examinee, Paper, questions
 from kinegrade.grading.key_decoding import PaperDecoder
 
 FORMAT = 1
-_BUFFER = 2**17  # bytes: some lines, which are long, and not more than stays in the fast memory of a processor
+_BUFFER = (
+    2**17
+)  # bytes: some lines, which are long, and not more than stays in the fast memory of a processor
 _MENDING = "restore the exam folder as it was generated"
 Item = TypeVar("Item")
 
@@ -63,10 +72,17 @@ def read_exam(folder: Path) -> Exam:
     """The whole of an exam folder made by `generate`; raises ExamError."""
     exam = open_exam(folder)
     columns = [ask.column for ask in exam.asks]
-    return Exam(exam.asks, tuple(
-        Examinee(paper.student, paper.name, dict(zip(columns, map(paper.key, range(len(columns))), strict=True)))
-        for paper in exam.papers()
-    ))
+    return Exam(
+        exam.asks,
+        tuple(
+            Examinee(
+                paper.student,
+                paper.name,
+                dict(zip(columns, map(paper.key, range(len(columns))), strict=True)),
+            )
+            for paper in exam.papers()
+        ),
+    )
 
 
 def open_exam(folder: Path) -> ExamFolder:
@@ -123,7 +139,9 @@ class _Papers:
     def _in_file_order(self) -> Iterator[tuple[_Line, Paper]]:
         """Each line with the paper on it; none any more after the first fault."""
         for lines in self._lines():
-            papers = self.decoder.usual([line.text for line in lines], [self._place(line) for line in lines])
+            papers = self.decoder.usual(
+                [line.text for line in lines], [self._place(line) for line in lines]
+            )
             if papers is not None and not self.faults:
                 yield from zip(lines, papers, strict=True)
                 continue
@@ -181,8 +199,10 @@ def _text(folder: Path) -> str:
 
 def _unreadable(file: Path, fault: OSError | UnicodeDecodeError) -> ExamError:
     reason = fault.strerror if isinstance(fault, OSError) else "not UTF-8"
-    return ExamError(f"{file}: cannot be read ({reason}) "
-                     "- expected an exam folder made by kinegrade generate - check the name")
+    return ExamError(
+        f"{file}: cannot be read ({reason}) "
+        "- expected an exam folder made by kinegrade generate - check the name"
+    )
 
 
 def _broken(folder: Path, faults: Iterable[str]) -> ExamError:
@@ -207,7 +227,9 @@ def _head(text: str, faults: list[str]) -> Any:
     return exam
 
 
-def _each(where: str, items: Iterable[Any], read: Callable[[Any], Item], faults: list[str]) -> list[Item]:
+def _each(
+    where: str, items: Iterable[Any], read: Callable[[Any], Item], faults: list[str]
+) -> list[Item]:
     """What `read` makes of each item; the faulty ones are listed and left out."""
     results = []
     for number, item in enumerate(items, 1):
@@ -224,7 +246,13 @@ def _question(item: Any) -> list[Ask]:
     if not asks:
         raise FieldError(f"question {question} asks nothing - expected at least one ask")
     return [
-        Ask(question, identifier(ask, "ask"), field(ask, "unit", str), not_negative(ask, "points"), _sign(ask))
+        Ask(
+            question,
+            identifier(ask, "ask"),
+            field(ask, "unit", str),
+            not_negative(ask, "points"),
+            _sign(ask),
+        )
         for ask in asks
     ]
 

@@ -76,20 +76,35 @@ def read_exam_record(folder: Path) -> ExamRecord:
     try:
         exam = json.loads(path.read_text(encoding="utf-8"))
         stems = file_names(entry["student"] for entry in exam["students"])
-        students = {entry["student"]: _sitter(entry, stems[entry["student"]]) for entry in exam["students"]}
+        students = {
+            entry["student"]: _sitter(entry, stems[entry["student"]]) for entry in exam["students"]
+        }
         questions = tuple(str(question["question"]) for question in exam["questions"])
     except OSError as fault:
         raise _missing(path, fault) from fault
     except _BROKEN as fault:
-        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}") from fault
+        raise ExamError(
+            f"{path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
+        ) from fault
     texts = {name: str(exam.get(name, "")) for name in ("title", "course", "date", "language")}
-    return ExamRecord(**texts, questions=questions, versions=tuple(exam.get("versions", ())), students=students,
-                      solutions=exam.get("solutions") is True)
+    return ExamRecord(
+        **texts,
+        questions=questions,
+        versions=tuple(exam.get("versions", ())),
+        students=students,
+        solutions=exam.get("solutions") is True,
+    )
 
 
 def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
-    return Sitter(entry["student"], entry["name"], entry.get("email", ""), entry.get("paper", ""),
-                  entry.get("version", ""), stem)
+    return Sitter(
+        entry["student"],
+        entry["name"],
+        entry.get("email", ""),
+        entry.get("paper", ""),
+        entry.get("version", ""),
+        stem,
+    )
 
 
 class PaperRecords:
@@ -103,47 +118,65 @@ class PaperRecords:
         except OSError as fault:
             raise _missing(self._path, fault) from fault
         except _BROKEN as fault:
-            raise ExamError(f"{self._path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}") from fault
+            raise ExamError(
+                f"{self._path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
+            ) from fault
 
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has none of that student's."""
         if student not in self._lines:
-            raise ExamError(f'{self._path}: no paper of student "{student}" - expected one for everybody who is marked '
-                            "- name the exam folder by which these marks were made")
+            raise ExamError(
+                f'{self._path}: no paper of student "{student}" - expected one for everybody who is marked '
+                "- name the exam folder by which these marks were made"
+            )
         try:
             return _paper(self._lines.paper(student, Fraction))
         except _BROKEN as fault:
-            raise ExamError(f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
-                            f"{fault}) - {_MENDING}") from fault
+            raise ExamError(
+                f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
+                f"{fault}) - {_MENDING}"
+            ) from fault
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
         """The paper of a student whose answers stand in these columns. Raises ExamError where it does not ask them."""
         paper = self.paper(student)
         unknown = next((column for column in columns if column not in paper.answers), None)
         if unknown is not None:
-            raise ExamError(f'{self._path}: the paper of student "{student}" does not ask {unknown}, which was marked '
-                            "- expected the marks of this exam - name the exam folder by which they were made")
+            raise ExamError(
+                f'{self._path}: the paper of student "{student}" does not ask {unknown}, which was marked '
+                "- expected the marks of this exam - name the exam folder by which they were made"
+            )
         return paper
 
 
 def _paper(record: Mapping[str, Any]) -> PaperRecord:
     questions = record["questions"]
     identifiers = tuple(question["question"] for question in questions)
-    answers = {f"{question['question']}.{name}": _right_answer(entry)
-               for question in questions for name, entry in question["asks"].items()}
-    parameters = {(question["question"], name): float(entry["value"])
-                  for question in questions for name, entry in question.get("parameters", {}).items()}
+    answers = {
+        f"{question['question']}.{name}": _right_answer(entry)
+        for question in questions
+        for name, entry in question["asks"].items()
+    }
+    parameters = {
+        (question["question"], name): float(entry["value"])
+        for question in questions
+        for name, entry in question.get("parameters", {}).items()
+    }
     return PaperRecord(tuple(record.get("printed", identifiers)), answers, parameters)
 
 
 def _right_answer(entry: Mapping[str, Any]) -> RightAnswer:
     value = Fraction(entry["decimal"] if "decimal" in entry else entry["value"])
     tolerance = entry["tolerance"]
-    stated = rule(Fraction(tolerance["relative"]), Fraction(tolerance["absolute"]), tolerance.get("figures"))
+    stated = rule(
+        Fraction(tolerance["relative"]), Fraction(tolerance["absolute"]), tolerance.get("figures")
+    )
     low, high = stated.key(value).interval
     return RightAnswer(value, entry.get("exact"), entry["unit"], max(value - low, high - value))
 
 
 def _missing(path: Path, fault: OSError) -> ExamError:
-    return ExamError(f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate "
-                     "- check the name")
+    return ExamError(
+        f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate "
+        "- check the name"
+    )

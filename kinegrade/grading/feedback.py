@@ -86,51 +86,93 @@ class FeedbackSheet:
         return any(row.guess for question in self.questions for row in question.rows)
 
 
-def feedback_sheets(marks: Path, exam: Path, wording: Wording, language: Literal["en", "zh"]
-                    ) -> Iterator[tuple[Sitter, FeedbackSheet]]:
+def feedback_sheets(
+    marks: Path, exam: Path, wording: Wording, language: Literal["en", "zh"]
+) -> Iterator[tuple[Sitter, FeedbackSheet]]:
     """The sheets in the order of the roster, each with whose it is. Raises TableError, ExamError."""
     record, papers, totals = read_exam_record(exam), PaperRecords(exam), student_totals(marks)
     words = feedback_words_of(language)
     for student, answers in answers_by_student(marks):
         if student not in record.students or student not in totals:
-            raise ExamError(f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the marks of '
-                            f"this exam - grade again with {exam}")
+            raise ExamError(
+                f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the marks of '
+                f"this exam - grade again with {exam}"
+            )
         sitter, total = record.students[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
         kept = total.total > sum(answer.points for answer in answers)
-        yield sitter, FeedbackSheet(words, record.course, record.title, record.date, student, sitter.name, sitter.code,
-                                    share_of(total.total, total.out_of), kept,
-                                    tuple(_questions(answers, paper, wording, words)))
+        yield (
+            sitter,
+            FeedbackSheet(
+                words,
+                record.course,
+                record.title,
+                record.date,
+                student,
+                sitter.name,
+                sitter.code,
+                share_of(total.total, total.out_of),
+                kept,
+                tuple(_questions(answers, paper, wording, words)),
+            ),
+        )
 
 
-def _questions(answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
-               ) -> Iterator[FeedbackQuestion]:
+def _questions(
+    answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
+) -> Iterator[FeedbackQuestion]:
     """The questions as they followed on the paper."""
-    by_question = {question: tuple(group) for question, group in groupby(answers, lambda answer: answer.question)}
+    by_question = {
+        question: tuple(group)
+        for question, group in groupby(answers, lambda answer: answer.question)
+    }
     for number, question in enumerate(paper.printed, start=1):
         own = by_question.get(question, ())
         known = question == f"q{number}"
-        heading = words.question.format(number) if known else words.question_known.format(number, question)
+        heading = (
+            words.question.format(number)
+            if known
+            else words.question_known.format(number, question)
+        )
         points = sum((answer.points for answer in own), Fraction(0))
         out_of = sum((answer.out_of for answer in own), Fraction(0))
         rows = tuple(feedback_row(answer, paper, wording, words) for answer in own)
-        yield FeedbackQuestion(heading, wording.titles.get(question, ""), share_of(points, out_of), rows)
+        yield FeedbackQuestion(
+            heading, wording.titles.get(question, ""), share_of(points, out_of), rows
+        )
 
 
-def feedback_row(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords) -> FeedbackRow:
+def feedback_row(
+    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
+) -> FeedbackRow:
     """What is said of one answer."""
     right = paper.answers.get(answer.column)
-    typed = answer.typed if len(answer.typed) <= LONGEST_TYPED else f"{answer.typed[:LONGEST_TYPED]}…"
-    read = with_unit(answer.read_as, answer.unit) if answer.read_as not in ("", answer.typed.strip()) else ""
+    typed = (
+        answer.typed if len(answer.typed) <= LONGEST_TYPED else f"{answer.typed[:LONGEST_TYPED]}…"
+    )
+    read = (
+        with_unit(answer.read_as, answer.unit)
+        if answer.read_as not in ("", answer.typed.strip())
+        else ""
+    )
     remark, reason = _remark(answer, paper, wording, words)
     return FeedbackRow(
         wording.symbols.get(answer.column, rf"\mathrm{{{answer.ask.replace('_', ' ')}}}"),
-        wording.meanings.get(answer.column, ""), typed, read.replace("-", "−"), right_text(right) if right else "",
-        words.verdicts.get(answer.verdict, answer.verdict), share_of(answer.points, answer.out_of), remark,
-        bool(remark) and answer.verdict == "wrong", reason)
+        wording.meanings.get(answer.column, ""),
+        typed,
+        read.replace("-", "−"),
+        right_text(right) if right else "",
+        words.verdicts.get(answer.verdict, answer.verdict),
+        share_of(answer.points, answer.out_of),
+        remark,
+        bool(remark) and answer.verdict == "wrong",
+        reason,
+    )
 
 
-def _remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords) -> tuple[str, str]:
+def _remark(
+    answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
+) -> tuple[str, str]:
     """(prose, plain): what is said of why, and what the reading said of the cell."""
     if answer.verdict == "mistake":
         return words.or_else.join(filter(None, map(wording.mistakes.get, mistakes_of(answer)))), ""
@@ -147,7 +189,9 @@ def _remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: F
     return "", answer.reason
 
 
-def hint_text(found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords) -> str:
+def hint_text(
+    found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords
+) -> str:
     """A hint in a student's words, as prose."""
     match found.kind:
         case "power of ten":
@@ -158,7 +202,11 @@ def hint_text(found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wo
             text = words.other_ask.format(symbol) if symbol else ""
         case "close":
             difference = abs(Fraction(answer.read_as) - right.value) / abs(right.value)
-            allowed = words.by_policy if POLICY in answer.reason else percent_text(right.allowed / abs(right.value))
+            allowed = (
+                words.by_policy
+                if POLICY in answer.reason
+                else percent_text(right.allowed / abs(right.value))
+            )
             text = words.close.format(percent_text(difference), allowed)
         case _:
             text = words.hints[found.kind]
@@ -171,7 +219,9 @@ def percent_text(share: Fraction) -> str:
     >>> percent_text(Fraction("0.0134")), percent_text(Fraction("0.01004"))
     ('1.3 %', '1.004 %')
     """
-    places = 2 if abs(share - Fraction(1, 100)) >= Fraction(1, 2000) or share == Fraction(1, 100) else 4
+    places = (
+        2 if abs(share - Fraction(1, 100)) >= Fraction(1, 2000) or share == Fraction(1, 100) else 4
+    )
     return f"{float(100 * share):.{places}g} %"
 
 
@@ -181,7 +231,11 @@ def right_text(right: RightAnswer) -> str:
     >>> right_text(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
     '2√3/3 ≈ 1.1547\u202fm/s'
     """
-    value = Context(prec=6).divide(Decimal(right.value.numerator), Decimal(right.value.denominator)).normalize()
+    value = (
+        Context(prec=6)
+        .divide(Decimal(right.value.numerator), Decimal(right.value.denominator))
+        .normalize()
+    )
     decimal = f"{value:f}" if -6 < value.adjusted() < 9 else str(value)
     same = Fraction(decimal) == right.value
     exact = exact_text(right.exact or "")

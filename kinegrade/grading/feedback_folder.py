@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
+from kinegrade.csv_writing import neutralised, write_csv
 from kinegrade.errors import ExamError
 from kinegrade.files import output_folder
 from kinegrade.grading.exam_record import Sitter
@@ -17,15 +18,25 @@ from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
 from kinegrade.grading.wording import Wording
-from kinegrade.tables import neutralised, write_csv
 
 Text = Literal["html", "md"]
-Press = Callable[[FeedbackSheet, bytes | None], bytes]  # the sheet as PDF, a solution behind it where there is one
+Press = Callable[
+    [FeedbackSheet, bytes | None], bytes
+]  # the sheet as PDF, a solution behind it where there is one
 MARKER, SHEETS = "feedback.csv", "sheets"
 
 
-def write_feedback(exam: Path, marks: Path, output: Path, wording: Wording, form: Text | Press, *,
-                   language: Literal["en", "zh"], solutions: bool = False, force: bool = False) -> int:
+def write_feedback(
+    exam: Path,
+    marks: Path,
+    output: Path,
+    wording: Wording,
+    form: Text | Press,
+    *,
+    language: Literal["en", "zh"],
+    solutions: bool = False,
+    force: bool = False,
+) -> int:
     """Writes the folder `output` and gives the number of sheets; `form` is a kind of text, or what prints a PDF.
 
     With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as a file beside.
@@ -39,14 +50,21 @@ def write_feedback(exam: Path, marks: Path, output: Path, wording: Wording, form
             files = dict(_files(sitter, sheet, solution, form))
             for name, content in files.items():
                 (folder / SHEETS / name).write_bytes(content)
-            rows.append((sitter.student, neutralised(sitter.name), neutralised(sitter.email),
-                         f"{SHEETS}/{next(iter(files))}"))
+            rows.append(
+                (
+                    sitter.student,
+                    neutralised(sitter.name),
+                    neutralised(sitter.email),
+                    f"{SHEETS}/{next(iter(files))}",
+                )
+            )
         write_csv(folder / MARKER, ("student", "name", "email", "file"), rows)
     return len(rows)
 
 
-def _files(sitter: Sitter, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
-           ) -> Iterator[tuple[str, bytes]]:
+def _files(
+    sitter: Sitter, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
+) -> Iterator[tuple[str, bytes]]:
     """The names and contents of one student's files, the sheet first."""
     if callable(form):
         yield f"{sitter.stem}.pdf", form(sheet, solution)
@@ -64,5 +82,7 @@ def _solution(exam: Path, sitter: Sitter) -> bytes:
     try:
         return path.read_bytes()
     except OSError as fault:
-        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions - "
-                        "generate the exam with --solutions, or leave them out") from fault
+        raise ExamError(
+            f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions - "
+            "generate the exam with --solutions, or leave them out"
+        ) from fault

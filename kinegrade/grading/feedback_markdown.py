@@ -9,7 +9,9 @@ from urllib.parse import quote
 from kinegrade.grading.feedback import FeedbackQuestion, FeedbackRow, FeedbackSheet
 from kinegrade.grading.feedback_words import FeedbackWords
 
-_SPECIAL = re.compile(r"([\\`*_\[\]<>#|$&~^@]|(?<=[A-Za-z]):(?=//)|(?<=www)\.|!(?=\[)|^[-+=])", re.IGNORECASE)
+_SPECIAL = re.compile(
+    r"([\\`*_\[\]<>#|$&~^@]|(?<=[A-Za-z]):(?=//)|(?<=www)\.|!(?=\[)|^[-+=])", re.IGNORECASE
+)
 _NUMBERED = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 
@@ -19,9 +21,16 @@ def feedback_markdown(sheet: FeedbackSheet) -> str:
     words = sheet.words
     fields = ((words.name, sheet.name), (words.student, sheet.student), (words.paper, sheet.code))
     course = f"{sheet.course} · {sheet.date}" if sheet.date else sheet.course
-    lines = [f"# {plain(sheet.title)}: {words.feedback}", "", plain(course), "",
-             " · ".join(f"{label}: **{plain(value)}**" for label, value in fields), "",
-             f"**{words.total}: {sheet.total}**", ""]
+    lines = [
+        f"# {plain(sheet.title)}: {words.feedback}",
+        "",
+        plain(course),
+        "",
+        " · ".join(f"{label}: **{plain(value)}**" for label, value in fields),
+        "",
+        f"**{words.total}: {sheet.total}**",
+        "",
+    ]
     for question in sheet.questions:
         lines += _question(question, words)
     if sheet.kept:
@@ -57,9 +66,18 @@ def _row(row: FeedbackRow, words: FeedbackWords) -> Sequence[str]:
     typed = plain(row.typed) or f"*{words.none}*"
     read = f" ({words.read_as.format(plain(row.read_as))})" if row.read_as else ""
     remarks = [row.remark.replace("|", r"\|"), plain(row.reason)]
-    verdict = ". ".join((f"**{plain(row.verdict)}**", " ".join(filter(None, remarks)))) if any(remarks) else (
-        f"**{plain(row.verdict)}**")
-    return (f"${row.symbol}$ {row.meaning}".rstrip(), f"{typed}{read}", plain(row.right), verdict, row.points)
+    verdict = (
+        ". ".join((f"**{plain(row.verdict)}**", " ".join(filter(None, remarks))))
+        if any(remarks)
+        else (f"**{plain(row.verdict)}**")
+    )
+    return (
+        f"${row.symbol}$ {row.meaning}".rstrip(),
+        f"{typed}{read}",
+        plain(row.right),
+        verdict,
+        row.points,
+    )
 
 
 def _cells(cells: Sequence[str]) -> str:

@@ -18,7 +18,9 @@ class FeedbackWords:
     student: str
     paper: str
     question: str  # takes the number on the paper
-    question_known: str  # takes the number, and the identifier in the answer sheet where that is another
+    question_known: (
+        str  # takes the number, and the identifier in the answer sheet where that is another
+    )
     asked: str
     yours: str
     read_as: str  # takes the number that was read
@@ -33,7 +35,9 @@ class FeedbackWords:
     page: str  # takes the page's number and the number of pages
     verdicts: Mapping[str, str]
     explained: Mapping[str, str]  # by verdict, where that alone says what is to be said
-    reasons_are_told: bool  # whether what the reading says of a cell, in English, is fit for this language
+    reasons_are_told: (
+        bool  # whether what the reading says of a cell, in English, is fit for this language
+    )
     or_else: str  # between sentences on mistakes of which any may have been made
     hints: Mapping[str, str]
     turned: str  # after a hint where the sign is opposite besides
@@ -64,23 +68,33 @@ ENGLISH = FeedbackWords(
     about_hints="A remark that says “perhaps” was guessed from the number alone; compare it with your own working.",
     solution="Worked solution",
     page="page {} of {}",
-    verdicts={"right": "right", "accepted": "accepted", "follow-through": "follows", "mistake": "wrong",
-              "wrong": "wrong", "wrong unit": "wrong unit", "blank": "no answer", "unreadable": "not readable",
-              "void": "not marked"},
-    explained={"wrong unit": "The unit belongs to another kind of quantity.",
-               "unreadable": "This could not be read as one number.",
-               "accepted": "This answer was accepted as well.",
-               "follow-through": "This follows from your own answer to an earlier part, which was wrong.",
-               "void": "This was taken out of the marking.",
-               FULL: "This was not marked: everybody who handed in gets the points."},
+    verdicts={
+        "right": "right",
+        "accepted": "accepted",
+        "follow-through": "follows",
+        "mistake": "wrong",
+        "wrong": "wrong",
+        "wrong unit": "wrong unit",
+        "blank": "no answer",
+        "unreadable": "not readable",
+        "void": "not marked",
+    },
+    explained={
+        "wrong unit": "The unit belongs to another kind of quantity.",
+        "unreadable": "This could not be read as one number.",
+        "accepted": "This answer was accepted as well.",
+        "follow-through": "This follows from your own answer to an earlier part, which was wrong.",
+        "void": "This was taken out of the marking.",
+        FULL: "This was not marked: everybody who handed in gets the points.",
+    },
     reasons_are_told=True,
     or_else=" Or: ",
     hints={
         "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or the sign convention "
-                    "overlooked.",
+        "overlooked.",
         "twice": "This is twice the right value: perhaps a factor 2 too many, or a diameter for a radius.",
         "half": "This is half the right value: perhaps a factor 2 was forgotten, or a radius taken for a "
-                "diameter.",
+        "diameter.",
         "degrees for radians": "This is the right value times 180/π: perhaps degrees were used in place of radians.",
         "radians for degrees": "This is the right value times π/180: perhaps radians were used in place of degrees.",
         "revolutions per minute": "This is the right value in revolutions per minute: perhaps it was not converted.",
@@ -114,15 +128,25 @@ CHINESE = FeedbackWords(
     about_hints="说明中凡写“可能”之处，均仅由数值推测，请对照自己的解题过程。",
     solution="题解",
     page="第 {} 页，共 {} 页",
-    verdicts={"right": "正确", "accepted": "认可", "follow-through": "推得", "mistake": "错误", "wrong": "错误",
-              "wrong unit": "单位不符",
-              "blank": "未作答", "unreadable": "无法识别", "void": "不计分"},
-    explained={"wrong unit": "所写单位属于另一种物理量。",
-               "unreadable": "所填内容无法读作一个数。",
-               "accepted": "该答案也予以认可。",
-               "follow-through": "该答案由你前一问的错误答案正确推得。",
-               "void": "该小问不参与评分。",
-               FULL: "该小问不评分，凡交卷者均得满分。"},
+    verdicts={
+        "right": "正确",
+        "accepted": "认可",
+        "follow-through": "推得",
+        "mistake": "错误",
+        "wrong": "错误",
+        "wrong unit": "单位不符",
+        "blank": "未作答",
+        "unreadable": "无法识别",
+        "void": "不计分",
+    },
+    explained={
+        "wrong unit": "所写单位属于另一种物理量。",
+        "unreadable": "所填内容无法读作一个数。",
+        "accepted": "该答案也予以认可。",
+        "follow-through": "该答案由你前一问的错误答案正确推得。",
+        "void": "该小问不参与评分。",
+        FULL: "该小问不评分，凡交卷者均得满分。",
+    },
     reasons_are_told=False,
     or_else="或者：",
     hints={

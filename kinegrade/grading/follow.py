@@ -20,7 +20,9 @@ from kinegrade.grading.key import Ask, Key
 from kinegrade.grading.policy import Ruling
 from kinegrade.grading.triviality import Later, is_trivial
 
-FARTHEST = 1000  # times the right answer, or below its thousandth part: no follow-through from there
+FARTHEST = (
+    1000  # times the right answer, or below its thousandth part: no follow-through from there
+)
 SAME = Fraction(1, 10**9)  # relative: what is closer is the same but for rounding
 Own = Mapping[str, Fraction]  # a student's own answers by ask, each in its unit
 
@@ -51,7 +53,11 @@ class Follows:
     def sorted(self, answers: Sequence[Decided]) -> list[Decided]:
         """The answers to a question in that order."""
         by_name = {answer.ask.ask: answer for answer in answers}
-        return [by_name[name] for name in self.order(answers[0].ask.question, tuple(by_name))] if answers else []
+        return (
+            [by_name[name] for name in self.order(answers[0].ask.question, tuple(by_name))]
+            if answers
+            else []
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +90,9 @@ class Decided:
         return open_still and self.ruling.follow_through > share
 
 
-def follow_through(student: str, answers: Sequence[Decided], follows: Follows) -> dict[str, Decision]:
+def follow_through(
+    student: str, answers: Sequence[Decided], follows: Follows
+) -> dict[str, Decision]:
     """The decisions that follow-through makes better, by ask; `answers` are those to one question.
 
     An answer that got follow-through is an own one for those after it, so that an error is charged once however far
@@ -114,8 +122,11 @@ class _Earlier:
     keys: Own
 
 
-def _verdicts(student: str, answer: Decided, earlier: _Earlier, follows: Follows) -> Iterator[Verdict]:
+def _verdicts(
+    student: str, answer: Decided, earlier: _Earlier, follows: Follows
+) -> Iterator[Verdict]:
     """Agreements with what follows from own answers, of which one at least is wrong and none makes the rest trivial."""
+
     def what_follows(own: Own) -> Fraction | None:
         return follows(student, answer.ask.question, own, answer.ask.ask)
 
@@ -131,7 +142,9 @@ def _verdicts(student: str, answer: Decided, earlier: _Earlier, follows: Follows
                 yield Verdict("follow-through", _reason(answer.ask.question, used, compared(value)))
 
 
-def _followed(student: str, later: Ask, wrong: Own, right: Own, follows: Follows) -> Iterator[tuple[Own, Fraction]]:
+def _followed(
+    student: str, later: Ask, wrong: Own, right: Own, follows: Follows
+) -> Iterator[tuple[Own, Fraction]]:
     """What follows from all wrong answers, from single ones, and from the wrong and the right ones together: somebody
     may have gone on from one and not from another, and what would follow for a third may be right all the same."""
     singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)

@@ -43,7 +43,9 @@ class Givens:
         if self._last[0] != student:
             with self._readable():
                 paper = self._lines.paper(student)
-                drawn = {each["question"]: _given(each["parameters"]) for each in paper["questions"]}
+                drawn = {
+                    each["question"]: _given(each["parameters"]) for each in paper["questions"]
+                }
             self._last = student, drawn
         return self._last[1]
 
@@ -51,7 +53,14 @@ class Givens:
     def _readable(self) -> Iterator[None]:
         try:
             yield
-        except (OSError, ValueError, LookupError, TypeError, AttributeError, StopIteration) as fault:
+        except (
+            OSError,
+            ValueError,
+            LookupError,
+            TypeError,
+            AttributeError,
+            StopIteration,
+        ) as fault:
             raise ExamError(
                 f"{self.folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the parameters of each "
                 "question, which the policy uses - restore the exam folder as it was generated, or write the accepted "
@@ -60,4 +69,7 @@ class Givens:
 
 
 def _given(parameters: Mapping[str, Mapping[str, object]]) -> Mapping[str, Given]:
-    return {name: (str(each["exact"] or each["value"]), str(each["unit"])) for name, each in parameters.items()}
+    return {
+        name: (str(each["exact"] or each["value"]), str(each["unit"]))
+        for name, each in parameters.items()
+    }

@@ -10,13 +10,14 @@ from kinegrade.collection import seldom_collected
 from kinegrade.files import output_folder
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.exam_folder import open_exam
+from kinegrade.grading.exam_folder import ExamFolder, open_exam
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
 from kinegrade.grading.marks_folder import KEPT, read_totals
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.never_lower import never_lower as with_kept_totals
+from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
 from kinegrade.grading.report import POLICY, write_grades, write_marks
 from kinegrade.grading.sheet import read_sheet
@@ -51,11 +52,13 @@ def grade(
     Raises ExamError, PolicyError, TableError, OutputError.
     """
     contents = (*FILES, *exports)
-    with seldom_collected(), output_folder(output, marker=MARKER, contents=contents, force=force) as folder:
+    with (
+        seldom_collected(),
+        output_folder(output, marker=MARKER, contents=contents, force=force) as folder,
+    ):
         known, givens = open_exam(exam), Givens(exam)
         sheet = read_sheet(read_table(answers) if isinstance(answers, Path) else answers, known)
-        rules = (read_policy(policy, known, givens, known.credit) if policy
-                 else stated_policy(known, givens, known.credit))
+        rules = policy_for(known, givens, policy)
         accepted = alternatives(known, rules, givens)
         blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows)
         grades = class_grades(known, sheet, write_marks(folder, blocks))
@@ -66,3 +69,10 @@ def grade(
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
     return grades
+
+
+def policy_for(known: ExamFolder, givens: Givens, policy: Path | None) -> Policy:
+    """The policy of that file, or what the bank states where there is none. Raises PolicyError."""
+    if policy is None:
+        return stated_policy(known, givens, known.credit)
+    return read_policy(policy, known, givens, known.credit)

@@ -13,8 +13,18 @@ from functools import lru_cache
 from math import pi
 from typing import Literal
 
-Kind = Literal["opposite", "power of ten", "twice", "half", "degrees for radians", "radians for degrees",
-               "revolutions per minute", "revolutions per second", "another ask", "close"]
+Kind = Literal[
+    "opposite",
+    "power of ten",
+    "twice",
+    "half",
+    "degrees for radians",
+    "radians for degrees",
+    "revolutions per minute",
+    "revolutions per second",
+    "another ask",
+    "close",
+]
 LARGEST_POWER = 6
 WIDEST = 0.02  # of the right answer: a wider interval would be hit by chance
 CLOSE = 0.05  # of the right answer
@@ -31,7 +41,9 @@ class Hint:
     column: str = ""
 
 
-def hint(value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]) -> Hint | None:
+def hint(
+    value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]
+) -> Hint | None:
     """What a wrong value tells, or None; `others` are the right answers of the question's other asks by column.
 
     A value fits where it lies within the tolerance, and within 2 %, of a multiple of the right answer.
@@ -41,7 +53,10 @@ def hint(value: Fraction, right: Fraction, allowed: Fraction, unit: str, others:
     """
     if not right or not value:
         return None
-    ratio, room = float(value / right), min(float(allowed / abs(right)), WIDEST)  # for a guess floats will do
+    ratio, room = (
+        float(value / right),
+        min(float(allowed / abs(right)), WIDEST),
+    )  # for a guess floats will do
     for candidate, factor in _candidates(unit):
         if abs(ratio - factor) <= room * abs(factor):
             return candidate
@@ -59,13 +74,22 @@ def _candidates(unit: str) -> tuple[tuple[Hint, float], ...]:
     for sign in (1.0, -1.0):
         turned = sign < 0
         found += [(Hint("power of ten", turned, power), sign * 10.0**power) for power in powers]
-        found += [(Hint(kind, turned), sign * factor) for kind, factor in (*_DOUBLED, *_angular(unit))]
+        found += [
+            (Hint(kind, turned), sign * factor) for kind, factor in (*_DOUBLED, *_angular(unit))
+        ]
     return tuple(found)
 
 
 def _angular(unit: str) -> Sequence[tuple[Kind, float]]:
     """Factors between measures of angles; none for lengths and speeds."""
-    forgotten: list[tuple[Kind, float]] = [("degrees for radians", 180 / pi), ("radians for degrees", pi / 180)]
+    forgotten: list[tuple[Kind, float]] = [
+        ("degrees for radians", 180 / pi),
+        ("radians for degrees", pi / 180),
+    ]
     if unit == "rad/s":
-        return [*forgotten, ("revolutions per minute", 30 / pi), ("revolutions per second", 1 / (2 * pi))]
+        return [
+            *forgotten,
+            ("revolutions per minute", 30 / pi),
+            ("revolutions per second", 1 / (2 * pi)),
+        ]
     return forgotten if unit.startswith(("rad", "deg")) else []

@@ -15,8 +15,14 @@ from kinegrade.grading.math_html import prose_html, symbol_html
 def layout(name: str) -> Template:
     """A layout of this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
     folder = files("kinegrade.grading") / "layouts"
-    environment = Environment(loader=FileSystemLoader(str(folder)), autoescape=True, undefined=StrictUndefined,
-                              trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
+    environment = Environment(
+        loader=FileSystemLoader(str(folder)),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
     environment.filters |= {"prose": prose_html, "symbol": symbol_html}
     environment.globals["css"] = lambda file: Markup((folder / file).read_text(encoding="utf-8"))
     return environment.get_template(name)

@@ -50,7 +50,16 @@ def summary(values: Sequence[float] | Points) -> Summary | None:
     array = np.asarray(values, dtype=np.float64)
     lower, median, upper = map(float, np.quantile(array, (0.25, 0.5, 0.75)))
     sd = float(array.std(ddof=1)) if len(array) > 1 else None
-    return Summary(len(array), float(array.mean()), sd, float(array.min()), lower, median, upper, float(array.max()))
+    return Summary(
+        len(array),
+        float(array.mean()),
+        sd,
+        float(array.min()),
+        lower,
+        median,
+        upper,
+        float(array.max()),
+    )
 
 
 def histogram(percents: Sequence[float] | Points) -> Histogram:
@@ -70,7 +79,9 @@ def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
     if not len(points):
         return (None,) * len(out_of)
     means = points.mean(axis=0).tolist()
-    return tuple(mean / most if most else None for mean, most in zip(means, out_of.tolist(), strict=True))
+    return tuple(
+        mean / most if most else None for mean, most in zip(means, out_of.tolist(), strict=True)
+    )
 
 
 def discriminations(points: Points) -> tuple[float | None, ...]:
@@ -89,7 +100,9 @@ def correlation(first: Points, second: Points) -> float | None:
     """Pearson's coefficient; None where one of the two does not vary."""
     one, other = first - first.mean(), second - second.mean()
     scale = float(np.sqrt((one**2).sum() * (other**2).sum()))
-    smallest = 1e-9 * float(np.abs(first).max(initial=0) * np.abs(second).max(initial=0)) * len(first)
+    smallest = (
+        1e-9 * float(np.abs(first).max(initial=0) * np.abs(second).max(initial=0)) * len(first)
+    )
     return float((one * other).sum() / scale) if scale > smallest else None
 
 

@@ -32,7 +32,9 @@ class FieldError(Exception):
 def parsed(text: str) -> Any:
     """JSON whose numbers are Decimals, digit by digit as they stand. Raises FieldError."""
     try:
-        return json.loads(text, parse_float=Decimal, parse_int=Decimal, parse_constant=_refuse_constant)
+        return json.loads(
+            text, parse_float=Decimal, parse_int=Decimal, parse_constant=_refuse_constant
+        )
     except (ValueError, ArithmeticError, RecursionError) as fault:
         raise FieldError(f"broken JSON ({fault}) - expected one JSON object") from fault
 
@@ -77,7 +79,9 @@ def amount(item: Any, name: str) -> Fraction:
 @lru_cache(maxsize=4096)  # points and tolerances repeat on every paper
 def _exactly(text: Decimal | str) -> Fraction | None:
     if isinstance(text, Decimal):
-        return Fraction(text) if text.is_finite() and abs(text.adjusted()) <= _LARGEST_POWER else None
+        return (
+            Fraction(text) if text.is_finite() and abs(text.adjusted()) <= _LARGEST_POWER else None
+        )
     return Fraction(text) if _NUMBER.fullmatch(text) or RATIONAL.fullmatch(text) else None
 
 

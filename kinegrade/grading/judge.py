@@ -16,7 +16,15 @@ from kinegrade.grading.answers import Reading
 from kinegrade.grading.key import Key
 
 Kind = Literal[
-    "right", "accepted", "follow-through", "mistake", "wrong", "wrong unit", "blank", "unreadable", "void"
+    "right",
+    "accepted",
+    "follow-through",
+    "mistake",
+    "wrong",
+    "wrong unit",
+    "blank",
+    "unreadable",
+    "void",
 ]
 
 
@@ -67,4 +75,6 @@ def _short(number: Fraction) -> str:
 
 def _long(number: Fraction) -> str:
     context = Context(prec=40)
-    return str(context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context))
+    return str(
+        context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)
+    )

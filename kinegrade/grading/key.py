@@ -45,7 +45,10 @@ class Rule:
     figures: int | None = None
 
     def key(
-        self, value: Fraction, period: Fraction | None = None, mistakes: Mapping[str, Fraction] | None = None
+        self,
+        value: Fraction,
+        period: Fraction | None = None,
+        mistakes: Mapping[str, Fraction] | None = None,
     ) -> Key:
         """The key by which `value` is right.
 
@@ -53,7 +56,14 @@ class Rule:
         [1.225, 1.235]
         """
         agreeing = figures_interval(value, self.figures) if self.figures and value else None
-        return Key(value, max(self.relative * abs(value), self.absolute), period, agreeing, self, mistakes or {})
+        return Key(
+            value,
+            max(self.relative * abs(value), self.absolute),
+            period,
+            agreeing,
+            self,
+            mistakes or {},
+        )
 
 
 @lru_cache(maxsize=4096)  # few rules serve a whole class, and every key holds on to its own
@@ -82,7 +92,11 @@ class Key:
     def interval(self) -> tuple[Fraction, Fraction]:
         """The smallest and the largest right answer: within the tolerance, or agreeing."""
         low, high = self.value - self.tolerance, self.value + self.tolerance
-        return (min(low, self.agreeing[0]), max(high, self.agreeing[1])) if self.agreeing else (low, high)
+        return (
+            (min(low, self.agreeing[0]), max(high, self.agreeing[1]))
+            if self.agreeing
+            else (low, high)
+        )
 
 
 class StatedKey(NamedTuple):
@@ -99,8 +113,11 @@ class StatedKey(NamedTuple):
 
     def key(self, names: Container[str]) -> Key:
         """The exact key, of the mistakes only with those of these names."""
-        mistakes = {name: wrong if isinstance(wrong, Fraction) else Fraction(repr(wrong))
-                    for name, wrong in self.mistakes.items() if name in names}
+        mistakes = {
+            name: wrong if isinstance(wrong, Fraction) else Fraction(repr(wrong))
+            for name, wrong in self.mistakes.items()
+            if name in names
+        }
         return self.rule.key(Fraction(self.value), self.period, mistakes)
 
 
@@ -131,7 +148,9 @@ class Paper(NamedTuple):
             return key.key(key.mistakes if names is None else names)
         if names is None or len(key.mistakes) == 0:
             return key
-        return replace(key, mistakes={name: wrong for name, wrong in key.mistakes.items() if name in names})
+        return replace(
+            key, mistakes={name: wrong for name, wrong in key.mistakes.items() if name in names}
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,11 +18,11 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec.structs import astuple
 
+from kinegrade.csv_writing import encoded
 from kinegrade.grading.json_fields import MOST_DIGITS, FieldError, not_negative, parsed
 from kinegrade.grading.key import Ask, Paper
 from kinegrade.grading.key_line import exact_paper, rule_of
 from kinegrade.grading.stated_keys import Entry, StatedKeys, Terms
-from kinegrade.tables import encoded
 
 _REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten with which no number is taken
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each
@@ -62,17 +62,30 @@ class PaperDecoder:
 
     def _papers(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper]:
         found = [self._decode(line) for line in lines if line.isascii() or line.decode("utf-8")]
-        papers = [[*chain.from_iterable([astuple(each.asks) for each in line.questions])] for line in found]
+        papers = [
+            [*chain.from_iterable([astuple(each.asks) for each in line.questions])]
+            for line in found
+        ]
         entries = [*chain.from_iterable(papers)]
         centres = iter(_centres(entries))
-        return [Paper(line.student, self._names.get(line.student, ""),
-                      self._keys(f'{place}: student "{line.student}"', keys, [*islice(centres, len(keys))]))
-                for line, place, keys in zip(found, places, papers, strict=True)]
+        return [
+            Paper(
+                line.student,
+                self._names.get(line.student, ""),
+                self._keys(
+                    f'{place}: student "{line.student}"', keys, [*islice(centres, len(keys))]
+                ),
+            )
+            for line, place, keys in zip(found, places, papers, strict=True)
+        ]
 
     def _keys(self, place: str, entries: list[Entry], centres: list[float]) -> StatedKeys:
         terms = self._terms_of(b"\0".join(chain.from_iterable(map(_TERMS, entries))))
         if any(terms.periods):
-            centres = [nan if period else centre for centre, period in zip(centres, terms.periods, strict=True)]
+            centres = [
+                nan if period else centre
+                for centre, period in zip(centres, terms.periods, strict=True)
+            ]
         return StatedKeys(place, entries, centres, terms)
 
     def _terms_of(self, stated: bytes) -> Terms:
@@ -81,7 +94,9 @@ class PaperDecoder:
             if len(self._terms) > _MOST_TERMS:
                 self._terms.clear()
             parts = [parsed(part.decode()) for part in stated.split(b"\0")]
-            periods = tuple(None if period is None else not_negative({"": period}, "") for period in parts[1::2])
+            periods = tuple(
+                None if period is None else not_negative({"": period}, "") for period in parts[1::2]
+            )
             self._terms[stated] = Terms(self._asks, tuple(map(rule_of, parts[::2])), periods)
         return self._terms[stated]
 
@@ -91,26 +106,45 @@ def _line_type(asks: Sequence[Ask]) -> Any:
     questions = []
     for question, group in groupby(asks, attrgetter("question")):
         asked = {f"ask_{number}": ask for number, ask in enumerate(group)}
-        keys = msgspec.defstruct("Keys", [(field, _entry_type(ask)) for field, ask in asked.items()], gc=False,
-                                 rename={field: ask.ask for field, ask in asked.items()}, forbid_unknown_fields=True)
-        questions.append(msgspec.defstruct("Question", [("question", Literal[question]), ("asks", keys)], gc=False))
+        keys = msgspec.defstruct(
+            "Keys",
+            [(field, _entry_type(ask)) for field, ask in asked.items()],
+            gc=False,
+            rename={field: ask.ask for field, ask in asked.items()},
+            forbid_unknown_fields=True,
+        )
+        questions.append(
+            msgspec.defstruct(
+                "Question", [("question", Literal[question]), ("asks", keys)], gc=False
+            )
+        )
     listed = GenericAlias(tuple, tuple(questions))
     return msgspec.defstruct("Line", [("student", str), ("questions", listed)], gc=False)
 
 
 def _entry_type(ask: Ask) -> type[msgspec.Struct]:
     """The type of the key of an ask, which has the unit and the points that exam.json states."""
-    unit, points = encoded(ask.unit).decode(), float(ask.points)  # no line that is UTF-8 has a lone surrogate
+    unit, points = (
+        encoded(ask.unit).decode(),
+        float(ask.points),
+    )  # no line that is UTF-8 has a lone surrogate
     only = msgspec.Meta(ge=points, le=points)
-    return msgspec.defstruct("Entry", [("unit", Literal[unit]), ("points", Annotated[float, only])], bases=(Entry,),
-                             frozen=True, gc=False)
+    return msgspec.defstruct(
+        "Entry",
+        [("unit", Literal[unit]), ("points", Annotated[float, only])],
+        bases=(Entry,),
+        frozen=True,
+        gc=False,
+    )
 
 
 def _centres(entries: Sequence[Entry]) -> list[float]:
     """The right answers rightly rounded to doubles: of the exact value where it is a plain number, else the decimal."""
     decimals = [entry.decimal for entry in entries]
     digits = "\n".join(decimals)
-    if max(map(len, decimals)) > MOST_DIGITS or (("e" in digits or "E" in digits) and _REMOTE.search(digits)):
+    if max(map(len, decimals)) > MOST_DIGITS or (
+        ("e" in digits or "E" in digits) and _REMOTE.search(digits)
+    ):
         raise _UnusualError
     rounded = msgspec.convert(decimals, list[float], strict=False)
     centres = rounded.copy()
@@ -118,7 +152,9 @@ def _centres(entries: Sequence[Entry]) -> list[float]:
         if entry.exact is not None and "(" not in entry.exact and (plain := entry.plain):
             numerator, _, denominator = plain.partition("/")
             centres[number] = int(numerator) / int(denominator or 1)
-    close = all(map(isclose, centres, rounded)) and all(map(isclose, centres, [entry.value for entry in entries]))
+    close = all(map(isclose, centres, rounded)) and all(
+        map(isclose, centres, [entry.value for entry in entries])
+    )
     if not close:  # isclose compares to 1e-9 of itself, as key_line does; to be told so makes it four times slower
         raise _UnusualError
     return centres

@@ -29,7 +29,9 @@ def exact_paper(asks: Sequence[Ask], line: str) -> tuple[str, list[Key]]:
     }
     if found.keys() != {ask.column for ask in asks}:
         odd = ", ".join(sorted(found.keys() ^ {ask.column for ask in asks}))
-        raise FieldError(f'student "{student}": the asks differ from exam.json in {odd} - expected the same')
+        raise FieldError(
+            f'student "{student}": the asks differ from exam.json in {odd} - expected the same'
+        )
     try:
         return student, [_key(ask, found[ask.column]) for ask in asks]
     except FieldError as fault:
@@ -75,6 +77,8 @@ def _value(entry: Any) -> Fraction:
     if not values:
         raise FieldError('neither "decimal" nor "value" is there - expected the right answer')
     first, *others = values.values()
-    if not all(isclose(first, other, rel_tol=AGREEMENT) for other in others):  # a check only: floats will do
+    if not all(
+        isclose(first, other, rel_tol=AGREEMENT) for other in others
+    ):  # a check only: floats will do
         raise FieldError(f"{', '.join(values)} say different numbers - expected one and the same")
     return first

@@ -14,10 +14,22 @@ from itertools import groupby
 from operator import attrgetter
 from pathlib import Path
 
+from kinegrade.csv_writing import restored
 from kinegrade.errors import TableError
-from kinegrade.tables import Complaint, restored, written_records
+from kinegrade.tables import Complaint, written_records
 
-_ANSWERS = ("student", "question", "ask", "response", "read_as", "unit", "verdict", "points", "out_of", "reason")
+_ANSWERS = (
+    "student",
+    "question",
+    "ask",
+    "response",
+    "read_as",
+    "unit",
+    "verdict",
+    "points",
+    "out_of",
+    "reason",
+)
 _TOTALS = ("student", "name", "total", "out_of")
 _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
 _MENDING = "expected the file as kinegrade grade wrote it - grade again"
@@ -68,15 +80,29 @@ def marked_answers(folder: Path) -> Iterator[MarkedAnswer]:
     path = folder / "marks.csv"
     for line, cells in written_records(path, _ANSWERS):
         student, question, ask, typed, read_as, unit, verdict, points, out_of, reason = cells
-        yield MarkedAnswer(student, question, ask, restored(typed), read_as, unit, verdict,
-                           _amount(points, path, line), _amount(out_of, path, line), restored(reason))
+        yield MarkedAnswer(
+            student,
+            question,
+            ask,
+            restored(typed),
+            read_as,
+            unit,
+            verdict,
+            _amount(points, path, line),
+            _amount(out_of, path, line),
+            restored(reason),
+        )
 
 
 def student_totals(folder: Path) -> dict[str, StudentTotal]:
     """The totals of grades.csv by student, in the order of the roster. Raises TableError."""
     path = folder / "grades.csv"
-    return {student: StudentTotal(student, restored(name), _amount(total, path, line), _amount(out_of, path, line))
-            for line, (student, name, total, out_of) in written_records(path, _TOTALS)}
+    return {
+        student: StudentTotal(
+            student, restored(name), _amount(total, path, line), _amount(out_of, path, line)
+        )
+        for line, (student, name, total, out_of) in written_records(path, _TOTALS)
+    }
 
 
 def complaints(folder: Path) -> tuple[Complaint, ...]:
@@ -87,7 +113,9 @@ def complaints(folder: Path) -> tuple[Complaint, ...]:
         file, number, column, content, problem, done = map(restored, cells)
         if number and not number.isdecimal():
             raise TableError(f'{path}:{line}: line is "{number}" - {_MENDING}')
-        found.append(Complaint(file, int(number) if number else None, column, content, problem, done))
+        found.append(
+            Complaint(file, int(number) if number else None, column, content, problem, done)
+        )
     return tuple(found)
 
 
@@ -95,7 +123,9 @@ def _amount(text: str, path: Path, line: int) -> Fraction:
     try:
         return _fraction(text)
     except (ValueError, ZeroDivisionError) as fault:
-        raise TableError(f'{path}:{line}: "{text[:40]}" stands where points should - {_MENDING}') from fault
+        raise TableError(
+            f'{path}:{line}: "{text[:40]}" stands where points should - {_MENDING}'
+        ) from fault
 
 
 @lru_cache(maxsize=4096)

@@ -100,8 +100,13 @@ class MarkedBlock:
         for place in range(len(self.judged.kinds)):
             row, number = divmod(place, len(self.asks))
             (verdict, share), ask = self.judged.decision(place), self.asks[number]
-            yield Mark(self.judged.rows[row][0].student, ask, self.judged.cells.reading(place), verdict,
-                       share * ask.points)
+            yield Mark(
+                self.judged.rows[row][0].student,
+                ask,
+                self.judged.cells.reading(place),
+                verdict,
+                share * ask.points,
+            )
 
 
 def mark(
@@ -119,7 +124,10 @@ def mark(
     `alternatives` are the policy's accepted answers, worked out; `follows` works out what follows from own answers.
     """
     blocks = list(marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows))
-    found, marks = class_grades(exam, sheet, blocks), chain.from_iterable(block.marks() for block in blocks)
+    found, marks = (
+        class_grades(exam, sheet, blocks),
+        chain.from_iterable(block.marks() for block in blocks),
+    )
     return Marks(found.questions, found.grades, found.complaints, tuple(marks))
 
 
@@ -148,7 +156,9 @@ def added(amounts: Iterable[Fraction]) -> Fraction:
     common = lcm(*[amount.denominator for amount in listed])
     if common == 1:
         return Fraction(sum([amount.numerator for amount in listed]))
-    return Fraction(sum([amount.numerator * (common // amount.denominator) for amount in listed]), common)
+    return Fraction(
+        sum([amount.numerator * (common // amount.denominator) for amount in listed]), common
+    )
 
 
 def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
@@ -184,7 +194,9 @@ class _Marker:
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
-            complaint for paper, entry in rows if len(self._entries(paper)) > 1
+            complaint
+            for paper, entry in rows
+            if len(self._entries(paper)) > 1
             for complaint in repeated(self.sheet.file, self._entries(paper), entry)
         ]
         return MarkedBlock(self.asks, judged, grades, [*complaints, *self._doubts(judged)])
@@ -198,7 +210,12 @@ class _Marker:
         rows = [(paper, self._entries(paper)[0 if attempts == "first" else -1]) for paper in papers]
         if attempts != "best":
             return rows
-        tried = [(paper, entry) for paper in papers if len(self._entries(paper)) > 1 for entry in self._entries(paper)]
+        tried = [
+            (paper, entry)
+            for paper in papers
+            if len(self._entries(paper)) > 1
+            for entry in self._entries(paper)
+        ]
         best: dict[str, tuple[Fraction, Row]] = {}
         for row, points in zip(tried, self._points(self.judge.judged(tried)), strict=True):
             total, student = added(points), row[0].student
@@ -212,12 +229,23 @@ class _Marker:
         for first in range(0, len(judged.shares), len(self.asks)):
             way = tuple(judged.shares[first : first + len(self.asks)])
             if way not in known:
-                known[way] = tuple([self._question_points(judged, question, way) for question in self.judge.questions])
+                known[way] = tuple(
+                    [
+                        self._question_points(judged, question, way)
+                        for question in self.judge.questions
+                    ]
+                )
             yield known[way]
 
-    def _question_points(self, judged: JudgedBlock, question: range, way: tuple[int, ...]) -> Fraction:
+    def _question_points(
+        self, judged: JudgedBlock, question: range, way: tuple[int, ...]
+    ) -> Fraction:
         shares = [judged.credits[share] for share in way[question.start : question.stop]]
-        return added(share * self.asks[number].points for number, share in zip(question, shares, strict=True) if share)
+        return added(
+            share * self.asks[number].points
+            for number, share in zip(question, shares, strict=True)
+            if share
+        )
 
     def _doubts(self, judged: JudgedBlock) -> Iterator[Complaint]:
         for place, reading in judged.cells.odd.items():
@@ -229,4 +257,6 @@ class _Marker:
                 done = f"{verdict}, {'some' if points else 'no'} points"
                 yield Complaint(self.sheet.file, line, column, content, reading.reason, done)
             if reading.remark:
-                yield Complaint(self.sheet.file, line, column, content, reading.remark, f"judged {verdict}")
+                yield Complaint(
+                    self.sheet.file, line, column, content, reading.remark, f"judged {verdict}"
+                )

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.csv_writing import restored
 from kinegrade.errors import TableError, one_line
-from kinegrade.tables import Row, read_table, restored
+from kinegrade.tables import Row, read_table
 
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
 KEPT = "kept.csv"  # who keeps an earlier total; only where --never-lower was given
@@ -49,10 +50,17 @@ Lines = Mapping[tuple[str, str], Line]  # by student and answer column
 
 def read_totals(folder: Path) -> Mapping[str, Total]:
     """Everybody's total by student, in the order of grades.csv. Raises TableError."""
-    grades, reasons = _File(folder / "grades.csv", ("student", "name", "total", "out_of")), _kept(folder / KEPT)
+    grades, reasons = (
+        _File(folder / "grades.csv", ("student", "name", "total", "out_of")),
+        _kept(folder / KEPT),
+    )
     return {
-        student: Total(restored(name), grades.amount(row, "total"), grades.amount(row, "out_of"),
-                       reasons.get(student, ""))
+        student: Total(
+            restored(name),
+            grades.amount(row, "total"),
+            grades.amount(row, "out_of"),
+            reasons.get(student, ""),
+        )
         for row, (student, name, *_) in grades.rows()
     }
 
@@ -63,7 +71,12 @@ def read_lines(folder: Path) -> Lines:
     marks = _File(folder / "marks.csv", names)
     return {
         (student, f"{question}.{ask}"): Line(
-            restored(typed), verdict, restored(reason), marks.amount(row, "points"), marks.amount(row, "out_of"))
+            restored(typed),
+            verdict,
+            restored(reason),
+            marks.amount(row, "points"),
+            marks.amount(row, "out_of"),
+        )
         for row, (student, question, ask, typed, verdict, reason, *_) in marks.rows()
     }
 
@@ -71,7 +84,10 @@ def read_lines(folder: Path) -> Lines:
 def _kept(file: Path) -> Mapping[str, str]:
     if not file.exists():
         return {}
-    return {student: restored(reason) for _, (student, reason) in _File(file, ("student", "reason")).rows()}
+    return {
+        student: restored(reason)
+        for _, (student, reason) in _File(file, ("student", "reason")).rows()
+    }
 
 
 class _File:
@@ -82,7 +98,9 @@ class _File:
         missing = [name for name in names if name not in self.table.header]
         faults = [f"{path.parent}/{complaint}" for complaint in self.table.complaints]
         if missing:
-            faults.append(f"{path}: no column {', '.join(missing)} - expected the file as kinegrade grade wrote it")
+            faults.append(
+                f"{path}: no column {', '.join(missing)} - expected the file as kinegrade grade wrote it"
+            )
         if faults:
             raise TableError(*(f"{fault} - grade again" for fault in faults))
 

@@ -11,14 +11,61 @@ from html import escape
 from markupsafe import Markup
 
 _GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "varepsilon": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "vartheta": "ϑ", "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π",
-    "rho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ", "varphi": "φ", "chi": "χ", "psi": "ψ",
-    "omega": "ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ",
-    "Upsilon": "Υ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω",
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ε",
+    "varepsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "vartheta": "ϑ",
+    "iota": "ι",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "pi": "π",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "upsilon": "υ",
+    "phi": "φ",
+    "varphi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Pi": "Π",
+    "Sigma": "Σ",
+    "Upsilon": "Υ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
 }
-_SIGNS = {"circ": "°", "angle": "∠", "cdot": "·", "times": "×", "prime": "′", "parallel": "∥", "perp": "⊥", "pm": "±",
-          "infty": "∞", ",": "\u202f", " ": " ", ";": " ", ":": " ", "!": "", "quad": " "}
+_SIGNS = {
+    "circ": "°",
+    "angle": "∠",
+    "cdot": "·",
+    "times": "×",
+    "prime": "′",
+    "parallel": "∥",
+    "perp": "⊥",
+    "pm": "±",
+    "infty": "∞",
+    ",": "\u202f",
+    " ": " ",
+    ";": " ",
+    ":": " ",
+    "!": "",
+    "quad": " ",
+}
 _UPRIGHT = ("mathrm", "text", "mathbf", "unit")
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|[A-Za-z]+|.", re.DOTALL)
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -30,7 +77,9 @@ def symbol_html(latex: str) -> Markup:
     >>> print(symbol_html(r"\omega_{AB}"), symbol_html("B'"))
     <span class="math"><i>ω</i><sub><i>AB</i></sub></span> <span class="math"><i>B</i>′</span>
     """
-    return Markup(f'<span class="math">{_Reader(latex).whole()}</span>')  # made of escaped letters and own tags
+    return Markup(
+        f'<span class="math">{_Reader(latex).whole()}</span>'
+    )  # made of escaped letters and own tags
 
 
 def prose_html(prose: str) -> Markup:
@@ -41,8 +90,10 @@ def prose_html(prose: str) -> Markup:
     """
     parts = prose.split("$")
     whole = len(parts) % 2 == 1
-    return Markup("").join(symbol_html(part) if whole and index % 2 else Markup(escape(part))
-                           for index, part in enumerate(parts))
+    return Markup("").join(
+        symbol_html(part) if whole and index % 2 else Markup(escape(part))
+        for index, part in enumerate(parts)
+    )
 
 
 def unit_text(unit: str) -> str:
@@ -93,7 +144,9 @@ class _Reader:
             case "^":
                 inner = self.piece(upright)
                 return inner if inner in ("°", "′") else f"<sup>{inner}</sup>"
-        return self.command(token[1:], upright) if token.startswith("\\") else _letters(token, upright)
+        return (
+            self.command(token[1:], upright) if token.startswith("\\") else _letters(token, upright)
+        )
 
     def command(self, name: str, upright: bool) -> str:
         """A command without its backslash."""

@@ -42,8 +42,16 @@ class Rules:
 def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
     """The numbers of the rules of these papers; most have the same, and those are one object."""
     known = {id(rules): rules for rules in papers}
-    numbers = {name: np.array([(float(each.relative), float(each.absolute), float(each.figures or 0))
-                               for each in rules], dtype=np.float64).reshape(-1, 3) for name, rules in known.items()}
+    numbers = {
+        name: np.array(
+            [
+                (float(each.relative), float(each.absolute), float(each.figures or 0))
+                for each in rules
+            ],
+            dtype=np.float64,
+        ).reshape(-1, 3)
+        for name, rules in known.items()
+    }
     table = np.concatenate([np.empty((0, 3)), *(numbers[id(rules)] for rules in papers)])
     return Rules(table[:, 0], table[:, 1], table[:, 2])
 
@@ -68,10 +76,19 @@ class Comparison:
         if not self.figures.any():
             listed: list[float] = np.column_stack(numbers).ravel().tolist()
             return str(_ALLOWED * len(places) % tuple(listed)).splitlines()
-        numbers += [self.low[places], self.high[places], (self.figures[places] != 0) & (numbers[0] != 0)]
-        return [f"key {centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}" if figures else
-                f"key {centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
-                for centre, difference, tolerance, low, high, figures in np.column_stack(numbers).tolist()]
+        numbers += [
+            self.low[places],
+            self.high[places],
+            (self.figures[places] != 0) & (numbers[0] != 0),
+        ]
+        return [
+            f"key {centre:.6g}, difference {difference:.6g}, right from {low:.6g} to {high:.6g}"
+            if figures
+            else f"key {centre:.6g}, difference {difference:.6g}, allowed {tolerance:.6g}"
+            for centre, difference, tolerance, low, high, figures in np.column_stack(
+                numbers
+            ).tolist()
+        ]
 
 
 def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
@@ -96,10 +113,18 @@ def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
         decided &= np.abs(difference - tolerance) > np.maximum(_ALIKE * tolerance, _GUARD * scale)
         if rules.figures.any():
             low, high, settled = _to_figures(centres, rules, low, high)
-            decided &= settled & (np.abs(values - low) > _GUARD * scale) & (np.abs(values - high) > _GUARD * scale)
+            decided &= (
+                settled
+                & (np.abs(values - low) > _GUARD * scale)
+                & (np.abs(values - high) > _GUARD * scale)
+            )
         right = (low <= values) & (values <= high)
-        alike = _written_alike(difference, _ROUNDING * scale) & _written_alike(tolerance, _ROUNDING * tolerance)
-    return Comparison(right, decided, decided & alike, centres, difference, tolerance, low, high, rules.figures)
+        alike = _written_alike(difference, _ROUNDING * scale) & _written_alike(
+            tolerance, _ROUNDING * tolerance
+        )
+    return Comparison(
+        right, decided, decided & alike, centres, difference, tolerance, low, high, rules.figures
+    )
 
 
 def _to_figures(

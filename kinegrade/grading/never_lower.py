@@ -43,11 +43,14 @@ def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tup
     """
     kept = {each.grade.student: each for each in _kept(marks, before)}
     grades = tuple(
-        replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade for grade in marks.grades
+        replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade
+        for grade in marks.grades
     )
     known = {grade.student for grade in marks.grades}
     strangers = [_stranger(student) for student in before if student not in known]
-    return replace(marks, grades=grades, complaints=(*strangers, *marks.complaints)), tuple(kept.values())
+    return replace(marks, grades=grades, complaints=(*strangers, *marks.complaints)), tuple(
+        kept.values()
+    )
 
 
 def _kept(marks: ClassGrades, before: Mapping[str, Total]) -> Iterator[Kept]:

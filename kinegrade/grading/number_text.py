@@ -23,9 +23,14 @@ _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 _RAISED = re.compile(rf"[⁺⁻]?[{_SUPERSCRIPTS}]+(?=([0-9])?)")
 _PLAIN = str.maketrans(f"{_SUPERSCRIPTS}⁺⁻", "0123456789+-")
 _SIGNS = {
-    **{code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)},  # full-width letters, digits and signs
+    **{
+        code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)
+    },  # full-width letters, digits and signs
     **{ord(sign): "." for sign in "。｡．"},  # what a Chinese keyboard gives for a full stop
-    **{ord(sign): "-" for sign in "\u2212\u2010\u2011\u2012\u2013\u2014\u2015\u2043\u02d7\ufe58\ufe63"},
+    **{
+        ord(sign): "-"
+        for sign in "\u2212\u2010\u2011\u2012\u2013\u2014\u2015\u2043\u02d7\ufe58\ufe63"
+    },
     **{ord(sign): " " for sign in BLANKS},
     **{ord(sign): None for sign in INVISIBLE},
     **{ord(sign): "*" for sign in "×·⋅•∙・✕✖"},
@@ -33,7 +38,9 @@ _SIGNS = {
     **{ord(sign): "'" for sign in "\u2019\u2018\u02bc"},
     **{ord(sign): bracket for sign, bracket in zip("【】〔〕", "[]()", strict=True)},
 }
-_SINGLE_GROUP_BLANKS = str.maketrans(dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009"))  # made for grouping
+_SINGLE_GROUP_BLANKS = str.maketrans(
+    dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009")
+)  # made for grouping
 _BODY = (
     r"(?:(?P<body>[0-9]+(?:[.,'\u2009][0-9]+|\ [0-9]{3}(?![0-9]))*)(?P<last>[.,](?![0-9√π(½-¾]))?"
     r"|(?P<bare>[.,][0-9]+))"
@@ -100,7 +107,12 @@ class Mantissa:
     @property
     def ambiguous(self) -> bool:
         """Whether one lone mark stands before exactly three digits, as in 1,234."""
-        return len(self.separators) == 1 and self.separators[0] in ".," and not self.exponent and self.grouped(2)
+        return (
+            len(self.separators) == 1
+            and self.separators[0] in ".,"
+            and not self.exponent
+            and self.grouped(2)
+        )
 
     def grouped(self, count: int) -> bool:
         """Whether the first `count` pieces are right groups: one to three digits, then always three."""
@@ -113,8 +125,12 @@ class Mantissa:
         decimal, grouping = self.marks
         kinds = set(self.separators)
         if decimal is not None:
-            return self.separators.count(decimal) == 1 and decimal in ".," and len(kinds) <= 2 and (
-                grouping is None or self.grouped(len(self.pieces) - 1))
+            return (
+                self.separators.count(decimal) == 1
+                and decimal in ".,"
+                and len(kinds) <= 2
+                and (grouping is None or self.grouped(len(self.pieces) - 1))
+            )
         return not kinds or (len(kinds) == 1 and self.grouped(len(self.pieces)))
 
 
@@ -130,7 +146,9 @@ def folded(text: str) -> str:
         return text
     marked = text.translate(_SINGLE_GROUP_BLANKS)
     kept = "\u2009".join(part.translate(_SIGNS) for part in marked.split("\u2009"))
-    return _RAISED.sub(lambda raised: f"^{raised[0].translate(_PLAIN)}{' ' if raised[1] else ''}", kept)
+    return _RAISED.sub(
+        lambda raised: f"^{raised[0].translate(_PLAIN)}{' ' if raised[1] else ''}", kept
+    )
 
 
 def mantissa(text: str, place: int = 0) -> Mantissa | None:
@@ -147,7 +165,9 @@ def _mantissa(found: re.Match[str]) -> Mantissa:
     return Mantissa(tuple(pieces), tuple(re.findall(r"[.,'\u2009 ]", found["body"])), exponent)
 
 
-def scan(text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = True) -> TypedNumber | None:
+def scan(
+    text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = True
+) -> TypedNumber | None:
     """The number that begins at `place` of a folded text, None where none does; without its power of ten on wish.
 
     Raises Unreadable for wrong grouping, too many digits, too large powers, and marks whose meaning is open.
@@ -157,20 +177,28 @@ def scan(text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = Tru
         return None
     parts = _mantissa(found)
     if not parts.well_formed:
-        raise Unreadable(f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was expected')
+        raise Unreadable(
+            f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was expected'
+        )
     decimal, remark = _decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)
     decimals = parts.pieces[-1] if decimal else ""
     power = found["power"] or found["ten"] or "0"
     _require_bounded(whole + decimals, power)
-    digits = f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(power)}' if int(power) else ''}"
+    digits = (
+        f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(power)}' if int(power) else ''}"
+    )
     value = scaled(int(whole + decimals), int(power) - len(decimals))
     return TypedNumber(value, digits, found.end(), remark and f"read as {digits}: {remark}")
 
 
 def scaled(digits: int, power_of_ten: int) -> Fraction:
     """digits * 10**power_of_ten, exactly."""
-    return Fraction(digits * 10**power_of_ten) if power_of_ten >= 0 else Fraction(digits, 10**-power_of_ten)
+    return (
+        Fraction(digits * 10**power_of_ten)
+        if power_of_ten >= 0
+        else Fraction(digits, 10**-power_of_ten)
+    )
 
 
 def _decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
@@ -180,7 +208,9 @@ def _decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str
         blank = "a blank groups the digits in threes" if " " in parts.separators else ""
         return certain[0], blank
     [mark] = parts.separators
-    use, reason = (style.comma, style.comma_reason) if mark == "," else (style.point, style.point_reason)
+    use, reason = (
+        (style.comma, style.comma_reason) if mark == "," else (style.point, style.point_reason)
+    )
     if use == "unknown":
         one, other = ".".join(parts.pieces), "".join(parts.pieces)
         raise Unreadable(f'"{mark.join(parts.pieces)}" can mean {one} or {other}: {reason}')
@@ -196,4 +226,6 @@ def _require_bounded(digits: str, power: str) -> None:
 
 def shown(text: str) -> str:
     """On one line, with everything invisible written out."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+    return "".join(
+        each if each.isprintable() else each.encode("unicode_escape").decode() for each in text
+    )

@@ -29,7 +29,9 @@ class Axis:
         return self.left + self.width * min(max(percent, 0.0), 100.0) / 100
 
 
-def histogram_plot(distribution: Histogram, figures: Summary, across: str, upward: str, marks: str) -> Markup:
+def histogram_plot(
+    distribution: Histogram, figures: Summary, across: str, upward: str, marks: str
+) -> Markup:
     """Columns of students over per cent of the points; a triangle at the median, a circle at the mean (`marks`)."""
     top, height, axis = 22.0, 150.0, Axis()
     base, most = top + height, max(1, *distribution.counts)
@@ -50,9 +52,14 @@ def box_plot(groups: Sequence[tuple[str, Summary]], across: str, label: str) -> 
     """For each group a box from the lower to the upper quartile, a bar at the median, a circle at the mean."""
     row, axis = 34.0, Axis(110.0, WIDTH - 110.0 - RIGHT)
     base = row * len(groups) + 6
-    parts = [part for edge in range(0, 101, 20)
-             for part in (_line(axis.at(edge), 2, axis.at(edge), base, "grid"),
-                          _text(axis.at(edge), base + 16, str(edge), "middle"))]
+    parts = [
+        part
+        for edge in range(0, 101, 20)
+        for part in (
+            _line(axis.at(edge), 2, axis.at(edge), base, "grid"),
+            _text(axis.at(edge), base + 16, str(edge), "middle"),
+        )
+    ]
     for place, (name, figures) in enumerate(groups):
         parts += _box(name, figures, axis, row * place + 20)
     parts.append(_text(axis.left + axis.width, base + 34, across, "end"))
@@ -63,12 +70,16 @@ def stacked_bar(parts: Sequence[tuple[str, float]], label: str) -> Markup:
     """One bar of shares that add up to 1 at most, each in the CSS class given with it."""
     width, start, bars = 170.0, 0.0, []
     for shade, share in parts:
-        bars.append(f'<rect class="{escape(shade)}" x="{start:.1f}" y="0" width="{share * width:.1f}" height="13"/>')
+        bars.append(
+            f'<rect class="{escape(shade)}" x="{start:.1f}" y="0" width="{share * width:.1f}" height="13"/>'
+        )
         start += share * width
     return _svg(width, 13, bars, label)
 
 
-def bar(share: float, shade: str, label: str, width: float = 260.0, *, track: bool = False) -> Markup:
+def bar(
+    share: float, shade: str, label: str, width: float = 260.0, *, track: bool = False
+) -> Markup:
     """One bar of a share from 0 to 1; a track shows how long 1 is."""
     length = max(1.0 if share else 0.0, min(share, 1.0) * width)
     whole = [f'<rect class="track" x="0" y="0" width="{width:g}" height="12"/>'] if track else []
@@ -77,17 +88,26 @@ def bar(share: float, shade: str, label: str, width: float = 260.0, *, track: bo
 
 
 def _columns(distribution: Histogram, axis: Axis, base: float, scale: float) -> Iterator[str]:
-    for left, right, count in zip(distribution.edges, distribution.edges[1:], distribution.counts, strict=False):
+    for left, right, count in zip(
+        distribution.edges, distribution.edges[1:], distribution.counts, strict=False
+    ):
         start, end = axis.at(left), axis.at(right)
-        yield (f'<rect class="column" x="{start + 1:.1f}" y="{base - count * scale:.1f}" '
-               f'width="{end - start - 2:.1f}" height="{count * scale:.1f}"/>')
+        yield (
+            f'<rect class="column" x="{start + 1:.1f}" y="{base - count * scale:.1f}" '
+            f'width="{end - start - 2:.1f}" height="{count * scale:.1f}"/>'
+        )
         if count:
             yield _text((start + end) / 2, base - count * scale - 4, str(count), "middle")
 
 
 def _levels(most: int, axis: Axis, base: float, height: float) -> Iterator[str]:
     """Counts at the left, at round steps."""
-    step = next(step for power in range(8) for step in (10**power, 2 * 10**power, 5 * 10**power) if 5 * step >= most)
+    step = next(
+        step
+        for power in range(8)
+        for step in (10**power, 2 * 10**power, 5 * 10**power)
+        if 5 * step >= most
+    )
     for count in range(0, most + 1, step):
         yield _text(axis.left - 8, base - height * count / most + 4, str(count), "end")
 
@@ -112,5 +132,9 @@ def _text(x: float, y: float, text: str, anchor: str) -> str:
 
 
 def _svg(width: float, height: float, parts: Sequence[str], label: str) -> Markup:
-    head = f'<svg viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}" role="img"'
-    return Markup(f'{head} aria-label="{escape(label)}">{"".join(parts)}</svg>')  # texts are escaped
+    head = (
+        f'<svg viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}" role="img"'
+    )
+    return Markup(
+        f'{head} aria-label="{escape(label)}">{"".join(parts)}</svg>'
+    )  # texts are escaped

@@ -59,8 +59,10 @@ class _Level:
 
     def over(self, wider: _Level) -> _Level:
         return _Level(
-            self.room.over(wider.room), self.void or wider.void,
-            wider.wrong_unit if self.wrong_unit is None else self.wrong_unit, {**wider.mistakes, **self.mistakes},
+            self.room.over(wider.room),
+            self.void or wider.void,
+            wider.wrong_unit if self.wrong_unit is None else self.wrong_unit,
+            {**wider.mistakes, **self.mistakes},
             wider.follow_through if self.follow_through is None else self.follow_through,
         )
 
@@ -68,7 +70,9 @@ class _Level:
 _CREDITS = ("follow-through", "wrong-unit", "mistakes")
 
 
-def read_policy(path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None = None) -> Policy:
+def read_policy(
+    path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None = None
+) -> Policy:
     """The policy in a file, for the asks of that exam; `stated` is the credit table of the exam's bank.
 
     Raises PolicyError with all faults at once.
@@ -79,7 +83,9 @@ def read_policy(path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, 
 
 def stated_policy(exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None) -> Policy:
     """What holds without a policy, by the credit table of the exam's bank. Raises PolicyError."""
-    return _Reader(Values(givens.folder / "exam.json"), exam, givens).policy({}, "", _stated(givens.folder, stated))
+    return _Reader(Values(givens.folder / "exam.json"), exam, givens).policy(
+        {}, "", _stated(givens.folder, stated)
+    )
 
 
 def _stated(folder: Path, credit: Mapping[str, Any] | None) -> _Level:
@@ -87,11 +93,15 @@ def _stated(folder: Path, credit: Mapping[str, Any] | None) -> _Level:
     table = values.table("credit", credit, _CREDITS)
     level = _credited(values, "", table, table.get("mistakes") or ())
     if values.faults:
-        raise PolicyError(*(f"{fault} - restore the exam folder as it was generated" for fault in values.faults))
+        raise PolicyError(
+            *(f"{fault} - restore the exam folder as it was generated" for fault in values.faults)
+        )
     return level
 
 
-def _credited(values: Values, inside: str, credit: Mapping[str, Any], known: Iterable[str]) -> _Level:
+def _credited(
+    values: Values, inside: str, credit: Mapping[str, Any], known: Iterable[str]
+) -> _Level:
     """A credit table, of which the mistakes are some of those `known`."""
     named = values.named(f"{inside}credit.mistakes", credit.get("mistakes"), known, "mistake")
     shares = {name: values.share(f"{inside}credit.mistakes.{name}", share) for name, share in named}
@@ -107,15 +117,22 @@ def _table(path: Path) -> tuple[str, Mapping[str, Any]]:
         with path.open("rb") as file:
             content = file.read(MAX_BYTES + 1)
         if len(content) > MAX_BYTES:
-            raise PolicyError(f"{path}: too large - expected at most {MAX_BYTES} bytes - check the name")
+            raise PolicyError(
+                f"{path}: too large - expected at most {MAX_BYTES} bytes - check the name"
+            )
         text = content.decode("utf-8-sig")
         return text, tomllib.loads(text, parse_float=str)
     except OSError as fault:
         raise PolicyError(
             f"{path}: cannot be read ({fault.strerror}) - expected a policy file - check the name"
         ) from fault
-    except (ValueError, RecursionError) as fault:  # no UTF-8, no TOML, an integer of thousands of digits
-        raise PolicyError(f"{path}: {one_line(str(fault))} - expected TOML in UTF-8 - mend it") from fault
+    except (
+        ValueError,
+        RecursionError,
+    ) as fault:  # no UTF-8, no TOML, an integer of thousands of digits
+        raise PolicyError(
+            f"{path}: {one_line(str(fault))} - expected TOML in UTF-8 - mend it"
+        ) from fault
 
 
 class _Reader:
@@ -128,42 +145,73 @@ class _Reader:
     @cached_property
     def mistakes(self) -> frozenset[str]:
         """All that lead to a wrong answer on some paper; the papers are read for them only where a policy names one."""
-        return frozenset(name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes)
+        return frozenset(
+            name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes
+        )
 
     def policy(self, content: Mapping[str, Any], text: str, stated: _Level) -> Policy:
         table = self.values.table("", content, ("attempts", "tolerance", "credit", "questions"))
-        attempts: Attempts = self.values.word("attempts", table.get("attempts"), _ATTEMPTS) or "last"
+        attempts: Attempts = (
+            self.values.word("attempts", table.get("attempts"), _ATTEMPTS) or "last"
+        )
         rulings = self._rulings(self._level("", table).over(stated), table.get("questions"))
         if self.values.faults:
             raise PolicyError(*self.values.faults)
         return Policy(attempts, rulings, text)
 
     def _rulings(self, wider: _Level, content: Any) -> dict[str, Ruling]:
-        tables = dict(self.values.named("questions", content, questions(self.exam.asks), "question"))
+        tables = dict(
+            self.values.named("questions", content, questions(self.exam.asks), "question")
+        )
         rulings: dict[str, Ruling] = {}
         for question in questions(self.exam.asks):
-            place, asks = f"questions.{question}", [ask for ask in self.exam.asks if ask.question == question]
-            table = self.values.table(place, tables.get(question), ("tolerance", "credit", "void", "asks"))
+            place, asks = (
+                f"questions.{question}",
+                [ask for ask in self.exam.asks if ask.question == question],
+            )
+            table = self.values.table(
+                place, tables.get(question), ("tolerance", "credit", "void", "asks")
+            )
             level = self._level(place, table).over(wider)
-            named = dict(self.values.named(f"{place}.asks", table.get("asks"), [ask.ask for ask in asks], "ask"))
-            rulings |= {ask.column: self._ruling(f"{place}.asks.{ask.ask}", ask, named.get(ask.ask), level)
-                        for ask in asks}
+            named = dict(
+                self.values.named(
+                    f"{place}.asks", table.get("asks"), [ask.ask for ask in asks], "ask"
+                )
+            )
+            rulings |= {
+                ask.column: self._ruling(f"{place}.asks.{ask.ask}", ask, named.get(ask.ask), level)
+                for ask in asks
+            }
         return rulings
 
     def _ruling(self, place: str, ask: Ask, content: Any, wider: _Level) -> Ruling:
-        table = self.values.table(place, content, ("tolerance", "credit", "void", "points", "accept"))
+        table = self.values.table(
+            place, content, ("tolerance", "credit", "void", "points", "accept")
+        )
         level = self._level(place, table).over(wider)
         points = self.values.amount(f"{place}.points", table.get("points"))
         accepted = tuple(self._accepted(f"{place}.accept", ask, table.get("accept")))
-        return Ruling(level.room, level.void, points, level.wrong_unit or Fraction(0), level.mistakes, accepted,
-                      Fraction(1) if level.follow_through is None else level.follow_through)
+        return Ruling(
+            level.room,
+            level.void,
+            points,
+            level.wrong_unit or Fraction(0),
+            level.mistakes,
+            accepted,
+            Fraction(1) if level.follow_through is None else level.follow_through,
+        )
 
     def _level(self, place: str, table: Mapping[str, Any]) -> _Level:
         inside = f"{place}." if place else ""
         credit = self.values.table(f"{inside}credit", table.get("credit"), _CREDITS)
-        credited = _credited(self.values, inside, credit, self.mistakes if "mistakes" in credit else ())
-        return replace(credited, room=self.values.room(f"{inside}tolerance", table.get("tolerance")),
-                       void=self.values.word(f"{inside}void", table.get("void"), _VOIDS))
+        credited = _credited(
+            self.values, inside, credit, self.mistakes if "mistakes" in credit else ()
+        )
+        return replace(
+            credited,
+            room=self.values.room(f"{inside}tolerance", table.get("tolerance")),
+            void=self.values.word(f"{inside}void", table.get("void"), _VOIDS),
+        )
 
     def _accepted(self, place: str, ask: Ask, content: Any) -> Iterator[Accepted]:
         if not isinstance(content, list | None):
@@ -180,13 +228,21 @@ class _Reader:
                 yield Accepted(number, written(table["value"]), tree, scale, credit, students)
 
     def _students(self, place: str, content: Any) -> frozenset[str] | None:
-        listed: Sequence[Any] = content if isinstance(content, list) else [] if content is None else [content]
+        listed: Sequence[Any] = (
+            content if isinstance(content, list) else [] if content is None else [content]
+        )
         for student in listed:
             if not isinstance(student, str):
-                self.values.fault(place, f"expected a student's id in quotation marks, not {written(student)!r}")
+                self.values.fault(
+                    place, f"expected a student's id in quotation marks, not {written(student)!r}"
+                )
             elif student not in self.students:
-                self.values.fault(place, f'no student "{shown(student)}": {_likely(student, self.students)}')
-        return None if content is None else frozenset(each for each in listed if isinstance(each, str))
+                self.values.fault(
+                    place, f'no student "{shown(student)}": {_likely(student, self.students)}'
+                )
+        return (
+            None if content is None else frozenset(each for each in listed if isinstance(each, str))
+        )
 
     def _tree(self, place: str, content: Any) -> Expression | None:
         if isinstance(content, bool) or not isinstance(content, str | int):
@@ -206,12 +262,18 @@ class _Reader:
         if set(used) - units.keys():
             units |= self.givens.units(ask.question)
         for name in sorted(set(used) - units.keys()):
-            self.values.fault(f"{place}.value", f'unknown name "{name}": {did_you_mean(name, units)}')
+            self.values.fault(
+                f"{place}.value", f'unknown name "{name}": {did_you_mean(name, units)}'
+            )
         if unit is not None:
             return self._typed_unit(f"{place}.unit", ask, unit)
         angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
         own = written_unit(ask.unit)
-        return Conversion(1 / own.factor, -own.pi) if own and (used or is_angle(tree, angles)) else Conversion()
+        return (
+            Conversion(1 / own.factor, -own.pi)
+            if own and (used or is_angle(tree, angles))
+            else Conversion()
+        )
 
     def _typed_unit(self, place: str, ask: Ask, unit: Any) -> Conversion:
         try:
@@ -226,4 +288,8 @@ class _Reader:
 def _likely(student: str, students: set[str]) -> str:
     """A hint that does not list a whole class."""
     hint = did_you_mean(student, students)
-    return hint.partition(" (known")[0] if hint.startswith("did") else "check the id against the roster"
+    return (
+        hint.partition(" (known")[0]
+        if hint.startswith("did")
+        else "check the id against the roster"
+    )

@@ -38,7 +38,9 @@ class Values:
         self._unknown(place, value, known, "key")
         return {key: content for key, content in value.items() if key in known}
 
-    def named(self, place: str, value: Any, known: Iterable[str], kind: str) -> Iterator[tuple[str, Any]]:
+    def named(
+        self, place: str, value: Any, known: Iterable[str], kind: str
+    ) -> Iterator[tuple[str, Any]]:
         """The entries of a table whose names are those of a `kind`, such as the exam's questions."""
         if isinstance(value, dict):
             names = set(known)
@@ -47,7 +49,9 @@ class Values:
         elif value is not None:
             self.fault(place, f"expected a table of each {kind}")
 
-    def _unknown(self, place: str, table: Mapping[str, Any], known: Iterable[str], kind: str) -> None:
+    def _unknown(
+        self, place: str, table: Mapping[str, Any], known: Iterable[str], kind: str
+    ) -> None:
         for name in sorted(table.keys() - set(known)):
             self.fault(place, f'unknown {kind} "{shown(name)}": {did_you_mean(name, known)}')
 
@@ -71,7 +75,10 @@ class Values:
             share = Fraction(-1)
         if 0 <= share <= 1:
             return share
-        self.fault(place, f'expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not {written(value)!r}')
+        self.fault(
+            place,
+            f'expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not {written(value)!r}',
+        )
         return None
 
     def amount(self, place: str, value: Any) -> Fraction | None:
@@ -88,18 +95,25 @@ class Values:
         table = self.table(place, value, ("relative", "absolute", "figures"))
         figures = table.get("figures")
         if figures is not None and (type(figures) is not int or not 1 <= figures <= _MOST_FIGURES):
-            self.fault(f"{place}.figures", f"expected a whole number from 1 to {_MOST_FIGURES}, "
-                                           f"not {written(figures)!r}")
+            self.fault(
+                f"{place}.figures",
+                f"expected a whole number from 1 to {_MOST_FIGURES}, not {written(figures)!r}",
+            )
             figures = None
-        return Room(self.share(f"{place}.relative", table.get("relative")),
-                    self.amount(f"{place}.absolute", table.get("absolute")), figures)
+        return Room(
+            self.share(f"{place}.relative", table.get("relative")),
+            self.amount(f"{place}.absolute", table.get("absolute")),
+            figures,
+        )
 
 
 def written(value: Any) -> str:
     """A number, a text or a truth value as it stands in the file, cut where it is long; of anything else its kind."""
     if isinstance(value, bool):
         return str(value).lower()
-    return shown(str(value).strip()) if isinstance(value, int | str) else f"a {type(value).__name__}"
+    return (
+        shown(str(value).strip()) if isinstance(value, int | str) else f"a {type(value).__name__}"
+    )
 
 
 def shown(text: str) -> str:

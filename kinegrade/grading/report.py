@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import chain
 from pathlib import Path
 
+from kinegrade.csv_writing import csv_cell, csv_text, encoded, neutralised, write_csv
 from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
@@ -19,7 +20,7 @@ from kinegrade.grading.marks_folder import KEPT
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.typed_cells import TypedCells
-from kinegrade.tables import Complaint, csv_cell, csv_text, encoded, neutralised, shortened, write_csv
+from kinegrade.tables import Complaint, shortened
 
 _MARKS = (
     "student",
@@ -35,7 +36,16 @@ _MARKS = (
 )
 POLICY = "policy.toml"
 _NO_POLICY = "# No policy: marked as the papers say.\n"
-_KEPT = ("student", "name", "before", "before_out_of", "by_this_marking", "out_of", "stands", "reason")
+_KEPT = (
+    "student",
+    "name",
+    "before",
+    "before_out_of",
+    "by_this_marking",
+    "out_of",
+    "stands",
+    "reason",
+)
 _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
 
 
@@ -48,7 +58,9 @@ def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedB
             yield block
 
 
-def write_grades(folder: Path, grades: ClassGrades, policy: Policy, kept: Iterable[Kept] | None) -> None:
+def write_grades(
+    folder: Path, grades: ClassGrades, policy: Policy, kept: Iterable[Kept] | None
+) -> None:
     """Writes the other files; `kept` is None where totals may fall."""
     header = ("student", "name", *grades.questions, "total", "out_of", "percent")
     write_csv(folder / "grades.csv", header, _grade_rows(grades.grades))
@@ -65,7 +77,9 @@ def _mark_lines(block: MarkedBlock) -> str:
     columns: tuple[Sequence[str], ...] = (
         [*chain.from_iterable([csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows)],
         [f",{csv_cell(ask.question)},{csv_cell(ask.ask)}," for ask in asks] * count,
-        _with_odd(judged.cells.typed, judged.cells, lambda reading: neutralised(shortened(reading.typed))),
+        _with_odd(
+            judged.cells.typed, judged.cells, lambda reading: neutralised(shortened(reading.typed))
+        ),
         [","] * len(judged.kinds),
         _with_odd(judged.cells.read_as, judged.cells, lambda reading: reading.read_as),
         [f",{csv_cell(ask.unit)}," for ask in asks] * count,
@@ -73,8 +87,12 @@ def _mark_lines(block: MarkedBlock) -> str:
         [","] * len(judged.kinds),
         [texts[share] for texts, share in zip(points * count, judged.shares, strict=True)],
         [f",{amount_text(ask.points)}," for ask in asks] * count,
-        [f'"{reason}"' if reason[:4] == "key " and '"' not in reason else csv_cell(neutralised(reason))
-         for reason in judged.reasons],
+        [
+            f'"{reason}"'
+            if reason[:4] == "key " and '"' not in reason
+            else csv_cell(neutralised(reason))
+            for reason in judged.reasons
+        ],
         ["\n"] * len(judged.kinds),
     )
     parts = [""] * (len(columns) * len(judged.kinds))
@@ -83,7 +101,9 @@ def _mark_lines(block: MarkedBlock) -> str:
     return "".join(parts)
 
 
-def _with_odd(texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]) -> list[str]:
+def _with_odd(
+    texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
+) -> list[str]:
     """A column of cells fit for a file; those of plain numbers, which are most, are so as they stand."""
     column = list(texts)
     for place, reading in cells.odd.items():
@@ -104,7 +124,9 @@ def _grade_rows(grades: Sequence[Grade]) -> Iterator[tuple[str, ...]]:
 def _amounts(grade: Grade) -> tuple[str, ...]:
     """Points by question, in all, out of, and in per cent."""
     total, out_of = grade.total, grade.out_of
-    return *map(amount_text, (*grade.points, total, out_of)), amount_text(percent(total, out_of), places=2)
+    return *map(amount_text, (*grade.points, total, out_of)), amount_text(
+        percent(total, out_of), places=2
+    )
 
 
 def _kept_row(kept: Kept) -> tuple[str, ...]:

@@ -64,10 +64,14 @@ def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
     name = _NAMES.get(sense, sense)
     if sign == "-" or (sign == "+" and sense != positive):
-        raise Unreadable(f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of the two')
+        raise Unreadable(
+            f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of the two'
+        )
     if _SIGNLESS.fullmatch(convention):
         return 1, f"a sense ({name}) is not asked for; it was left out"
     if positive is None or sense not in (positive, _OPPOSITE[positive]):
         meaning = f" ({convention})" if convention else ""
-        raise Unreadable(f"a sense ({name}) does not tell the sign of this answer{meaning}; write a sign")
+        raise Unreadable(
+            f"a sense ({name}) does not tell the sign of this answer{meaning}; write a sign"
+        )
     return (1 if sense == positive else -1), ""

@@ -88,13 +88,17 @@ def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
 def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
     """The pairs of a class whose chance is below `level`. Raises ExamError where an answer is none of the exam's."""
     wrong = _wrong_answers(exam, answers)
-    papers = [tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees]
+    papers = [
+        tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees
+    ]
     alike = Counter(papers)
     unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)
     search = _Search(exam, wrong, unlike, level)
     found = sorted(search.found(), key=lambda each: (each.chance, each.student, each.other))
     told = tuple(search.pair(each) for each in found[:MOST])
-    return Sharing(search.pairs, len(found), told, len(papers), len(alike), len(exam.questions), level)
+    return Sharing(
+        search.pairs, len(found), told, len(papers), len(alike), len(exam.questions), level
+    )
 
 
 def tail(count: int, mean: float) -> float:
@@ -165,10 +169,14 @@ def _number(answer: MarkedAnswer) -> float | None:
 def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
     if student is None or ask is None:
         who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
-        return (f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - name the folder by "
-                "which they were made")
-    return (f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands where a number '
-            "should - expected the file as kinegrade grade wrote it - grade again")
+        return (
+            f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - name the folder by "
+            "which they were made"
+        )
+    return (
+        f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands where a number '
+        "should - expected the file as kinegrade grade wrote it - grade again"
+    )
 
 
 @dataclass(frozen=True)
@@ -188,7 +196,10 @@ class _Search:
     @cached_property
     def windows(self) -> tuple[tuple[Windows, Windows], ...]:
         """For each ask what would be right on each paper, and that with what mistakes lead to."""
-        keys = [[examinee.keys[ask.column] for examinee in self.exam.examinees] for ask in self.exam.asks]
+        keys = [
+            [examinee.keys[ask.column] for examinee in self.exam.examinees]
+            for ask in self.exam.asks
+        ]
         return tuple((windows(each, mistakes=False), windows(each, mistakes=True)) for each in keys)
 
     def found(self) -> Iterator[_Found]:
@@ -196,11 +207,14 @@ class _Search:
         students = self.suspects()
         size = max(1, CELLS // len(self.exam.examinees))
         for first in range(0, len(students), size):
-            yield from self.among(students[first:first + size])
+            yield from self.among(students[first : first + size])
 
     def suspects(self) -> NDArray[np.intp]:
         """The students with unexplained wrong answers to enough questions."""
-        wrong = {question: np.zeros(len(self.exam.examinees), dtype=bool) for question in self.exam.questions}
+        wrong = {
+            question: np.zeros(len(self.exam.examinees), dtype=bool)
+            for question in self.exam.questions
+        }
         for ask, numbers in zip(self.exam.asks, self.wrong.numbers, strict=True):
             wrong[ask.question] |= ~np.isnan(numbers)
         return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS)
@@ -214,7 +228,9 @@ class _Search:
                 count.add([self.fitting(students, ask, kind) for ask in asks])
         chance = np.ones(counts[0].fits.shape)
         for count in counts:
-            np.minimum(chance, self.chances(count, count.expected / self.unlike[students]), out=chance)
+            np.minimum(
+                chance, self.chances(count, count.expected / self.unlike[students]), out=chance
+            )
         for row, other in np.argwhere(chance <= self.level):
             yield _Found(int(students[row]), int(other), float(chance[row, other]))
 
@@ -232,23 +248,45 @@ class _Search:
         """For each pair how often a class has so many fits by chance; 1 where too few questions are concerned."""
         most = int(count.fits.max(initial=0))
         tests = COUNTS * self.pairs
-        table = np.array([[min(1.0, tests * tail(fits, mean)) for fits in range(most + 1)] for mean in expected])
+        table = np.array(
+            [[min(1.0, tests * tail(fits, mean)) for fits in range(most + 1)] for mean in expected]
+        )
         chance: Numbers = np.take_along_axis(table, count.fits.astype(np.intp), axis=1)
         return np.where(count.questions >= QUESTIONS, chance, 1.0)
 
     def pair(self, found: _Found) -> Pair:
         """A pair with all that is told of it."""
         student, other = found.student, found.other
-        given = {ask: float(numbers[student]) for ask, numbers in enumerate(self.wrong.numbers)
-                 if not np.isnan(numbers[student])}
-        fits = [{ask: self.windows[ask][kind].papers(answer) - {student} for ask, answer in given.items()}
-                for kind in range(COUNTS)]
+        given = {
+            ask: float(numbers[student])
+            for ask, numbers in enumerate(self.wrong.numbers)
+            if not np.isnan(numbers[student])
+        }
+        fits = [
+            {
+                ask: self.windows[ask][kind].papers(answer) - {student}
+                for ask, answer in given.items()
+            }
+            for kind in range(COUNTS)
+        ]
         as_key, any_way = fits
-        answers = tuple(SharedAnswer(self.exam.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask])
-                        for ask in given if other in any_way[ask])
+        answers = tuple(
+            SharedAnswer(
+                self.exam.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask]
+            )
+            for ask in given
+            if other in any_way[ask]
+        )
         expected = [sum(map(len, each.values())) / float(self.unlike[student]) for each in fits]
-        return Pair(self.exam.examinees[student], self.exam.examinees[other], answers, len(given), expected[1],
-                    expected[0], found.chance)
+        return Pair(
+            self.exam.examinees[student],
+            self.exam.examinees[other],
+            answers,
+            len(given),
+            expected[1],
+            expected[0],
+            found.chance,
+        )
 
 
 @dataclass

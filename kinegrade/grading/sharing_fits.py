@@ -52,9 +52,11 @@ def windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
 
     Tolerances are those printed on the papers.
     """
-    found = [(place, float(value), *room)
-             for place, (key, room) in enumerate(zip(keys, map(_room, keys), strict=True))
-             for value in (key.value, *(key.mistakes.values() if mistakes else ()))]
+    found = [
+        (place, float(value), *room)
+        for place, (key, room) in enumerate(zip(keys, map(_room, keys), strict=True))
+        for value in (key.value, *(key.mistakes.values() if mistakes else ()))
+    ]
     table = np.array(found, dtype=np.float64).reshape(len(found), 5)
     paper, value = table[:, 0].astype(np.intp), table[:, 1]
     low, high = _bounds(value, *table[:, 2:].T)
@@ -69,7 +71,9 @@ def _room(key: Key) -> tuple[float, float, float]:
     return float(stated.relative), float(stated.absolute), float(stated.figures or 0)
 
 
-def _bounds(value: Numbers, relative: Numbers, absolute: Numbers, figures: Numbers) -> tuple[Numbers, Numbers]:
+def _bounds(
+    value: Numbers, relative: Numbers, absolute: Numbers, figures: Numbers
+) -> tuple[Numbers, Numbers]:
     """The smallest and the largest number that fits each value."""
     size = np.abs(value)
     room = np.maximum(relative * size, absolute)

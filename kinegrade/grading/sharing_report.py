@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, Sharing
-from kinegrade.tables import csv_text, neutralised
 
 HEADER = (
     "student", "name", "other", "other_name", "wrong_answers", "fit_the_other_paper", "expected_by_chance",
@@ -43,11 +43,15 @@ def _sentences(sharing: Sharing) -> Iterator[str]:
     count, level = sharing.found, f"{100 * sharing.level:g} %"
     if count:
         pairs = "1 pair is" if count == 1 else f"{count:,} pairs are"
-        yield (f"{pairs} worth a look, of {sharing.pairs:,}: more of a student's wrong answers fit the other's paper "
-               f"than chance explains. Of 100 classes without any sharing, about {100 * sharing.level:g} would show a "
-               "pair too.")
-        yield ("This is a hint, not evidence of anything by itself: it does not say who gave and who took, or that "
-               "anybody did. Look at the scripts, and hear the students, before you think anything of it.")
+        yield (
+            f"{pairs} worth a look, of {sharing.pairs:,}: more of a student's wrong answers fit the other's paper "
+            f"than chance explains. Of 100 classes without any sharing, about {100 * sharing.level:g} would show a "
+            "pair too."
+        )
+        yield (
+            "This is a hint, not evidence of anything by itself: it does not say who gave and who took, or that "
+            "anybody did. Look at the scripts, and hear the students, before you think anything of it."
+        )
     else:
         yield f"No pair of students stands out, of {sharing.pairs:,}, at the level of {level} for the whole class."
     if count > MOST:
@@ -58,8 +62,12 @@ def _sentences(sharing: Sharing) -> Iterator[str]:
 def _limits(sharing: Sharing) -> Iterator[str]:
     """What this exam cannot show."""
     if sharing.questions < QUESTIONS:
-        yield ("An exam of one question shows nothing here: whoever misreads one number gives all the answers of a "
-               "paper that has that number.")
+        yield (
+            "An exam of one question shows nothing here: whoever misreads one number gives all the answers of a "
+            "paper that has that number."
+        )
     if sharing.papers < sharing.students:
-        yield (f"{sharing.students:,} students had {sharing.papers:,} different papers: answers passed on between "
-               "equal papers leave no trace, and where few papers are different hardly anything stands out.")
+        yield (
+            f"{sharing.students:,} students had {sharing.papers:,} different papers: answers passed on between "
+            "equal papers leave no trace, and where few papers are different hardly anything stands out."
+        )

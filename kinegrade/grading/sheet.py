@@ -14,10 +14,11 @@ from operator import itemgetter
 from typing import NamedTuple
 from unicodedata import normalize
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.errors import TableError
 from kinegrade.exam.roster import COLUMN_NAMES, student_key
 from kinegrade.grading.key import Ask, Sitting
-from kinegrade.tables import Complaint, Row, Table, csv_text, header_key, shortened, trimmed
+from kinegrade.tables import Complaint, Row, Table, header_key, shortened, trimmed
 
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 
@@ -59,7 +60,12 @@ class _Columns:
         """What picks the responses from the cells of a row; what is not there is blank."""
 
         def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
-            return tuple([cells[index] if index is not None and index < len(cells) else "" for index in self.asks])
+            return tuple(
+                [
+                    cells[index] if index is not None and index < len(cells) else ""
+                    for index in self.asks
+                ]
+            )
 
         places = [index for index in self.asks if index is not None]
         if len(places) < len(self.asks) or len(places) == 1:
@@ -76,8 +82,10 @@ def read_sheet(table: Table, exam: Sitting) -> Sheet:
     columns = _columns(table, exam.asks)
     rows, unknown = _rows_by_student(table, columns, exam)
     responses, nothing = columns.responses(), (Entry(None, ("",) * len(exam.asks)),)
-    entries = {student: _entries(rows[student], responses) if student in rows else nothing
-               for student in exam.students}
+    entries = {
+        student: _entries(rows[student], responses) if student in rows else nothing
+        for student in exam.students
+    }
     complaints = [
         *table.complaints,
         *_missing_columns(table, columns, exam.asks),
@@ -100,16 +108,27 @@ def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
     if student is None:
         faults.append('no column "student" - expected one with the student ids')
     if all(index is None for index in found):
-        faults.append(f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ...")
-    strange = [cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _keys(asks)]
+        faults.append(
+            f"no answer column - expected {', '.join(ask.column for ask in asks[:4])} ..."
+        )
+    strange = [
+        cell for cell in header if _ANSWER_COLUMN.fullmatch(cell) and cell not in _keys(asks)
+    ]
     if not faults and len(strange) > sum(index is not None for index in found):
-        faults.append(f"most answer columns are not asked in this exam ({', '.join(strange[:4])} ...)")
+        faults.append(
+            f"most answer columns are not asked in this exam ({', '.join(strange[:4])} ...)"
+        )
     if student is None or faults:
         raise TableError(
-            *(f"{table.file}: {fault} - fill in the answers.csv of the exam folder" for fault in faults)
+            *(
+                f"{table.file}: {fault} - fill in the answers.csv of the exam folder"
+                for fault in faults
+            )
         )
     unused = (index for index in range(len(header)) if index not in {student, *found})
-    return _Columns(student, found, tuple(index for index in unused if header[index] not in _NEEDLESS))
+    return _Columns(
+        student, found, tuple(index for index in unused if header[index] not in _NEEDLESS)
+    )
 
 
 def _keys(asks: Sequence[Ask]) -> set[str]:
@@ -148,7 +167,9 @@ def _rows_by_student(
         else:
             strangers.append((row, key))
     near = _near_ids(known.values()) if strangers else {}
-    return rows, [_unknown(table, row, columns, key, near.get(_bare(key))) for row, key in strangers]
+    return rows, [
+        _unknown(table, row, columns, key, near.get(_bare(key))) for row, key in strangers
+    ]
 
 
 def _near_ids(students: Iterable[str]) -> dict[str, str]:
@@ -167,7 +188,12 @@ def _unknown(table: Table, row: Row, columns: _Columns, key: str, likely: str | 
     problem = f'no student "{shortened(key)}" in the exam' if key else "no student id"
     hint = f'; probably "{likely}": correct the id and grade again' if key and likely else ""
     return Complaint(
-        table.file, row.line, table.header[columns.student], _whole(row), problem, f"not graded{hint}"
+        table.file,
+        row.line,
+        table.header[columns.student],
+        _whole(row),
+        problem,
+        f"not graded{hint}",
     )
 
 
@@ -175,9 +201,11 @@ def _whole(row: Row) -> str:
     return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")
 
 
-def _entries(rows: Sequence[Row], responses: Callable[[tuple[str, ...]], tuple[str, ...]]) -> tuple[Entry, ...]:
+def _entries(
+    rows: Sequence[Row], responses: Callable[[tuple[str, ...]], tuple[str, ...]]
+) -> tuple[Entry, ...]:
     if len(rows) == 1:
-        row, = rows
+        (row,) = rows
         return (Entry(row.line, responses(row.cells)),)
     return tuple([Entry(row.line, responses(row.cells), _whole(row)) for row in rows])
 
@@ -197,20 +225,37 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
         if trimmed(name):
             done = "ignored" + ("; its cells follow" if filled else "")
             yield Complaint(
-                table.file, None, name, "", "not an answer column of the exam, or its second one", done
+                table.file,
+                None,
+                name,
+                "",
+                "not an answer column of the exam, or its second one",
+                done,
             )
         for row in filled:
             content = shortened(row.cell(index))
             yield Complaint(
-                table.file, row.line, name, content, "stands in a column that is ignored", "kept here only"
+                table.file,
+                row.line,
+                name,
+                content,
+                "stands in a column that is ignored",
+                "kept here only",
             )
 
 
-def _missing_students(table: Table, entries: Mapping[str, tuple[Entry, ...]]) -> Iterator[Complaint]:
+def _missing_students(
+    table: Table, entries: Mapping[str, tuple[Entry, ...]]
+) -> Iterator[Complaint]:
     for student, (entry, *_) in entries.items():
         if entry.line is None:
             yield Complaint(
-                table.file, None, "", student, f'no row for student "{student}"', "all answers count as blank"
+                table.file,
+                None,
+                "",
+                student,
+                f'no row for student "{student}"',
+                "all answers count as blank",
             )
 
 

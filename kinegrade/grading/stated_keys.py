@@ -64,8 +64,12 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
     def __getitem__(self, ask: int) -> StatedKey:
         """The key of an ask. Raises ExamError if its mistakes are no numbers."""
         entry = self.entries[ask]
-        return StatedKey(entry.plain or entry.decimal, self.terms.rules[ask], self.mistakes(ask),
-                         self.terms.periods[ask])
+        return StatedKey(
+            entry.plain or entry.decimal,
+            self.terms.rules[ask],
+            self.mistakes(ask),
+            self.terms.periods[ask],
+        )
 
     def __len__(self) -> int:
         return len(self.entries)
@@ -85,14 +89,20 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
         try:
             return mistakes_of({"mistakes": parsed(bytes(written).decode())})
         except (FieldError, ValueError) as fault:
-            raise ExamError(f"{self.place}: {self.terms.asks[ask].column}: {fault} "
-                            "- restore the exam folder as it was generated") from fault
+            raise ExamError(
+                f"{self.place}: {self.terms.asks[ask].column}: {fault} "
+                "- restore the exam folder as it was generated"
+            ) from fault
 
 
-def stated_mistakes(asks: Sequence[tuple[StatedKeys, int]]) -> Sequence[Mapping[str, float | Fraction]]:
+def stated_mistakes(
+    asks: Sequence[tuple[StatedKeys, int]],
+) -> Sequence[Mapping[str, float | Fraction]]:
     """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes` does."""
     try:
-        found = _all_decoded(b"[%b]" % b",".join([keys.entries[ask].mistakes for keys, ask in asks]))
+        found = _all_decoded(
+            b"[%b]" % b",".join([keys.entries[ask].mistakes for keys, ask in asks])
+        )
         if isfinite(sum(chain.from_iterable([each.values() for each in found]))):
             return found
     except (msgspec.MsgspecError, ValueError):

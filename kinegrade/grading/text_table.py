@@ -6,7 +6,9 @@ from collections.abc import Collection, Iterable, Sequence
 from unicodedata import combining, east_asian_width
 
 
-def aligned(header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()) -> str:
+def aligned(
+    header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()
+) -> str:
     """Lines of columns that stand under each other; those whose index is in `numbers` are flush right.
 
     >>> print(aligned(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
@@ -25,7 +27,9 @@ def width(text: str) -> int:
     >>> width("a王")
     3
     """
-    return sum(0 if combining(letter) else 2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+    return sum(
+        0 if combining(letter) else 2 if east_asian_width(letter) in "WF" else 1 for letter in text
+    )
 
 
 def cut(text: str, columns: int) -> str:

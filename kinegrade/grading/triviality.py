@@ -10,7 +10,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-SMALL = Fraction(1, 2)  # of the right answer: what is larger does not make a term vanish that is there
+SMALL = Fraction(
+    1, 2
+)  # of the right answer: what is larger does not make a term vanish that is there
 TINY = Fraction(1, 900)  # of the right answer: stands for nothing
 ENORMOUS = 100  # times the right answer: more than degrees for radians, or a slipped decimal point, can explain
 POWERS = (1, 2)  # of a velocity in velocities and in accelerations
@@ -41,6 +43,7 @@ def is_trivial(name: str, own: Own, right: Fraction, later: Later) -> bool:
 
 def _drowns(name: str, own: Own, right: Fraction, later: Later, power: int) -> bool:
     """Whether everything but a power of the own value has drowned, and would not have with the right value."""
+
     def in_proportion(value: Fraction) -> bool:
         return later.fits({**own, name: value}, (own[name] / value) ** power)
 

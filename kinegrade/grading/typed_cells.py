@@ -77,14 +77,18 @@ class CellReader:
                 read_as += _unsigned(row)
                 continue
             styles[number] = self.styles.of_row(row)
-            for place, (value, digits, reading) in enumerate(self._cell_by_cell(row, styles[number]), len(values)):
+            for place, (value, digits, reading) in enumerate(
+                self._cell_by_cell(row, styles[number]), len(values)
+            ):
                 values.append(value)
                 read_as.append(digits)
                 if reading is not None:
                     odd[place] = reading
         return TypedCells(self, typed, np.array(values), read_as, odd, styles)
 
-    def _cell_by_cell(self, row: Sequence[str], style: DecimalStyle) -> list[tuple[float, str, Reading | None]]:
+    def _cell_by_cell(
+        self, row: Sequence[str], style: DecimalStyle
+    ) -> list[tuple[float, str, Reading | None]]:
         plain = _takes_plain_numbers(style)
         found: list[tuple[float, str, Reading | None]] = []
         for cell, ask in zip(row, self.asks, strict=True):
@@ -95,7 +99,9 @@ class CellReader:
             else:
                 reading = read(cell, ask.unit, style, ask.sign)
                 known = reading.value is not None and not reading.error
-                found.append((float(reading.value or 0) if known else nan, reading.read_as, reading))
+                found.append(
+                    (float(reading.value or 0) if known else nan, reading.read_as, reading)
+                )
         return found
 
 

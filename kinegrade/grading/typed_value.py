@@ -23,15 +23,33 @@ from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.exact.text import bounds
-from kinegrade.expression import Call, Expression, Name, Number, Operation, elementary, evaluate, rational
-from kinegrade.grading.number_text import LARGEST_EXPONENT, DecimalStyle, TypedNumber, Unreadable, scan, shown
+from kinegrade.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    elementary,
+    evaluate,
+    rational,
+)
+from kinegrade.grading.number_text import (
+    LARGEST_EXPONENT,
+    DecimalStyle,
+    TypedNumber,
+    Unreadable,
+    scan,
+    shown,
+)
 
 MOST_ROOTS = 8
 MOST_BRACKETS = 8
 MOST_ATOMS = 24
 MOST_EXACT_ROOTS = 3  # beyond them the tower of fields costs more than a ball
 PRECISION = 256
-KNOWN = Fraction(1, 10**38)  # how far an irrational value is known, relative to its size; the key has 40 digits
+KNOWN = Fraction(
+    1, 10**38
+)  # how far an irrational value is known, relative to its size; the key has 40 digits
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
@@ -39,7 +57,9 @@ _MIXED = re.compile(rf"\s?[{_VULGAR}]")
 _IMPLICIT = re.compile(r"\s*(?:[(√πΠ𝜋]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
 _ROOT = re.compile(r"√\s*|sqrt\s*|根号\s*", re.IGNORECASE)
 _PI = re.compile(r"[πΠ𝜋]|pi(?![a-z])", re.IGNORECASE)
-_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))")
+_POWER = re.compile(
+    r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1,3})(?![0-9.,/]))"
+)
 _HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
 _OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
 
@@ -99,7 +119,9 @@ class _Reader:
         while (mark := self.operator("+-")) is not None:
             tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
         if terms > 1 and not self.surds:
-            raise Unreadable(f'"{shown(self.text)}" is a range or a calculation; one number was expected')
+            raise Unreadable(
+                f'"{shown(self.text)}" is a range or a calculation; one number was expected'
+            )
         self.surds |= before
         return tree
 
@@ -120,7 +142,9 @@ class _Reader:
 
     def require_plain_order(self, doubtful: bool) -> None:
         if doubtful:
-            raise Unreadable(f'"{shown(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3')
+            raise Unreadable(
+                f'"{shown(self.text)}" can be understood in two ways; write brackets, as in (1/2)√3'
+            )
 
     def beside(self, depth: int) -> Expression | None:
         """A factor written without a sign of multiplication; a bracket that holds a unit is none."""
@@ -171,8 +195,14 @@ class _Reader:
         """The root of a bracket or of one number; what stands beside the bare number is another matter."""
         bracket = self.text.startswith("(", self.place)
         tree = self.root_of(self.bracket(depth) if bracket else self.number(power_of_ten=False))
-        if not bracket and (after := _IMPLICIT.match(self.text, self.place)) and after[0].strip() in "(πΠ𝜋":
-            self.require_plain_order(bool(re.match(r"\s*(?:[πΠ𝜋]|\(\s*[0-9√])", self.text[self.place :])))
+        if (
+            not bracket
+            and (after := _IMPLICIT.match(self.text, self.place))
+            and after[0].strip() in "(πΠ𝜋"
+        ):
+            self.require_plain_order(
+                bool(re.match(r"\s*(?:[πΠ𝜋]|\(\s*[0-9√])", self.text[self.place :]))
+            )
         return tree
 
     def root_of(self, tree: Expression) -> Expression:
@@ -191,7 +221,9 @@ class _Reader:
         tree = self.sum(depth + 1)
         self.skip()
         if not self.text.startswith(")", self.place):
-            raise Unreadable(f'"{shown(self.text)}": a bracket is not closed, or holds more than a number')
+            raise Unreadable(
+                f'"{shown(self.text)}": a bracket is not closed, or holds more than a number'
+            )
         self.place += 1
         return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
 
@@ -202,7 +234,9 @@ class _Reader:
             self.place, self.remark = found.end, self.remark or found.remark
         vulgar = self.vulgar() if found is None or found.digits.isdigit() else None
         if found is None and vulgar is None:
-            raise Unreadable(f'"{shown(self.text)}": a number was expected at "{shown(self.text[self.place :])}"')
+            raise Unreadable(
+                f'"{shown(self.text)}": a number was expected at "{shown(self.text[self.place :])}"'
+            )
         if found is None or vulgar is None:
             return vulgar or _literal(found.value if found else Fraction(0))
         return Operation("+", _literal(found.value), vulgar)
@@ -229,7 +263,9 @@ def _raised(base: Expression, power: int) -> Expression:
     if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
         return Number(base.value**power)
     exponent = Number(rational(str(abs(power))))
-    return Operation("**", base, Operation("-", Number(rational("0")), exponent) if power < 0 else exponent)
+    return Operation(
+        "**", base, Operation("-", Number(rational("0")), exponent) if power < 0 else exponent
+    )
 
 
 def worked_out(formula: Formula) -> Amount:
@@ -240,7 +276,9 @@ def worked_out(formula: Formula) -> Amount:
         arithmetic = Balls(PRECISION)
         with arithmetic.context():
             known = {"pi": arithmetic.turns(1)}
-            return Amount(evaluate(formula.tree, known, {"sqrt": elementary(arithmetic)["sqrt"]}, arithmetic))
+            return Amount(
+                evaluate(formula.tree, known, {"sqrt": elementary(arithmetic)["sqrt"]}, arithmetic)
+            )
     except (ExpressionError, ArithmeticError) as fault:
         text = str(fault).partition(":")[0]
         raise Unreadable(f"has no value ({text}); one number was expected") from fault

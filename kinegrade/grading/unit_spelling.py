@@ -24,15 +24,27 @@ _SPELLINGS = {
     "rad": "rads radian radians 弧度", "deg": "° degs degree degrees 度",
     "turn": "turns rev revs revolution revolutions 转 圈 周", "%": "percent",
 }  # fmt: skip
-_NAMES = {spelling: name for name, spellings in _SPELLINGS.items() for spelling in (name, *spellings.split())}
+_NAMES = {
+    spelling: name
+    for name, spellings in _SPELLINGS.items()
+    for spelling in (name, *spellings.split())
+}
 _SHORT = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
 _TURN_COUNTS = re.compile(r"[kM]?Hz|hertz|千?赫兹?", re.IGNORECASE)
 _PER_MINUTE = re.compile(r"1?/(?:min|分|分钟)|(?:min|分|分钟)\^?\(?-1\)?", re.IGNORECASE)
-_SQUARES = ((re.compile(r"(?:平方|二次方)秒"), "秒^2"), (re.compile(r"\s*squared"), "^2"),
-            (re.compile(r"每|\s+per\s+"), "/"), (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"))
-_DEGREE_SIGNS = str.maketrans("º˚", "°°")  # the ordinal sign and the ring, next to ° on many keyboards
+_SQUARES = (
+    (re.compile(r"(?:平方|二次方)秒"), "秒^2"),
+    (re.compile(r"\s*squared"), "^2"),
+    (re.compile(r"每|\s+per\s+"), "/"),
+    (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"),
+)
+_DEGREE_SIGNS = str.maketrans(
+    "º˚", "°°"
+)  # the ordinal sign and the ring, next to ° on many keyboards
 _TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
-_FACTOR = re.compile(r"([^\W\d_]+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?")
+_FACTOR = re.compile(
+    r"([^\W\d_]+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?"
+)
 _LINK = re.compile(r"\s*(\*|/|\.|)\s*")
 _SHARE = re.compile(r"1\s*(?=/)|(?=/)")
 _KINDS = {
@@ -95,7 +107,9 @@ def conversion(typed: str, unit: str) -> Conversion:
     lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
     radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
     if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
-        raise WrongUnit(f'"{shown(bare)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}')
+        raise WrongUnit(
+            f'"{shown(bare)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}'
+        )
     return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
 
 
@@ -112,7 +126,9 @@ def _refuse_turns_per_time(bare: str, unit: str, wanted: WrittenUnit | None) -> 
         measured = f"{wanted.kind} was expected{_in(unit)}" if wanted else _expected(unit)
         raise WrongUnit(f'"{shown(bare)}" counts turns or cycles, not radians; {measured}')
     if _PER_MINUTE.fullmatch(bare.replace(" ", "")) and wanted is not None and wanted.angle:
-        raise Unreadable(f'"{shown(bare)}" can mean turns or radians per minute; write r/min or rad/min')
+        raise Unreadable(
+            f'"{shown(bare)}" can mean turns or radians per minute; write r/min or rad/min'
+        )
 
 
 def _unbracketed(typed: str) -> str:
@@ -155,7 +171,9 @@ def _powers(text: str) -> Counter[str] | None:
         link = _LINK.match(text, place) if place or text[:1] == "/" else None
         start = link.end() if link else place
         turn = -1 if link and link[1] == "/" else 1
-        found, place = _bracket(text, start) if text[start : start + 1] == "(" else _factor(text, start)
+        found, place = (
+            _bracket(text, start) if text[start : start + 1] == "(" else _factor(text, start)
+        )
         if found is None:
             return None
         for name, power in found.items():

@@ -13,14 +13,25 @@ from kinegrade.lms.dialect import Channel, Column, Dialect, Download, Key, NewFi
 BLACKBOARD = Dialect(
     name="Blackboard",
     places=4,
-    downloads=(Download(
-        keys=(Key("login", ("Username",)), Key("id", ("Student ID",))),
-        item=re.compile(r"(?P<title>.*) \[Total Pts: (?P<maximum>[0-9.,]+)(?: Score)?\] \|[0-9]+"),
-        channel=Channel(("Feedback to Learner",), format_header="Feedback Format", format_text="PLAIN_TEXT"),
-    ),),
+    downloads=(
+        Download(
+            keys=(Key("login", ("Username",)), Key("id", ("Student ID",))),
+            item=re.compile(
+                r"(?P<title>.*) \[Total Pts: (?P<maximum>[0-9.,]+)(?: Score)?\] \|[0-9]+"
+            ),
+            channel=Channel(
+                ("Feedback to Learner",), format_header="Feedback Format", format_text="PLAIN_TEXT"
+            ),
+        ),
+    ),
     new_file=NewFile(
-        columns=(Column("Username", "login"), Column("Student ID", "id"), Column("{title}", "grade"),
-                 Column("Feedback to Learner", "feedback"), Column("Feedback Format", "feedback format", "PLAIN_TEXT")),
+        columns=(
+            Column("Username", "login"),
+            Column("Student ID", "id"),
+            Column("{title}", "grade"),
+            Column("Feedback to Learner", "feedback"),
+            Column("Feedback Format", "feedback format", "PLAIN_TEXT"),
+        ),
         key="login",
         quotes_all=True,
         header_needed=True,

@@ -13,16 +13,26 @@ from kinegrade.lms.dialect import Column, Dialect, Download, Key, NewFile
 BRIGHTSPACE = Dialect(
     name="Brightspace",
     places=4,
-    downloads=(Download(
-        keys=(Key("id", ("OrgDefinedId",), prefix="#"), Key("login", ("Username",), prefix="#")),
-        item=re.compile(r"(?P<title>.*) Points Grade(?: <(?:Numeric )?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.]+)[^>]*>"
-                        r"| <[^>]*>)?"),
-        encodings=("UTF-8",),
-    ),),
+    downloads=(
+        Download(
+            keys=(
+                Key("id", ("OrgDefinedId",), prefix="#"),
+                Key("login", ("Username",), prefix="#"),
+            ),
+            item=re.compile(
+                r"(?P<title>.*) Points Grade(?: <(?:Numeric )?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.]+)[^>]*>"
+                r"| <[^>]*>)?"
+            ),
+            encodings=("UTF-8",),
+        ),
+    ),
     new_file=NewFile(
-        columns=(Column("OrgDefinedId", "id", "#"), Column("Username", "login", "#"),
-                 Column("{title} Points Grade <Numeric MaxPoints:{maximum}>", "grade"),
-                 Column("End-of-Line Indicator", "fixed", "#")),
+        columns=(
+            Column("OrgDefinedId", "id", "#"),
+            Column("Username", "login", "#"),
+            Column("{title} Points Grade <Numeric MaxPoints:{maximum}>", "grade"),
+            Column("End-of-Line Indicator", "fixed", "#"),
+        ),
         key="id",
         mark=True,
         unfit=((re.compile(r"[<>]"), "Brightspace reads what stands between < and > as settings"),),

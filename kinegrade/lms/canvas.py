@@ -16,27 +16,44 @@ _IGNORED = re.compile(r"(?:Current|Final) (?:Score|Points|Grade)|Override (?:Sco
 CANVAS = Dialect(
     name="Canvas",
     places=2,
-    downloads=(Download(
-        keys=(Key("id", ("SIS User ID",)), Key("login", ("SIS Login ID",))),
-        item=re.compile(r"(?P<title>.*)\s\([0-9]+\)"),
-        not_item=_IGNORED,
-        maximum_row=re.compile(r".*Points Possible"),
-        read_only=re.compile(r"read\s+only"),
-        skipped_row=re.compile(r"\s*(?:(?:Muted|Manual Posting.*)?\s*$|.*Points Possible)", re.IGNORECASE),
-        closed={"EX": "is excused there", "N/A": "is not assigned there"},
-        encodings=("UTF-8",),
-        beginning=re.compile(r"(?:Student|LastName,FirstName),ID(?:,SIS User ID,SIS Login ID(?:,Integration ID)?"
-                             r"(?:,Root Account)?|,SIS Login ID)?,Section,"),
-        broken_beginning=re.compile('\ufeff(?:"|LastName)'),
-        misread=re.compile(r"-?[0-9]{1,3}(?:,[0-9]{3})+"),
-    ),),
+    downloads=(
+        Download(
+            keys=(Key("id", ("SIS User ID",)), Key("login", ("SIS Login ID",))),
+            item=re.compile(r"(?P<title>.*)\s\([0-9]+\)"),
+            not_item=_IGNORED,
+            maximum_row=re.compile(r".*Points Possible"),
+            read_only=re.compile(r"read\s+only"),
+            skipped_row=re.compile(
+                r"\s*(?:(?:Muted|Manual Posting.*)?\s*$|.*Points Possible)", re.IGNORECASE
+            ),
+            closed={"EX": "is excused there", "N/A": "is not assigned there"},
+            encodings=("UTF-8",),
+            beginning=re.compile(
+                r"(?:Student|LastName,FirstName),ID(?:,SIS User ID,SIS Login ID(?:,Integration ID)?"
+                r"(?:,Root Account)?|,SIS Login ID)?,Section,"
+            ),
+            broken_beginning=re.compile('\ufeff(?:"|LastName)'),
+            misread=re.compile(r"-?[0-9]{1,3}(?:,[0-9]{3})+"),
+        ),
+    ),
     new_file=NewFile(
-        columns=(Column("Student", "name and id"), Column("ID", "fixed"), Column("SIS User ID", "id"),
-                 Column("SIS Login ID", "login"), Column("Section", "fixed"), Column("{title}", "grade")),
+        columns=(
+            Column("Student", "name and id"),
+            Column("ID", "fixed"),
+            Column("SIS User ID", "id"),
+            Column("SIS Login ID", "login"),
+            Column("Section", "fixed"),
+            Column("{title}", "grade"),
+        ),
         key="id",
         keeps_keys=True,
-        unfit=((_IGNORED, "Canvas ignores every column with these words"),
-               (re.compile(r"\s\([0-9]+\)$"), "Canvas takes the number at its end for the id of an assignment; "
-                                              "give the header of an existing one by --column")),
+        unfit=(
+            (_IGNORED, "Canvas ignores every column with these words"),
+            (
+                re.compile(r"\s\([0-9]+\)$"),
+                "Canvas takes the number at its end for the id of an assignment; "
+                "give the header of an existing one by --column",
+            ),
+        ),
     ),
 )

@@ -71,13 +71,17 @@ def read_cells(path: Path) -> CellTable:
     """Reads a file to change single cells of it; raises TableError for one that could not be written back as it is."""
     told = read_table(path)  # finds encoding and separator, refuses what is no table
     if told.encoding == _UNTOLD:
-        raise TableError(f"{path.name}: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030 - "
-                         "download it again")
+        raise TableError(
+            f"{path.name}: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030 - "
+            "download it again"
+        )
     content = path.read_bytes()
     text = content.decode(told.encoding)
     if text.encode(told.encoding) != content:
-        raise TableError(f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - expected "
-                         "the file as it was downloaded - download it again")
+        raise TableError(
+            f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - expected "
+            "the file as it was downloaded - download it again"
+        )
     header, *rows = _records(path.name, text, told.separator)
     faults = list(_ragged(path.name, header, rows))
     if faults:
@@ -104,8 +108,10 @@ def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cel
         found = shape.match(text, place)
         if not found:
             shown = one_line(text[place : place + 30])
-            raise TableError(f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - expected "
-                             "the file as it was downloaded - download it again")
+            raise TableError(
+                f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - expected "
+                "the file as it was downloaded - download it again"
+            )
         content = found["plain"] if found["quoted"] is None else found["quoted"].replace('""', '"')
         cells.append(Cell(content, place, found.start("end")))
         line += len(re.findall(r"\r\n|\r|\n", found[0]))
@@ -119,5 +125,7 @@ def _ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
     width = len(header.cells)
     for row in rows:
         if len(row.cells) != width:
-            yield (f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected the same number on "
-                   "every line - download the file again and leave it as it is")
+            yield (
+                f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected the same number on "
+                "every line - download the file again and leave it as it is"
+            )

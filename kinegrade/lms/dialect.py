@@ -13,7 +13,9 @@ from fractions import Fraction
 from typing import Literal
 
 Field = Literal["id", "login", "email"]
-Role = Literal["id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"]
+Role = Literal[
+    "id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"
+]
 FIELDS: tuple[Field, ...] = ("id", "login", "email")
 
 

@@ -65,17 +65,22 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     changes, closed = _changes(task, rows, matching, graded, grades)
     complaints = (*matching.complaints, *closed, *_misread(task, rows))
     if not changes:
-        raise TableError(f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
-                         f"name another file or other keys (--by){_unknown_addresses(keys, grades)}",
-                         *map(str, complaints[:20]))
+        raise TableError(
+            f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
+            f"name another file or other keys (--by){_unknown_addresses(keys, grades)}",
+            *map(str, complaints[:20]),
+        )
     return Filled(_content(task, changes), _count(rows, changes), complaints)
 
 
 def _unknown_addresses(keys: Sequence[KeyColumn], grades: ClassGrades) -> str:
     """What else may help where people are known by addresses, and nobody's is known."""
     by_address = any(column.key.field == "email" for column in keys)
-    return ", or the exam that knows the addresses (--exam)" if by_address and not any(
-        each.email for each in grades.students) else ""
+    return (
+        ", or the exam that knows the addresses (--exam)"
+        if by_address and not any(each.email for each in grades.students)
+        else ""
+    )
 
 
 def _download(dialect: Dialect, table: CellTable) -> Download:
@@ -84,24 +89,34 @@ def _download(dialect: Dialect, table: CellTable) -> Download:
         if titles.issuperset(download.required):
             return download
     if not dialect.downloads:
-        raise TableError(f"--into: {dialect.name} has no file of its own to be filled in - expected a system that has "
-                         "- leave --into out")
+        raise TableError(
+            f"--into: {dialect.name} has no file of its own to be filled in - expected a system that has "
+            "- leave --into out"
+        )
     expected = " or ".join(", ".join(download.required) for download in dialect.downloads)
-    raise TableError(f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download it "
-                     "again")
+    raise TableError(
+        f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download it "
+        "again"
+    )
 
 
 def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -> None:
     faults = []
     if download.encodings and table.encoding not in download.encodings:
-        faults.append(f"{table.file}: is {table.encoding} - expected {' or '.join(download.encodings)}, or "
-                      f"{dialect.name} refuses it - download it again and do not save it from a spreadsheet")
+        faults.append(
+            f"{table.file}: is {table.encoding} - expected {' or '.join(download.encodings)}, or "
+            f"{dialect.name} refuses it - download it again and do not save it from a spreadsheet"
+        )
     if download.beginning and not download.beginning.match(f"{','.join(table.titles)},"):
-        faults.append(f"{table.file}: its columns begin {', '.join(table.titles[:6])} - expected those of "
-                      f"{dialect.name}, in their order - download it again")
+        faults.append(
+            f"{table.file}: its columns begin {', '.join(table.titles[:6])} - expected those of "
+            f"{dialect.name}, in their order - download it again"
+        )
     if download.broken_beginning and download.broken_beginning.match(table.text):
-        faults.append(f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - expected none "
-                      "before such a header - download it again")
+        faults.append(
+            f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - expected none "
+            "before such a header - download it again"
+        )
     if faults:
         raise TableError(*faults)
 
@@ -112,25 +127,36 @@ def _key_columns(
     keys = [key for key in download.keys if not options.by or key.field in options.by]
     columns = []
     for key in keys:
-        titles = {key.position} if key.position is not None else {
-            place for place, title in enumerate(table.titles) if title in key.headers}
+        titles = (
+            {key.position}
+            if key.position is not None
+            else {place for place, title in enumerate(table.titles) if title in key.headers}
+        )
         columns += [KeyColumn(key, place) for place in sorted(titles)]
     if columns:
         return columns
     known = ", ".join(title for key in keys for title in key.headers) or "none"
-    raise TableError(f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
-                     "download it with ids, or choose other keys by --by")
+    raise TableError(
+        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
+        "download it with ids, or choose other keys by --by"
+    )
 
 
 def _feedback(
-    dialect: Dialect, download: Download, table: CellTable, columns: Mapping[str, ItemColumn], options: ExportOptions
+    dialect: Dialect,
+    download: Download,
+    table: CellTable,
+    columns: Mapping[str, ItemColumn],
+    options: ExportOptions,
 ) -> Mapping[int, bool]:
     if options.feedback is False:
         return {}
     places = feedback_places(table, download.channel, columns)
     if places is None and options.feedback:
-        raise TableError(f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} has it "
-                         "- download the file with feedback, or leave --feedback out")
+        raise TableError(
+            f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} has it "
+            "- download the file with feedback, or leave --feedback out"
+        )
     return places or {}
 
 
@@ -139,8 +165,13 @@ def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:
     faults = [
         fault
         for item, column in task.columns.items()
-        for fault in maximum_faults(f'{task.table.file}: "{one_line(column.header)}"', item, students, column.maximum,
-                                    task.options)
+        for fault in maximum_faults(
+            f'{task.table.file}: "{one_line(column.header)}"',
+            item,
+            students,
+            column.maximum,
+            task.options,
+        )
     ]
     if faults:
         raise TableError(*dict.fromkeys(faults))
@@ -177,22 +208,36 @@ def _locked(task: _Task, row: Record) -> str:
     """Why the system would pass over a whole row; "" where it would not."""
     header, text = task.download.locked
     places = [place for place, title in enumerate(task.table.titles) if title == header != ""]
-    return f'has "{text}" under "{header}"' if any(trimmed(row.cells[place].text) == text for place in places) else ""
+    return (
+        f'has "{text}" under "{header}"'
+        if any(trimmed(row.cells[place].text) == text for place in places)
+        else ""
+    )
 
 
-def _comments(task: _Task, row: Record, grade: StudentGrade, grades: ClassGrades) -> dict[Cell, str]:
+def _comments(
+    task: _Task, row: Record, grade: StudentGrade, grades: ClassGrades
+) -> dict[Cell, str]:
     channel = task.download.channel
     if channel is None:
         return {}
     text = feedback_text(grade, grades.questions)
     shown = escape(text, quote=False) if channel.html else text
-    return {row.cells[place]: channel.format_text if is_format else shown for place, is_format in task.feedback.items()}
+    return {
+        row.cells[place]: channel.format_text if is_format else shown
+        for place, is_format in task.feedback.items()
+    }
 
 
-def _closed(task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: str) -> Complaint:
+def _closed(
+    task: _Task, row: Record, column: ItemColumn, grade: StudentGrade, reason: str
+) -> Complaint:
     problem = f'student "{one_line(grade.student)}" {reason} ({row.cells[column.place].text})'
-    done = f"left as it is; {task.written(grade, next(iter(task.columns)))} would be the grade" \
-        if len(task.columns) == 1 else "left as it is"
+    done = (
+        f"left as it is; {task.written(grade, next(iter(task.columns)))} would be the grade"
+        if len(task.columns) == 1
+        else "left as it is"
+    )
     return Complaint(task.table.file, row.line, column.header, grade.student, problem, done)
 
 
@@ -203,17 +248,32 @@ def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
     keys = {title for key in task.download.keys for title in key.headers}
     for row in rows if shape else ():
         for place, cell in enumerate(row.cells):
-            if shape and place not in places and task.table.titles[place] not in keys and shape.fullmatch(cell.text):
-                problem = f'{task.dialect.name} reads "{cell.text}" as {cell.text.replace(",", ".", 1)}'
-                yield Complaint(task.table.file, row.line, task.table.titles[place], cell.text, problem,
-                                "left as it is; correct it before you import")
+            if (
+                shape
+                and place not in places
+                and task.table.titles[place] not in keys
+                and shape.fullmatch(cell.text)
+            ):
+                problem = (
+                    f'{task.dialect.name} reads "{cell.text}" as {cell.text.replace(",", ".", 1)}'
+                )
+                yield Complaint(
+                    task.table.file,
+                    row.line,
+                    task.table.titles[place],
+                    cell.text,
+                    problem,
+                    "left as it is; correct it before you import",
+                )
 
 
 def _content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
     content, most = task.table.with_cells(changes), task.download.most_bytes
     if most is not None and len(content) > most:
-        raise TableError(f"{task.table.file}: {len(content)} bytes - expected at most {most}, or {task.dialect.name} "
-                         "refuses it - split the file")
+        raise TableError(
+            f"{task.table.file}: {len(content)} bytes - expected at most {most}, or {task.dialect.name} "
+            "refuses it - split the file"
+        )
     return content
 
 

@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.errors import TableError, one_line
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
 from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, decimal_text, feedback_text
 from kinegrade.lms.item_columns import item_title, items_of, number
 from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
-from kinegrade.tables import Complaint, csv_text, trimmed
+from kinegrade.tables import Complaint, trimmed
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,24 +58,38 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
 def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
     layout = dialect.new_file
     if layout is None:
-        raise TableError(f"{dialect.name}: its rows are known by numbers that only it gives - expected its own file to "
-                         "fill in - download it there and name it by --into")
+        raise TableError(
+            f"{dialect.name}: its rows are known by numbers that only it gives - expected its own file to "
+            "fill in - download it there and name it by --into"
+        )
     if len(options.by) > 1:
-        raise TableError(f"--by: {', '.join(options.by)} - expected one key for a new file - choose one")
+        raise TableError(
+            f"--by: {', '.join(options.by)} - expected one key for a new file - choose one"
+        )
     key = options.by[0] if options.by else layout.key
     if key not in {column.role for column in layout.columns}:
         known = ", ".join(column.role for column in layout.columns if column.role in FIELDS)
-        raise TableError(f"--by: {dialect.name} does not know people by {key} - expected another key - choose one of: "
-                         f"{known}")
-    if options.feedback and (options.per_question or not any(each.role == "feedback" for each in layout.columns)):
+        raise TableError(
+            f"--by: {dialect.name} does not know people by {key} - expected another key - choose one of: "
+            f"{known}"
+        )
+    if options.feedback and (
+        options.per_question or not any(each.role == "feedback" for each in layout.columns)
+    ):
         what = "with --per-question" if options.per_question else "in this file"
-        raise TableError(f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it - leave "
-                         "--feedback out")
+        raise TableError(
+            f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it - leave "
+            "--feedback out"
+        )
     return layout
 
 
 def _plan(
-    dialect: Dialect, layout: NewFile, grades: ClassGrades, students: Sequence[StudentGrade], options: ExportOptions
+    dialect: Dialect,
+    layout: NewFile,
+    grades: ClassGrades,
+    students: Sequence[StudentGrade],
+    options: ExportOptions,
 ) -> _Plan:
     key = options.by[0] if options.by else layout.key
     title = options.title or layout.title or grades.title
@@ -87,15 +102,25 @@ def _plan(
         faults += maximum_faults(where, item, students, stated[item], options)
     targets = {item: target_maximum(stated[item], options) for item in items}
     maxima = {item: _maximum(students, item, targets[item]) for item in items}
-    faults += [f'"{one_line(item_title(title, item))}": not everybody could get the same points - expected one maximum '
-               "- say it by --maximum" for item in items if len(maxima[item]) > 1 and _states(layout)]
+    faults += [
+        f'"{one_line(item_title(title, item))}": not everybody could get the same points - expected one maximum '
+        "- say it by --maximum"
+        for item in items
+        if len(maxima[item]) > 1 and _states(layout)
+    ]
     if faults:
         raise TableError(*dict.fromkeys(faults))
     kept = [column for column in layout.columns if _is_kept(column, layout, key, options)]
     columns = tuple(
-        (column, headers.get(item) or _header(column, item_title(title, item), maxima.get(item, set())), item)
-        if column.role == "grade" else (column, _header(column, title, set()), TOTAL)
-        for column in kept for item in (items if column.role == "grade" else (TOTAL,))
+        (
+            column,
+            headers.get(item) or _header(column, item_title(title, item), maxima.get(item, set())),
+            item,
+        )
+        if column.role == "grade"
+        else (column, _header(column, title, set()), TOTAL)
+        for column in kept
+        for item in (items if column.role == "grade" else (TOTAL,))
     )
     return _Plan(dialect, layout, columns, targets, key, grades.questions)
 
@@ -105,14 +130,18 @@ def _header(column: Column, title: str, maxima: set[Fraction]) -> str:
     return column.header.replace("{maximum}", maximum).replace("{title}", title)
 
 
-def _title_faults(dialect: Dialect, layout: NewFile, title: str, headers: Mapping[str, str]) -> Iterator[str]:
+def _title_faults(
+    dialect: Dialect, layout: NewFile, title: str, headers: Mapping[str, str]
+) -> Iterator[str]:
     if layout.header_needed:
         for item, header in headers.items():
             shapes = [download.item for download in dialect.downloads]
             if not any(shape.fullmatch(header) for shape in shapes):
                 way = f"--column {item}=HEADER" if item else "--column HEADER"
-                yield (f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - expected it with '
-                       f"the id that only {dialect.name} gives - copy it from a download and give it by {way}")
+                yield (
+                    f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - expected it with '
+                    f"the id that only {dialect.name} gives - copy it from a download and give it by {way}"
+                )
         return
     if all(headers.values()):
         return
@@ -179,4 +208,7 @@ def _keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint
 
 def _quoted(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Every cell in quotation marks."""
-    return "".join(",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n" for line in (header, *rows))
+    return "".join(
+        ",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n"
+        for line in (header, *rows)
+    )

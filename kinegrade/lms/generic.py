@@ -11,8 +11,13 @@ GENERIC = Dialect(
     name="the generic sheet",
     places=4,
     new_file=NewFile(
-        columns=(Column("学号", "id"), Column("邮箱", "email"), Column("姓名", "name"), Column("{title}", "grade"),
-                 Column("评语", "feedback")),
+        columns=(
+            Column("学号", "id"),
+            Column("邮箱", "email"),
+            Column("姓名", "name"),
+            Column("{title}", "grade"),
+            Column("评语", "feedback"),
+        ),
         key="id",
         title="成绩",
         mark=True,

@@ -18,8 +18,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.tables import Row, Table, read_table, restored, trimmed, written_records
+from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 
 Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
 TOTAL = ""  # the item that is the sum of all questions
@@ -84,8 +85,10 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     >>> feedback_text(StudentGrade("7", "", "", {"q1": Fraction(5, 2)}, {"q1": Fraction(4)}, True), ("q1",))
     'q1: 2.5/4'
     """
-    parts = [f"{name}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
-             for name in questions]
+    parts = [
+        f"{name}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
+        for name in questions
+    ]
     return "; ".join(parts)
 
 
@@ -105,7 +108,9 @@ def _table(path: Path, columns: tuple[str, ...]) -> Table:
     missing = [name for name in columns if name not in table.header]
     if missing or table.complaints:
         problems = [*(f"no column {name}" for name in missing), *map(str, table.complaints)]
-        raise TableError(f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again")
+        raise TableError(
+            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again"
+        )
     return table
 
 
@@ -117,7 +122,9 @@ def _amount(table: Table, row: Row, name: str) -> Fraction:
 
 
 def _no_amount(place: str, name: str, cell: str) -> TableError:
-    return TableError(f'{place}: {name} is "{one_line(cell[:40])}" - expected a number - grade again')
+    return TableError(
+        f'{place}: {name} is "{one_line(cell[:40])}" - expected a number - grade again'
+    )
 
 
 def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]:
@@ -159,7 +166,14 @@ def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
         raise ExamError(f"{path}: is broken ({type(fault).__name__}) - {_MENDING}") from fault
     strangers = [each.student for each in grades.students if each.student not in emails]
     if strangers:
-        raise ExamError(f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not there) '
-                        "- expected the exam by which these marks were made - name that folder")
-    return replace(grades, title=" ".join(title.split()),
-                   students=tuple(replace(each, email=trimmed(emails[each.student])) for each in grades.students))
+        raise ExamError(
+            f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not there) '
+            "- expected the exam by which these marks were made - name that folder"
+        )
+    return replace(
+        grades,
+        title=" ".join(title.split()),
+        students=tuple(
+            replace(each, email=trimmed(emails[each.student])) for each in grades.students
+        ),
+    )

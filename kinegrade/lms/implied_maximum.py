@@ -20,7 +20,11 @@ def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | N
     >>> implied_maximum([(Fraction("2.94"), Fraction("29.41"))])
     Fraction(10, 1)
     """
-    told = [(points, share) for points, share in grades if points > HALF_A_PLACE and share > HALF_A_PLACE]
+    told = [
+        (points, share)
+        for points, share in grades
+        if points > HALF_A_PLACE and share > HALF_A_PLACE
+    ]
     if not told:
         return None
     least = max(100 * (points - HALF_A_PLACE) / (share + HALF_A_PLACE) for points, share in told)

@@ -39,7 +39,11 @@ def item_title(title: str, item: str) -> str:
 
 
 def item_columns(
-    table: CellTable, dialect: Dialect, download: Download, grades: ClassGrades, options: ExportOptions
+    table: CellTable,
+    dialect: Dialect,
+    download: Download,
+    grades: ClassGrades,
+    options: ExportOptions,
 ) -> Mapping[str, ItemColumn]:
     """The column of each item. Raises TableError where none or several could be meant."""
     chooser = _Chooser(table, dialect, download, _candidates(table, download))
@@ -51,9 +55,12 @@ def item_columns(
         except TableError as fault:
             faults += fault.problems
     headers = [column.header for column in chosen.values()]
-    faults += [f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected one for each '
-               "- name them by --column QUESTION=HEADER"
-               for header in sorted(set(headers)) if headers.count(header) > 1]
+    faults += [
+        f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected one for each '
+        "- name them by --column QUESTION=HEADER"
+        for header in sorted(set(headers))
+        if headers.count(header) > 1
+    ]
     if faults:
         raise TableError(*faults)
     return chosen
@@ -69,7 +76,9 @@ def feedback_places(
     places = [place for place, title in enumerate(table.titles) if title in wanted]
     if len(places) != 1:
         return None
-    formats = [place for place, title in enumerate(table.titles) if title == channel.format_header != ""]
+    formats = [
+        place for place, title in enumerate(table.titles) if title == channel.format_header != ""
+    ]
     return {places[0]: False, **dict.fromkeys(formats, True)}
 
 
@@ -79,14 +88,23 @@ def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
     for place, header in enumerate(table.titles):
         shape = download.item.fullmatch(header)
         told = trimmed(row.cells[place].text) if row else ""
-        if (place < download.first_item or shape is None
-                or (download.not_item and download.not_item.search(header))
-                or (download.read_only and download.read_only.search(told))):
+        if (
+            place < download.first_item
+            or shape is None
+            or (download.not_item and download.not_item.search(header))
+            or (download.read_only and download.read_only.search(told))
+        ):
             continue
         maximum = shape.groupdict().get("maximum") or told or _same_everywhere(table, download)
         stated = number(maximum)
-        found.append(ItemColumn(place, header, shape["title"],
-                                _implied(table, download, place, shape["title"]) if stated is None else stated))
+        found.append(
+            ItemColumn(
+                place,
+                header,
+                shape["title"],
+                _implied(table, download, place, shape["title"]) if stated is None else stated,
+            )
+        )
     return found
 
 
@@ -96,9 +114,16 @@ def _implied(table: CellTable, download: Download, place: int, title: str) -> Fr
     others = [other for other, header in enumerate(table.titles) if header in headers]
     if len(others) != 1:
         return None
-    pairs = ((number(trimmed(row.cells[place].text)), number(trimmed(row.cells[others[0]].text.replace("%", ""))))
-             for row in table.rows)
-    return implied_maximum((points, share) for points, share in pairs if points is not None and share is not None)
+    pairs = (
+        (
+            number(trimmed(row.cells[place].text)),
+            number(trimmed(row.cells[others[0]].text.replace("%", ""))),
+        )
+        for row in table.rows
+    )
+    return implied_maximum(
+        (points, share) for points, share in pairs if points is not None and share is not None
+    )
 
 
 def _maximum_row(table: CellTable, download: Download) -> Record | None:
@@ -122,7 +147,11 @@ def number(text: str) -> Fraction | None:
     (Fraction(21, 2), None)
     """
     digits = text.replace(",", ".", 1)
-    return Fraction(digits) if digits.replace(".", "", 1).isascii() and digits.replace(".", "", 1).isdigit() else None
+    return (
+        Fraction(digits)
+        if digits.replace(".", "", 1).isascii() and digits.replace(".", "", 1).isdigit()
+        else None
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,13 +175,16 @@ class _Chooser:
         if len(fits) == 1:
             return fits[0]
         way = f"--column {item}=HEADER" if item else "--column HEADER"
-        raise TableError(f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name it by "
-                         f"{way} (grade columns here: {self.listing()})")
+        raise TableError(
+            f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name it by "
+            f"{way} (grade columns here: {self.listing()})"
+        )
 
     def named(self, header: str) -> ItemColumn:
         """The column of that header or title."""
-        fits = ([each for each in self.candidates if each.header == header]
-                or [each for each in self.candidates if each.title == header])
+        fits = [each for each in self.candidates if each.header == header] or [
+            each for each in self.candidates if each.title == header
+        ]
         places = [place for place, title in enumerate(self.table.titles) if title == header]
         keys = {title for key in self.download.keys for title in key.headers}
         if not fits and self.download.any_item and header not in keys:
@@ -161,12 +193,18 @@ class _Chooser:
             return fits[0]
         where, shown = self.table.file, one_line(header)
         if fits:
-            raise TableError(f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the items')
+            raise TableError(
+                f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the items'
+            )
         if places:
-            raise TableError(f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - expected '
-                             f"one that is - name another (grade columns here: {self.listing()})")
-        raise TableError(f'{where}: no column "{shown}" - expected one of the file - '
-                         + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles))
+            raise TableError(
+                f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - expected '
+                f"one that is - name another (grade columns here: {self.listing()})"
+            )
+        raise TableError(
+            f'{where}: no column "{shown}" - expected one of the file - '
+            + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles)
+        )
 
     def listing(self) -> str:
         """The columns that could be meant."""

@@ -54,7 +54,10 @@ class Matching:
 
 
 def match(
-    table: CellTable, rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade],
+    table: CellTable,
+    rows: Sequence[Record],
+    columns: Sequence[KeyColumn],
+    students: Sequence[StudentGrade],
     graded: Iterable[str],
 ) -> Matching:
     """Matches students with the rows of a file; only `graded` ones are missed where they have no row."""
@@ -64,15 +67,25 @@ def match(
         for line in claims[grade.student]:
             claimants[line].append(grade)
     unclear = {line for line, own in claimants.items() if len(own) > 1}
-    sure = {line: own[0] for line, own in claimants.items()
-            if line not in unclear and len(claims[own[0].student]) == 1}
+    sure = {
+        line: own[0]
+        for line, own in claimants.items()
+        if line not in unclear and len(claims[own[0].student]) == 1
+    }
     free = [row for row in rows if row.line not in claimants]
     wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
     complaints = [
-        *(_ambiguous(table, columns, each, claims[each.student]) for each in students if len(claims[each.student]) > 1),
+        *(
+            _ambiguous(table, columns, each, claims[each.student])
+            for each in students
+            if len(claims[each.student]) > 1
+        ),
         *(_contested(table, line, claimants[line]) for line in sorted(unclear)),
-        *(_missing(table, columns, each, alike) for each in students
-          if not claims[each.student] and each.student in wanted),
+        *(
+            _missing(table, columns, each, alike)
+            for each in students
+            if not claims[each.student] and each.student in wanted
+        ),
         *_strangers(table, columns, free),
     ]
     return Matching(sure, tuple(complaints))
@@ -90,8 +103,12 @@ def _claims(
         lines.append(found)
     claims = {}
     for grade in students:
-        own = {line for column, found in zip(columns, lines, strict=True) if column.wanted(grade)
-               for line in found.get(column.wanted(grade), ())}
+        own = {
+            line
+            for column, found in zip(columns, lines, strict=True)
+            if column.wanted(grade)
+            for line in found.get(column.wanted(grade), ())
+        }
         claims[grade.student] = tuple(sorted(own))
     return claims
 
@@ -101,12 +118,16 @@ def _ambiguous(
 ) -> Complaint:
     places = " and ".join(map(str, lines))
     problem = f'student "{one_line(grade.student)}" is found on lines {places} by {_names(table, columns)}'
-    return Complaint(table.file, lines[0], "", grade.student, problem, "none of these lines was changed")
+    return Complaint(
+        table.file, lines[0], "", grade.student, problem, "none of these lines was changed"
+    )
 
 
 def _contested(table: CellTable, line: int, students: Sequence[StudentGrade]) -> Complaint:
     who = " and ".join(f'"{one_line(each.student)}"' for each in students)
-    return Complaint(table.file, line, "", "", f"is the row of students {who} alike", "the line was not changed")
+    return Complaint(
+        table.file, line, "", "", f"is the row of students {who} alike", "the line was not changed"
+    )
 
 
 def _missing(
@@ -130,7 +151,9 @@ class _Alike:
             self.folded[_folded(cell)].append(row)
             found = _CUT_NUMBER.fullmatch(cell)
             if found:
-                self.cut[len(found[2] or "")][f"{found[1]}.{found[2] or ''}E+{int(found[3])}"].append(row)
+                self.cut[len(found[2] or "")][
+                    f"{found[1]}.{found[2] or ''}E+{int(found[3])}"
+                ].append(row)
 
     def hints(self, grade: StudentGrade) -> Iterator[str]:
         """What a person may look at to find the row of a student."""
@@ -142,8 +165,10 @@ class _Alike:
         for digits, rows in self.cut.items():
             whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
             for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
-                yield (f"{self._shown(row)}, a number that a spreadsheet has cut: download the file again and leave it "
-                       "as it is")
+                yield (
+                    f"{self._shown(row)}, a number that a spreadsheet has cut: download the file again and leave it "
+                    "as it is"
+                )
 
     def _shown(self, row: Record) -> str:
         cell = one_line(trimmed(row.cells[self.column.place].text)[:60])
@@ -158,16 +183,26 @@ def _folded(text: str) -> str:
     return trimmed(inner).casefold().removesuffix(".0").lstrip("0")
 
 
-def _strangers(table: CellTable, columns: Sequence[KeyColumn], free: Sequence[Record]) -> Iterator[Complaint]:
+def _strangers(
+    table: CellTable, columns: Sequence[KeyColumn], free: Sequence[Record]
+) -> Iterator[Complaint]:
     for row in free:
         shown = ", ".join(
             f'{table.titles[place]} "{one_line(trimmed(row.cells[place].text)[:60])}"'
             for place in sorted({column.place for column in columns})
         )
-        yield Complaint(table.file, row.line, "", shown, f"nobody of the marked class has {shown}",
-                        "the line was not changed")
+        yield Complaint(
+            table.file,
+            row.line,
+            "",
+            shown,
+            f"nobody of the marked class has {shown}",
+            "the line was not changed",
+        )
 
 
 def _names(table: CellTable, columns: Sequence[KeyColumn]) -> str:
     """The titles of the key columns."""
-    return " or ".join(table.titles[place] for place in sorted({column.place for column in columns}))
+    return " or ".join(
+        table.titles[place] for place in sorted({column.place for column in columns})
+    )

@@ -27,24 +27,37 @@ def scaled(grade: StudentGrade, item: str, target: Fraction | None) -> Fraction:
 
 
 def maximum_faults(
-    where: str, item: str, students: Iterable[StudentGrade], stated: Fraction | None, options: ExportOptions
+    where: str,
+    item: str,
+    students: Iterable[StudentGrade],
+    stated: Fraction | None,
+    options: ExportOptions,
 ) -> list[str]:
     """Why the grades of an item cannot be written as they are, one line for each reason."""
     faults: list[str] = []
     target = target_maximum(stated, options)
     if options.maximum is not None and stated not in (None, options.maximum):
-        faults.append(f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - expected "
-                      "the same - leave --maximum out, or correct the item")
+        faults.append(
+            f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - expected "
+            "the same - leave --maximum out, or correct the item"
+        )
     elif options.scale and target is None:
-        faults.append(f"{where}: states no maximum - expected one to scale to - say what the item counts by --maximum")
+        faults.append(
+            f"{where}: states no maximum - expected one to scale to - say what the item counts by --maximum"
+        )
     graded = tuple(students)
     others = sorted({each.out_of[item] for each in graded} - {stated})
     if stated is not None and target is None and others:
-        faults.append(f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected the same "
-                      "- add --scale to scale the grades, or correct the item")
-    faults += (f'student "{each.student}": {_shown(each.points[item])} points of {_shown(each.out_of[item])} - '
-               "expected no more than there are, or an import is refused - correct the policy and grade again"
-               for each in graded if each.points[item] > each.out_of[item])
+        faults.append(
+            f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected the same "
+            "- add --scale to scale the grades, or correct the item"
+        )
+    faults += (
+        f'student "{each.student}": {_shown(each.points[item])} points of {_shown(each.out_of[item])} - '
+        "expected no more than there are, or an import is refused - correct the policy and grade again"
+        for each in graded
+        if each.points[item] > each.out_of[item]
+    )
     return faults
 
 

@@ -38,12 +38,20 @@ MOODLE = Dialect(
             item=re.compile(r"(?P<title>.*) \((?:Real|Punkte|分数)\)"),
             any_item=True,
             percentages=("{title} (Percentage)", "{title} (Prozentsatz)", "{title} (百分比)"),
-            channel=Channel(("{title} (Feedback)", "{title} (Rückmeldung)", "{title} (反馈)"), html=True),
+            channel=Channel(
+                ("{title} (Feedback)", "{title} (Rückmeldung)", "{title} (反馈)"), html=True
+            ),
         ),
     ),
     new_file=NewFile(
-        columns=(Column("ID number", "id"), Column("Email address", "email"), Column("Username", "login"),
-                 Column("Full name", "name"), Column("{title}", "grade"), Column("Feedback", "feedback", "html")),
+        columns=(
+            Column("ID number", "id"),
+            Column("Email address", "email"),
+            Column("Username", "login"),
+            Column("Full name", "name"),
+            Column("{title}", "grade"),
+            Column("Feedback", "feedback", "html"),
+        ),
         key="id",
         title="Grade",
     ),

@@ -13,19 +13,32 @@ from kinegrade.lms.dialect import Channel, Column, Dialect, Download, Key, NewFi
 SAKAI = Dialect(
     name="Sakai",
     places=2,
-    downloads=(Download(
-        keys=(Key("login", position=0), Key("id", position=0)),
-        item=re.compile(r"(?P<title>[^#*\[][^\[]*?)\s*(?:\[(?P<maximum>[0-9]+(?:[.,][0-9]{1,2})?)\])?"),
-        first_item=2,
-        channel=Channel(("* {title}",)),
-        decimal_comma_with_semicolon=True,
-    ),),
+    downloads=(
+        Download(
+            keys=(Key("login", position=0), Key("id", position=0)),
+            item=re.compile(
+                r"(?P<title>[^#*\[][^\[]*?)\s*(?:\[(?P<maximum>[0-9]+(?:[.,][0-9]{1,2})?)\])?"
+            ),
+            first_item=2,
+            channel=Channel(("* {title}",)),
+            decimal_comma_with_semicolon=True,
+        ),
+    ),
     new_file=NewFile(
-        columns=(Column("Student ID", "login"), Column("Student Name", "name"),
-                 Column("{title} [{maximum}]", "grade"), Column("* {title}", "feedback")),
+        columns=(
+            Column("Student ID", "login"),
+            Column("Student Name", "name"),
+            Column("{title} [{maximum}]", "grade"),
+            Column("* {title}", "feedback"),
+        ),
         key="login",
         mark=True,
-        unfit=((re.compile(r"\["), "Sakai reads what follows [ as the points"),
-               (re.compile(r"\s*[#*]"), "Sakai reads # and * at the beginning as signs of other columns")),
+        unfit=(
+            (re.compile(r"\["), "Sakai reads what follows [ as the points"),
+            (
+                re.compile(r"\s*[#*]"),
+                "Sakai reads # and * at the beginning as signs of other columns",
+            ),
+        ),
     ),
 )

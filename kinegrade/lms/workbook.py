@@ -18,11 +18,26 @@ from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
-from kinegrade.tables import Table, read_table, restored
+from kinegrade.csv_writing import restored
+from kinegrade.tables import Table, read_table
 
 _FILES = ("grades", "marks", "complaints")
-_TEXTS = {"student", "name", "question", "ask", "response", "read_as", "unit", "verdict", "reason", "file", "column",
-          "content", "problem", "done"}
+_TEXTS = {
+    "student",
+    "name",
+    "question",
+    "ask",
+    "response",
+    "read_as",
+    "unit",
+    "verdict",
+    "reason",
+    "file",
+    "column",
+    "content",
+    "problem",
+    "done",
+}
 _NUMBER = re.compile(r"[0-9]{1,15}(?:\.[0-9]{1,15})?")
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 _TIME = re.compile(rb">[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z<")
@@ -77,7 +92,9 @@ def _write(sheet: Worksheet, line: int, place: int, title: str, text: str) -> No
         sheet.cell(line, place, float(text) if "." in text else int(text))
         return
     cell = _text_cell(sheet, line, place, text if title == "student" else restored(text))
-    cell.number_format = _TEXT_FORMAT  # or a spreadsheet would make a formula of =1+1 when the cell is edited
+    cell.number_format = (
+        _TEXT_FORMAT  # or a spreadsheet would make a formula of =1+1 when the cell is edited
+    )
 
 
 def _text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:

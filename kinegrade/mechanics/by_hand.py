@@ -65,7 +65,9 @@ class WrittenFrames(Frames):
         """All terms of relations and bases."""
         chains = [side for relation in self.relations for side in (relation.left, relation.right)]
         for terms in (*chains, *(base.chain for base in self.bases.values())):
-            yield from (term for term in terms if isinstance(term, WrittenTerm) and term.kind != "rotation")
+            yield from (
+                term for term in terms if isinstance(term, WrittenTerm) and term.kind != "rotation"
+            )
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,11 @@ class WrittenMotion(Motion):
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
         """Acceleration of `point` of `body` seen from `frame`, m/s^2."""
         term = self.frames.relative.get((point, frame))
-        return term.seen(self.rates, self.changes) if term else super().relative_acceleration(point, body, frame)
+        return (
+            term.seen(self.rates, self.changes)
+            if term
+            else super().relative_acceleration(point, body, frame)
+        )
 
 
 def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
@@ -93,26 +99,55 @@ def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
     if not motion.plan.steps:
         return motion
     relations = tuple(written_relation(relation, rounded) for relation in motion.frames.relations)
-    bases = {name: Base(base.point, written(base.chain, rounded), base.joint)
-             for name, base in motion.frames.bases.items()}
+    bases = {
+        name: Base(base.point, written(base.chain, rounded), base.joint)
+        for name, base in motion.frames.bases.items()
+    }
     equations = [relation.equations() for relation in relations]
-    rates = plans.run(motion.plan, equations, lambda index: relations[index].velocity_side(), rounded)
-    changes = plans.run(motion.plan, equations, lambda index: relations[index].acceleration_side(rates), rounded)
-    return WrittenMotion(WrittenFrames(motion.frames.mechanism, bases, relations, rounded=rounded), motion.plan, rates,
-                         changes)
+    rates = plans.run(
+        motion.plan, equations, lambda index: relations[index].velocity_side(), rounded
+    )
+    changes = plans.run(
+        motion.plan, equations, lambda index: relations[index].acceleration_side(rates), rounded
+    )
+    return WrittenMotion(
+        WrittenFrames(motion.frames.mechanism, bases, relations, rounded=rounded),
+        motion.plan,
+        rates,
+        changes,
+    )
 
 
 def written_relation(relation: Relation, rounded: Rounded) -> Relation:
     """The relation with its terms written down."""
-    return Relation(relation.origin, written(relation.left, rounded), written(relation.right, rounded),
-                    relation.along, relation.turning, relation.velocity, relation.acceleration, relation.frame)
+    return Relation(
+        relation.origin,
+        written(relation.left, rounded),
+        written(relation.right, rounded),
+        relation.along,
+        relation.turning,
+        relation.velocity,
+        relation.acceleration,
+        relation.frame,
+    )
 
 
 def written(terms: Chain, rounded: Rounded) -> Chain:
     """The terms with their arms written down."""
-    return tuple(term if isinstance(term, WrittenTerm) else
-                 WrittenTerm(term.kind, term.rate, write(term.vector, rounded), term.point, term.base, term.frame,
-                             rounded=rounded) for term in terms)
+    return tuple(
+        term
+        if isinstance(term, WrittenTerm)
+        else WrittenTerm(
+            term.kind,
+            term.rate,
+            write(term.vector, rounded),
+            term.point,
+            term.base,
+            term.frame,
+            rounded=rounded,
+        )
+        for term in terms
+    )
 
 
 def write(vector: Vector, rounded: Rounded) -> Vector:

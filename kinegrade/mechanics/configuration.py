@@ -29,7 +29,9 @@ from kinegrade.mechanics.mechanism import Mechanism
 def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
     """Raises MechanismError with every joint that names unknown things or does not fit the positions."""
     problems = list(unknown_names(mechanism)) or list(nonsense(mechanism))
-    problems = problems or [problem for joint in mechanism.joints for problem in misfits(mechanism, joint, arithmetic)]
+    problems = problems or [
+        problem for joint in mechanism.joints for problem in misfits(mechanism, joint, arithmetic)
+    ]
     if problems:
         raise MechanismError(*problems)
 
@@ -76,8 +78,12 @@ def nonsense(mechanism: Mechanism) -> Iterator[str]:
             yield f"{describe(part)}: the ground does not slide: name the moving body first"
         turning = names if isinstance(part, (Rotation, Parallel, Sleeve, Roll, Mesh)) else names[1:]
         if not isinstance(part, Pin):
-            yield from (f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or circle: "
-                        "give it two points" for name in turning if name in particles)
+            yield from (
+                f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or circle: "
+                "give it two points"
+                for name in turning
+                if name in particles
+            )
 
 
 def circles(part: Any) -> list[Circle]:
@@ -99,8 +105,9 @@ def misfits(mechanism: Mechanism, joint: Any, arithmetic: Any) -> Iterator[str]:
     if isinstance(joint, Slide) and off_line(mechanism, joint.point, joint.line, arithmetic):
         yield f"{describe(joint)}: {joint.point} does not lie on that line: check the construction of {joint.point}"
     if isinstance(joint, Arc):
-        yield from wrong_distance(mechanism, joint, (joint.point, joint.circle.centre), joint.circle.radius,
-                                  arithmetic)
+        yield from wrong_distance(
+            mechanism, joint, (joint.point, joint.circle.centre), joint.circle.radius, arithmetic
+        )
     if isinstance(joint, (Contact, Roll, Mesh)):
         yield from apart(mechanism, joint, arithmetic)
 
@@ -122,15 +129,20 @@ def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -
         return
     across = joint.on.direction.cross(mechanism.points[centre] - joint.on.point)
     if not arithmetic.is_zero(across * across - own * own * joint.on.direction.squared()):
-        yield (f"{describe(joint)}: the circle about {centre} of radius {short(own)} does not touch the line: "
-               "its centre must be a radius away")
+        yield (
+            f"{describe(joint)}: the circle about {centre} of radius {short(own)} does not touch the line: "
+            "its centre must be a radius away"
+        )
 
 
-def wrong_distance(mechanism: Mechanism, joint: Any, ends: tuple[str, str], expected: Any,
-                   arithmetic: Any) -> Iterator[str]:
+def wrong_distance(
+    mechanism: Mechanism, joint: Any, ends: tuple[str, str], expected: Any, arithmetic: Any
+) -> Iterator[str]:
     """Two points whose distance is not what the joint needs."""
     first, second = ends
     square = (mechanism.points[first] - mechanism.points[second]).squared()
     if not arithmetic.is_zero(square - expected * expected):
-        yield (f"{describe(joint)}: {first} and {second} are {short(size(square) ** 0.5)} apart: "
-               f"{short(abs(expected))} is needed")
+        yield (
+            f"{describe(joint)}: {first} and {second} are {short(size(square) ** 0.5)} apart: "
+            f"{short(abs(expected))} is needed"
+        )

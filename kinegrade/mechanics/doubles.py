@@ -24,26 +24,46 @@ def in_doubles(motion: Motion) -> MotionInDoubles:
     which are converted, say all that they state."""
     mechanism, frames = motion.frames.mechanism, motion.frames
     points = {name: double(point) for name, point in mechanism.points.items()}
-    bases = {name: Base(base.point, chain_in_doubles(base.chain), base.joint) for name, base in frames.bases.items()}
-    plain = Frames(Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers), bases,
-                   tuple(relation_in_doubles(relation) for relation in frames.relations))
+    bases = {
+        name: Base(base.point, chain_in_doubles(base.chain), base.joint)
+        for name, base in frames.bases.items()
+    }
+    plain = Frames(
+        Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers),
+        bases,
+        tuple(relation_in_doubles(relation) for relation in frames.relations),
+    )
     if not motion.plan.steps:  # a pose, of which no rate is known
         return MotionInDoubles(plain, motion.plan, motion.rates, motion.changes)
-    return MotionInDoubles(plain, motion.plan, {name: float(rate) for name, rate in motion.rates.items()},
-                           {name: float(change) for name, change in motion.changes.items()})
+    return MotionInDoubles(
+        plain,
+        motion.plan,
+        {name: float(rate) for name, rate in motion.rates.items()},
+        {name: float(change) for name, change in motion.changes.items()},
+    )
 
 
 def relation_in_doubles(relation: Relation) -> Relation:
     """A relation with its terms, direction, factors and imposed rates in doubles."""
-    return Relation(relation.origin, chain_in_doubles(relation.left), chain_in_doubles(relation.right),
-                    None if relation.along is None else double(relation.along),
-                    tuple((rate, float(factor)) for rate, factor in relation.turning),
-                    float(relation.velocity), float(relation.acceleration), relation.frame, relation.source)
+    return Relation(
+        relation.origin,
+        chain_in_doubles(relation.left),
+        chain_in_doubles(relation.right),
+        None if relation.along is None else double(relation.along),
+        tuple((rate, float(factor)) for rate, factor in relation.turning),
+        float(relation.velocity),
+        float(relation.acceleration),
+        relation.frame,
+        relation.source,
+    )
 
 
 def chain_in_doubles(chain: Chain) -> Chain:
     """The terms with their vectors in doubles."""
-    return tuple(Term(term.kind, term.rate, double(term.vector), term.point, term.base, term.frame) for term in chain)
+    return tuple(
+        Term(term.kind, term.rate, double(term.vector), term.point, term.base, term.frame)
+        for term in chain
+    )
 
 
 def double(vector: Any) -> Vector:

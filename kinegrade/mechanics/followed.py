@@ -18,7 +18,14 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.joints import Parallel
 from kinegrade.mechanics.mistaken import Unsuspecting
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.own_terms import OwnFrames, Place, coriolis_share, offsets, own_frames, own_relations
+from kinegrade.mechanics.own_terms import (
+    OwnFrames,
+    Place,
+    coriolis_share,
+    offsets,
+    own_frames,
+    own_relations,
+)
 from kinegrade.mechanics.plan import Plan, Step
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
@@ -26,7 +33,9 @@ from kinegrade.mechanics.vector_equation import Level
 
 NOTHING = 1e-12  # relative: what is smaller is rounding
 SAME = 1e-9  # relative: how near a reading must come to the own value
-STRAIGHT = 1e-4  # relative: how far one step along a tangent may end from the own value, to be polished
+STRAIGHT = (
+    1e-4  # relative: how far one step along a tangent may end from the own value, to be polished
+)
 NEARBY = 1e-3  # relative: how far one goes from a number to see what depends on it
 
 
@@ -51,7 +60,9 @@ class FollowedMotion(Motion):
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration of `point` of `body` seen from `frame`, m/s^2."""
-        coriolis: Vector = super().coriolis(point, body, frame) * self.share(coriolis_share(point, frame))
+        coriolis: Vector = super().coriolis(point, body, frame) * self.share(
+            coriolis_share(point, frame)
+        )
         return coriolis
 
     def share(self, name: str) -> float:
@@ -75,7 +86,9 @@ class OwnValue:
     part: str | None = None
 
 
-def followed(frames: Frames, plan: Plan, own: Sequence[OwnValue], arithmetic: Any) -> FollowedMotion:
+def followed(
+    frames: Frames, plan: Plan, own: Sequence[OwnValue], arithmetic: Any
+) -> FollowedMotion:
     """The motion with the own values put in; one that cannot be is left out, and the motion is as without it.
 
     Raises Singular where a step determines nothing.
@@ -83,8 +96,13 @@ def followed(frames: Frames, plan: Plan, own: Sequence[OwnValue], arithmetic: An
     places = tuple(dict.fromkeys(value.place for value in own if value.place))
     ours = own_frames(frames, plan, places)
     rates, changes = ({name: 0.0 for place in places for name in offsets(place)} for _ in range(2))
-    run = Run(FollowedMotion(ours, plan, rates, changes), own_relations(ours, plan), rates, changes,
-              Unsuspecting(arithmetic))
+    run = Run(
+        FollowedMotion(ours, plan, rates, changes),
+        own_relations(ours, plan),
+        rates,
+        changes,
+        Unsuspecting(arithmetic),
+    )
     run.velocities([value for value in own if value.level == "velocity"])
     accelerations = [value for value in own if value.level == "acceleration"]
     run.parts([value for value in accelerations if value.part])
@@ -113,16 +131,27 @@ class Run:
 
     def accelerations(self, own: Sequence[OwnValue]) -> None:
         """Follow the plan for accelerations."""
-        self.follow(self.changes, lambda index: self.relations[index].acceleration_side(self.rates), own)
+        self.follow(
+            self.changes, lambda index: self.relations[index].acceleration_side(self.rates), own
+        )
 
-    def follow(self, found: dict[str, Any], right: Callable[[int], Sequence[Any]], own: Iterable[OwnValue]) -> None:
+    def follow(
+        self, found: dict[str, Any], right: Callable[[int], Sequence[Any]], own: Iterable[OwnValue]
+    ) -> None:
         """Step by step, with each own value put in as soon as it is determined. Raises Singular."""
         waiting = list(own)
         for step in self.motion.plan.steps:
             if step.unknowns:
-                sides = {index: [side - sum(row[rate] * found[rate] for rate in row if rate in found) for row, side
-                                 in zip(self.equations[index], right(index), strict=True)] for index in step.relations}
-                found.update(plans.run(Plan((step,)), self.equations, sides.__getitem__, self.arithmetic))
+                sides = {
+                    index: [
+                        side - sum(row[rate] * found[rate] for rate in row if rate in found)
+                        for row, side in zip(self.equations[index], right(index), strict=True)
+                    ]
+                    for index in step.relations
+                }
+                found.update(
+                    plans.run(Plan((step,)), self.equations, sides.__getitem__, self.arithmetic)
+                )
             ready = [value for value in waiting if value.read(self.motion) is not None]
             waiting = [value for value in waiting if value not in ready]
             for value in ready:
@@ -141,16 +170,29 @@ class Run:
             move(self.motion, own, found, {rate: reach(found, rate)})
         elif own.place:
             body, point = own.place
-            vector = self.motion.velocity(point, body) if found is self.rates else self.motion.acceleration(point, body)
-            move(self.motion, own, found, dict.fromkeys(offsets(own.place), NEARBY * max(map(abs, vector))))
+            vector = (
+                self.motion.velocity(point, body)
+                if found is self.rates
+                else self.motion.acceleration(point, body)
+            )
+            move(
+                self.motion,
+                own,
+                found,
+                dict.fromkeys(offsets(own.place), NEARBY * max(map(abs, vector))),
+            )
 
     def one_rate(self, own: OwnValue, found: dict[str, Any], step: Step) -> str | None:
         """The one rate of the step that the own value depends on; of a point only where the point moves by it alone."""
         if own.place and not self.moves_by_one(own.place):
             return None
         now = abs(own.read(self.motion) or 0.0)
-        rates = [rate for rate in step.unknowns
-                 if abs(slope(self.motion, own, found, rate, reach(found, rate))) * reach(found, rate) > NOTHING * now]
+        rates = [
+            rate
+            for rate in step.unknowns
+            if abs(slope(self.motion, own, found, rate, reach(found, rate))) * reach(found, rate)
+            > NOTHING * now
+        ]
         if len(rates) != 1 or (own.place and self.without(own, found, rates[0]) > SAME * now):
             return None
         return rates[0]
@@ -170,7 +212,9 @@ class Run:
     def is_given(self, step: Step) -> bool:
         """Whether a step says no more than what is given."""
         sources = (self.relations[index].source for index in step.relations)
-        return all(isinstance(source, (Rotation, Component, Circulation, Parallel)) for source in sources)
+        return all(
+            isinstance(source, (Rotation, Component, Circulation, Parallel)) for source in sources
+        )
 
 
 def reach(found: dict[str, Any], rate: str) -> float:
@@ -178,7 +222,9 @@ def reach(found: dict[str, Any], rate: str) -> float:
     return NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
 
 
-def slope(motion: FollowedMotion, own: OwnValue, found: dict[str, Any], rate: str, reach: float) -> float:
+def slope(
+    motion: FollowedMotion, own: OwnValue, found: dict[str, Any], rate: str, reach: float
+) -> float:
     """By how much the own quantity changes with a rate."""
     kept = found[rate]
     found[rate] = kept + reach
@@ -189,7 +235,9 @@ def slope(motion: FollowedMotion, own: OwnValue, found: dict[str, Any], rate: st
     return (above - below) / (2 * reach) if reach else 0.0
 
 
-def move(motion: FollowedMotion, own: OwnValue, found: dict[str, Any], reaches: dict[str, float]) -> None:
+def move(
+    motion: FollowedMotion, own: OwnValue, found: dict[str, Any], reaches: dict[str, float]
+) -> None:
     """Change some rates, by as little as it takes, so that the own quantity has the own value.
 
     They stay as they were where that is no straight way: an angle, a magnitude that cannot be negative.
@@ -203,7 +251,9 @@ def move(motion: FollowedMotion, own: OwnValue, found: dict[str, Any], reaches: 
         slopes = {rate: slope(motion, own, found, rate, reach) for rate, reach in reaches.items()}
         steepness = sum(each * each for each in slopes.values())
         if steepness:
-            found.update({rate: found[rate] + missing * each / steepness for rate, each in slopes.items()})
+            found.update(
+                {rate: found[rate] + missing * each / steepness for rate, each in slopes.items()}
+            )
         if not abs(own.value - (own.read(motion) or 0.0)) <= tolerance * abs(own.value - start):
             found.update(kept)
             return

@@ -69,9 +69,14 @@ def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
     """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies or points."""
     guides = find_guides(mechanism)
     bases = find_bases(mechanism, guides)
-    relations = [relation for joint, guide in zip(mechanism.joints, guides, strict=True)
-                 for relation in joint_relations(mechanism, bases, joint, guide)]
-    relations += [driver_relation(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers]
+    relations = [
+        relation
+        for joint, guide in zip(mechanism.joints, guides, strict=True)
+        for relation in joint_relations(mechanism, bases, joint, guide)
+    ]
+    relations += [
+        driver_relation(mechanism, bases, driver, arithmetic) for driver in mechanism.drivers
+    ]
     return Frames(mechanism, bases, tuple(relations))
 
 
@@ -127,7 +132,11 @@ def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
     """The point of the sliding body whose relative motion is followed: one that is pinned to another body."""
     points = mechanism.body(sleeve.body).points
-    pinned = [joint.point for joint in mechanism.joints if isinstance(joint, Pin) and sleeve.body in joint.bodies]
+    pinned = [
+        joint.point
+        for joint in mechanism.joints
+        if isinstance(joint, Pin) and sleeve.body in joint.bodies
+    ]
     return next((point for point in pinned if point in points), points[0])
 
 
@@ -136,17 +145,20 @@ def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[st
     bases: dict[str, Base] = {}
     waiting = {body.name: body for body in mechanism.bodies}
     while waiting:
-        candidates = [(rank, order, name, base)
-                      for order, (name, body) in enumerate(waiting.items())
-                      for rank, base in base_candidates(mechanism, bases, guides, body)]
+        candidates = [
+            (rank, order, name, base)
+            for order, (name, body) in enumerate(waiting.items())
+            for rank, base in base_candidates(mechanism, bases, guides, body)
+        ]
         _, _, name, base = min(candidates, key=lambda candidate: candidate[:2])
         bases[name] = base
         del waiting[name]
     return bases
 
 
-def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guided | None],
-                    body: Body) -> Iterator[tuple[int, Base]]:
+def base_candidates(
+    mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guided | None], body: Body
+) -> Iterator[tuple[int, Base]]:
     """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2, pin on a reached
     body 3, other guide 4, slot of a reached body 5, free point 6."""
     for joint in mechanism.joints:
@@ -160,14 +172,24 @@ def base_candidates(mechanism: Mechanism, bases: Mapping[str, Base], guides: Seq
         if guide and guide.body == body.name and guide.of == GROUND:
             yield ground_rank(mechanism, guide), Base(guide.point, (guide.term,), guide.joint)
         elif guide and guide.body == body.name and guide.of in bases:
-            yield 5, Base(guide.point, (*chain(mechanism, bases, guide.of, guide.point), guide.term), guide.joint)
+            yield (
+                5,
+                Base(
+                    guide.point,
+                    (*chain(mechanism, bases, guide.of, guide.point), guide.term),
+                    guide.joint,
+                ),
+            )
     yield 6, Base(body.points[0], free_terms(body.points[0], body.name), None)
 
 
 def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
     """1 for a guided point that is driven, 2 for one of a translating body, 4 for others."""
-    driven = any(not isinstance(driver, Rotation) and (driver.point, driver.body) == (guide.point, guide.body)
-                 for driver in mechanism.drivers)
+    driven = any(
+        not isinstance(driver, Rotation)
+        and (driver.point, driver.body) == (guide.point, guide.body)
+        for driver in mechanism.drivers
+    )
     if driven:
         return 1
     return 2 if Parallel(guide.body, GROUND) in mechanism.joints else 4
@@ -175,22 +197,29 @@ def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
 
 def free_terms(point: str, body: str) -> Chain:
     """The two components of a free point's velocity."""
-    return (Term("sliding", f"free {point} {body} x", Vector(1, 0), point),
-            Term("sliding", f"free {point} {body} y", Vector(0, 1), point))
+    return (
+        Term("sliding", f"free {point} {body} x", Vector(1, 0), point),
+        Term("sliding", f"free {point} {body} y", Vector(0, 1), point),
+    )
 
 
-def joint_relations(mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint,
-                    guide: Guided | None) -> Iterator[Relation]:
+def joint_relations(
+    mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint, guide: Guided | None
+) -> Iterator[Relation]:
     """What a joint states beyond what the bases have used of it."""
     if isinstance(joint, Pin):
         yield from pin_relations(mechanism, bases, joint)
     elif guide and not any(base.joint is joint for base in bases.values()):
         right = (*chain(mechanism, bases, guide.of, guide.point), guide.term)
-        yield Relation(describe(joint), chain(mechanism, bases, guide.body, guide.point), right,
-                       source=joint)
+        yield Relation(
+            describe(joint), chain(mechanism, bases, guide.body, guide.point), right, source=joint
+        )
     if isinstance(joint, (Parallel, Sleeve)):
-        yield Relation(f"{joint.body} does not turn relative to {joint.of}", turning=turning(joint.body, joint.of, 1),
-                       source=joint)
+        yield Relation(
+            f"{joint.body} does not turn relative to {joint.of}",
+            turning=turning(joint.body, joint.of, 1),
+            source=joint,
+        )
     if isinstance(joint, Roll) and guide:
         yield rolling(mechanism, joint, guide)
     if isinstance(joint, Mesh):
@@ -203,8 +232,12 @@ def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> 
     first = GROUND if GROUND in unused else unused[0]
     for name in unused:
         if name != first:
-            yield Relation(describe(pin), chain(mechanism, bases, name, pin.point),
-                           chain(mechanism, bases, first, pin.point), source=pin)
+            yield Relation(
+                describe(pin),
+                chain(mechanism, bases, name, pin.point),
+                chain(mechanism, bases, first, pin.point),
+                source=pin,
+            )
 
 
 def turning(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
@@ -235,12 +268,17 @@ def meshing(mesh: Mesh) -> Relation:
     sense = -1 if mesh.inside else 1
     own, other = mesh.circle.radius, mesh.on.radius * sense
     rates: dict[str, Any] = {}
-    for rate, factor in (*turning(mesh.body, mesh.carrier, own), *turning(mesh.of, mesh.carrier, other)):
+    for rate, factor in (
+        *turning(mesh.body, mesh.carrier, own),
+        *turning(mesh.of, mesh.carrier, other),
+    ):
         rates[rate] = rates[rate] + factor if rate in rates else factor
     return Relation(describe(mesh), turning=tuple(rates.items()), source=mesh)
 
 
-def driver_relation(mechanism: Mechanism, bases: Mapping[str, Base], driver: Driver, arithmetic: Any) -> Relation:
+def driver_relation(
+    mechanism: Mechanism, bases: Mapping[str, Base], driver: Driver, arithmetic: Any
+) -> Relation:
     """What a driver imposes."""
     imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration, "source": driver}
     if isinstance(driver, Rotation):
@@ -251,7 +289,9 @@ def driver_relation(mechanism: Mechanism, bases: Mapping[str, Base], driver: Dri
         return Relation(describe(driver), left, right, driver.direction, frame=driver.of, **imposed)
     arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
     if arithmetic.is_zero(arm.squared()):
-        raise MechanismError(f"{describe(driver)}: {driver.point} is at the centre: it has no path about it")
+        raise MechanismError(
+            f"{describe(driver)}: {driver.point} is at the centre: it has no path about it"
+        )
     tangent = arm.turned() / arithmetic.sqrt(arm.squared())
     return Relation(describe(driver), left, (), tangent, **imposed)
 

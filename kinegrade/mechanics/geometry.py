@@ -17,7 +17,10 @@ from kinegrade.mechanics.vector import Vector
 
 Branch = str
 SIDES: Mapping[Branch, Callable[[Vector], Any]] = {
-    "right": lambda p: p.x, "left": lambda p: -p.x, "upper": lambda p: p.y, "lower": lambda p: -p.y,
+    "right": lambda p: p.x,
+    "left": lambda p: -p.x,
+    "upper": lambda p: p.y,
+    "lower": lambda p: -p.y,
 }
 TURNS: Mapping[Branch, int] = {"counterclockwise": 1, "clockwise": -1}
 BRANCHES = (*SIDES, *TURNS)
@@ -35,9 +38,19 @@ def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Ca
     """The constructions by name; `points` gives names for the refusals and is read when one is written."""
     build = Constructions(arithmetic, points)
     return {
-        "": Vector, "polar": build.polar, "line": build.line, "circle": Round, "meet": build.meet,
-        "foot": foot, "midpoint": lambda p, q: (p + q) / 2, "distance": build.distance, "toward": build.toward,
-        "x": lambda p: p.x, "y": lambda p: p.y, "turned": lambda v: v.turned(), "direction": build.direction,
+        "": Vector,
+        "polar": build.polar,
+        "line": build.line,
+        "circle": Round,
+        "meet": build.meet,
+        "foot": foot,
+        "midpoint": lambda p, q: (p + q) / 2,
+        "distance": build.distance,
+        "toward": build.toward,
+        "x": lambda p: p.x,
+        "y": lambda p: p.y,
+        "turned": lambda v: v.turned(),
+        "direction": build.direction,
     }
 
 
@@ -66,7 +79,9 @@ class Constructions:
     def distance(self, first: Vector, second: Any) -> Any:
         """The distance of a point from another point or from a line."""
         if isinstance(second, Line):
-            return abs(second.direction.cross(first - second.point)) / self.arithmetic.sqrt(second.direction.squared())
+            return abs(second.direction.cross(first - second.point)) / self.arithmetic.sqrt(
+                second.direction.squared()
+            )
         return self.arithmetic.sqrt((second - first).squared())
 
     def toward(self, start: Vector, end: Vector, distance: Any) -> Vector:
@@ -78,7 +93,9 @@ class Constructions:
         """The angle of the vector from `start` to `end`."""
         return self.arithmetic.arctangent(end.y - start.y, end.x - start.x)
 
-    def meet(self, first: Line | Round, second: Line | Round, branch: Branch | None = None) -> Vector:
+    def meet(
+        self, first: Line | Round, second: Line | Round, branch: Branch | None = None
+    ) -> Vector:
         """The common point of two lines, or the one on the named side of a line and a circle or of two circles.
 
         right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for two circles, say on
@@ -88,7 +105,9 @@ class Constructions:
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)
         if branch not in BRANCHES:
-            raise ExpressionError(f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}")
+            raise ExpressionError(
+                f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}"
+            )
         if isinstance(first, Round) and isinstance(second, Round):
             return self._circles(first, second, branch)
         line, circle = (first, second) if isinstance(first, Line) else (second, first)
@@ -97,7 +116,9 @@ class Constructions:
     def _lines(self, first: Line, second: Line) -> Vector:
         across = first.direction.cross(second.direction)
         if self.arithmetic.is_zero(across):
-            raise MechanismError(f"{self.name(first)} and {self.name(second)} are parallel and do not meet")
+            raise MechanismError(
+                f"{self.name(first)} and {self.name(second)} are parallel and do not meet"
+            )
         share = (second.point - first.point).cross(second.direction) / across
         step: Vector = first.direction * share
         return first.point + step
@@ -112,8 +133,12 @@ class Constructions:
         axis = second.centre - first.centre
         square = axis.squared()
         if self.arithmetic.is_zero(square):
-            raise MechanismError(f"{self.name(first)} and {self.name(second)} have one centre and do not meet")
-        share = (first.radius * first.radius - second.radius * second.radius + square) / (2 * square)
+            raise MechanismError(
+                f"{self.name(first)} and {self.name(second)} have one centre and do not meet"
+            )
+        share = (first.radius * first.radius - second.radius * second.radius + square) / (
+            2 * square
+        )
         middle = first.centre + axis * share
         rest = first.radius * first.radius / square - share * share
         half = axis.turned() * self._reach(rest, first, second)
@@ -125,15 +150,26 @@ class Constructions:
         except ValueError:
             raise MechanismError(f"{self.name(circle)} does not reach {self.name(other)}") from None
 
-    def _pick(self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch) -> Vector:
+    def _pick(
+        self, first: Vector, second: Vector, axis: Vector, origin: Vector, branch: Branch
+    ) -> Vector:
         if branch in TURNS:
-            ahead = axis.cross(first - origin) * TURNS[branch] - axis.cross(second - origin) * TURNS[branch]
+            ahead = (
+                axis.cross(first - origin) * TURNS[branch]
+                - axis.cross(second - origin) * TURNS[branch]
+            )
         else:
             ahead = SIDES[branch](first) - SIDES[branch](second)
         side = self.arithmetic.sign(ahead)
-        if self.arithmetic.certified and side == 0 and not self.arithmetic.is_zero((first - second).squared()):
-            raise MechanismError(f"{branch} does not tell the two common points apart: "
-                                 f"name another side, one of {', '.join(BRANCHES)}")
+        if (
+            self.arithmetic.certified
+            and side == 0
+            and not self.arithmetic.is_zero((first - second).squared())
+        ):
+            raise MechanismError(
+                f"{branch} does not tell the two common points apart: "
+                f"name another side, one of {', '.join(BRANCHES)}"
+            )
         first_wins = side >= 0
         choose = self.arithmetic.choose
         return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
@@ -141,7 +177,9 @@ class Constructions:
     def name(self, shape: Line | Round) -> str:
         """A line or circle in words for a refusal."""
         if isinstance(shape, Round):
-            return f"the circle about {self.point_name(shape.centre)} of radius {short(shape.radius)}"
+            return (
+                f"the circle about {self.point_name(shape.centre)} of radius {short(shape.radius)}"
+            )
         if self.arithmetic.is_zero(shape.direction.y):
             return f"the line y = {short(shape.point.y)}"
         if self.arithmetic.is_zero(shape.direction.x):

@@ -53,7 +53,9 @@ class MistakenMotion(Motion):
 
     def velocity(self, point: str, body: str) -> Vector:
         """What is taken for the velocity of a point, m/s."""
-        return self.summed(velocity_chain(self.frames.chain(body, point), self.slips, self.centres, whole=True))
+        return self.summed(
+            velocity_chain(self.frames.chain(body, point), self.slips, self.centres, whole=True)
+        )
 
     def summed(self, chain: Chain) -> Vector:
         """The velocity that a chain of terms adds up to, m/s."""
@@ -61,8 +63,10 @@ class MistakenMotion(Motion):
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """What is taken for the velocity of `point` of `body` seen from `frame`, m/s."""
-        own, carried = (self.summed(velocity_chain(self.frames.chain(name, point), self.slips, self.centres))
-                        for name in (body, frame))
+        own, carried = (
+            self.summed(velocity_chain(self.frames.chain(name, point), self.slips, self.centres))
+            for name in (body, frame)
+        )
         difference: Vector = own - carried
         return difference
 
@@ -81,18 +85,30 @@ class Unsuspecting:
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
         """The unknowns; more equations than unknowns are projected on them. Raises Singular."""
         if len(rows[0]) == 1:
-            return [self.over(product([row[0] for row in rows], right), product(*([row[0] for row in rows],) * 2))]
+            return [
+                self.over(
+                    product([row[0] for row in rows], right),
+                    product(*([row[0] for row in rows],) * 2),
+                )
+            ]
         if len(rows) > len(rows[0]):
             columns = list(zip(*rows, strict=True))
-            rows, right = ([[product(one, other) for other in columns] for one in columns],
-                           [product(one, right) for one in columns])
-        return self.pair(rows, right) if len(rows) == 2 else list(self.arithmetic.solve(rows, right))
+            rows, right = (
+                [[product(one, other) for other in columns] for one in columns],
+                [product(one, right) for one in columns],
+            )
+        return (
+            self.pair(rows, right) if len(rows) == 2 else list(self.arithmetic.solve(rows, right))
+        )
 
     def pair(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
         """Two unknowns from two equations."""
         (a, b), (c, d) = rows
         area = a * d - b * c
-        return [self.over(right[0] * d - b * right[1], area), self.over(a * right[1] - right[0] * c, area)]
+        return [
+            self.over(right[0] * d - b * right[1], area),
+            self.over(a * right[1] - right[0] * c, area),
+        ]
 
     def over(self, number: Any, divisor: Any) -> Any:
         """A quotient; Singular, or not a number in some instances, over zero."""
@@ -109,8 +125,9 @@ def product(left: Sequence[Any], right: Sequence[Any]) -> Any:
     return sum((a * b for a, b in zip(left, right, strict=True)), 0)
 
 
-def mistaken(mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *,
-             stirred: bool = False) -> MistakenMotion:
+def mistaken(
+    mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, stirred: bool = False
+) -> MistakenMotion:
     """The motion as it comes out with slips. Raises Singular where a step determines nothing, MechanismError.
 
     `stirred` puts other velocities under the accelerations, none of which vanishes by chance: to see whether a term is
@@ -121,14 +138,22 @@ def mistaken(mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *,
     if stirred:
         rates = dict(stir(mechanism, rates))
     equations = [relation.equations() for relation in frames.relations]
-    changes = plans.run(plan, equations, lambda index: frames.relations[index].acceleration_side(rates),
-                        Unsuspecting(arithmetic))
+    changes = plans.run(
+        plan,
+        equations,
+        lambda index: frames.relations[index].acceleration_side(rates),
+        Unsuspecting(arithmetic),
+    )
     return MistakenMotion(frames, plan, rates, changes, slips)
 
 
 def stir(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """Other rates, of which only those of translating bodies are zero."""
-    still = {omega_of(joint.body) for joint in mechanism.joints if isinstance(joint, Parallel) and joint.of == GROUND}
+    still = {
+        omega_of(joint.body)
+        for joint in mechanism.joints
+        if isinstance(joint, Parallel) and joint.of == GROUND
+    }
     for place, (name, rate) in enumerate(rates.items()):
         yield name, rate if name in still else rate * 2 + place + 1
 
@@ -169,33 +194,51 @@ class Velocities:
         rates: dict[str, Any] = {}
         for step in plan.steps:
             if step.unknowns:
-                sides = {index: remaining(relations[index], equations[index], rates) for index in step.relations}
-                rates.update(plans.run(Plan((step,)), equations, sides.__getitem__, Unsuspecting(self.arithmetic)))
+                sides = {
+                    index: remaining(relations[index], equations[index], rates)
+                    for index in step.relations
+                }
+                rates.update(
+                    plans.run(
+                        Plan((step,)), equations, sides.__getitem__, Unsuspecting(self.arithmetic)
+                    )
+                )
                 rates.update(self.replaced(Stage(step, equations, rates)))
         return rates
 
     def relation(self, relation: Relation, centres: Mapping[str, str]) -> Relation:
         """A relation as it is written for velocities."""
-        left, right = (velocity_chain(side, self.slips, centres) for side in (relation.left, relation.right))
+        left, right = (
+            velocity_chain(side, self.slips, centres) for side in (relation.left, relation.right)
+        )
         return replace(relation, left=left, right=right)
 
     def replaced(self, stage: Stage) -> dict[str, Any]:
         """What a transport velocity in place of the absolute one, and a fixed pivot in place of the pole, give."""
         result: dict[str, Any] = {}
-        for share, find in ((self.slips.relative, self.without_relative), (self.slips.pole, self.about_pivot)):
+        for share, find in (
+            (self.slips.relative, self.without_relative),
+            (self.slips.pole, self.about_pivot),
+        ):
             if not isinstance(share, int) or share != 1:
                 for rate, value in find(stage):
-                    result[rate] = self.arithmetic.choose(share == 0, value, result.get(rate, stage.rates[rate]))
+                    result[rate] = self.arithmetic.choose(
+                        share == 0, value, result.get(rate, stage.rates[rate])
+                    )
         return result
 
     def without_relative(self, stage: Stage) -> Replacements:
         """|unknown velocity| = |known velocity|, as if nothing moved within the moving body."""
         for index in stage.step.relations:
             relation = self.frames.relations[index]
-            relative = {term.rate for term in (*relation.left, *relation.right) if term.frame != GROUND}
+            relative = {
+                term.rate for term in (*relation.left, *relation.right) if term.frame != GROUND
+            }
             others = stage.sought(index) - relative
             if relation.is_vector and len(relative & stage.sought(index)) == 1 and len(others) == 1:
-                known = [rate for rate in stage.equations[index][0] if rate not in stage.step.unknowns]
+                known = [
+                    rate for rate in stage.equations[index][0] if rate not in stage.step.unknowns
+                ]
                 speed = total(stage.coefficient(index, rate) * stage.rates[rate] for rate in known)
                 rate = others.pop()
                 yield rate, self.sized(speed, stage.coefficient(index, rate), stage.rates[rate])
@@ -219,10 +262,16 @@ class Velocities:
         if omega_of(neighbour) not in stage.step.unknowns:
             return stage.rates[omega_of(neighbour)]
         base = self.frames.bases[body]
-        if any(term.rate in stage.step.unknowns or term.rate not in stage.rates for term in base.chain):
+        if any(
+            term.rate in stage.step.unknowns or term.rate not in stage.rates for term in base.chain
+        ):
             return None
         speed = total(term.velocity(stage.rates) for term in base.chain)
-        return self.sized(speed, self.frames.mechanism.points[base.point] - pivot, stage.rates[omega_of(neighbour)])
+        return self.sized(
+            speed,
+            self.frames.mechanism.points[base.point] - pivot,
+            stage.rates[omega_of(neighbour)],
+        )
 
     def ends(self, stage: Stage, own: set[str], pivot: Vector, turning: Any) -> Replacements:
         """The rates of the ends that the same step finds, from turning times the distance to the pivot."""
@@ -232,7 +281,10 @@ class Velocities:
             ends = [term for term in (*relation.left, *relation.right) if term.rate in others]
             if own & set(stage.equations[index][0]) and len(ends) == 1 and len(others) == 1:
                 speed = (self.frames.mechanism.points[ends[0].point] - pivot) * turning
-                yield ends[0].rate, self.sized(speed, ends[0].coefficient(), stage.rates[ends[0].rate])
+                yield (
+                    ends[0].rate,
+                    self.sized(speed, ends[0].coefficient(), stage.rates[ends[0].rate]),
+                )
 
     def sized(self, speed: Vector, coefficient: Vector, like: Any) -> Any:
         """|speed| over |coefficient|, in the sense of `like`."""
@@ -242,16 +294,36 @@ class Velocities:
 
 def remaining(relation: Relation, equations: Sequence[Row], rates: Mapping[str, Any]) -> list[Any]:
     """A relation's right-hand sides for velocities, less what is known already."""
-    return [side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
-            for row, side in zip(equations, relation.velocity_side(), strict=True)]
+    return [
+        side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
+        for row, side in zip(equations, relation.velocity_side(), strict=True)
+    ]
 
 
 def pivots(frames: MistakenFrames) -> dict[str, dict[str, Vector]]:
     """For each body in plane motion the bodies that it is pinned to, with their fixed pivots."""
     mechanism = frames.mechanism
     pins = [joint for joint in mechanism.joints if isinstance(joint, Pin)]
-    fixed = {name: mechanism.points[pin.point] for pin in pins if GROUND in pin.bodies for name in pin.bodies}
-    plane = [body.name for body in mechanism.bodies if body.name not in fixed and not body.particle
-             and Parallel(body.name, GROUND) not in mechanism.joints]
-    return {body: {other: fixed[other] for pin in pins if body in pin.bodies for other in pin.bodies if other in fixed}
-            for body in plane}
+    fixed = {
+        name: mechanism.points[pin.point]
+        for pin in pins
+        if GROUND in pin.bodies
+        for name in pin.bodies
+    }
+    plane = [
+        body.name
+        for body in mechanism.bodies
+        if body.name not in fixed
+        and not body.particle
+        and Parallel(body.name, GROUND) not in mechanism.joints
+    ]
+    return {
+        body: {
+            other: fixed[other]
+            for pin in pins
+            if body in pin.bodies
+            for other in pin.bodies
+            if other in fixed
+        }
+        for body in plane
+    }

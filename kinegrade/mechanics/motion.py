@@ -51,7 +51,9 @@ class Motion:
 
     def acceleration(self, point: str, body: str) -> Vector:
         """Acceleration of the point of `body` that is at `point`, m/s^2."""
-        return total(term.acceleration(self.rates, self.changes) for term in self.frames.chain(body, point))
+        return total(
+            term.acceleration(self.rates, self.changes) for term in self.frames.chain(body, point)
+        )
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
         """Velocity of `point` of `body` seen from the moving body `frame`: v_r = v_a - v_e."""
@@ -59,7 +61,9 @@ class Motion:
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
         """Coriolis acceleration 2 omega_e x v_r of `point` of `body` seen from `frame`, m/s^2."""
-        acceleration: Vector = self.relative_velocity(point, body, frame).turned() * (self.omega(frame) * 2)
+        acceleration: Vector = self.relative_velocity(point, body, frame).turned() * (
+            self.omega(frame) * 2
+        )
         return acceleration
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
@@ -72,7 +76,9 @@ class Motion:
         base = self.frames.bases[body].point
         rate = self.omega(body)
         if arithmetic.is_zero(rate):
-            raise AtInfinity(f"the velocity pole of {body} is at infinity: {body} does not turn at this instant")
+            raise AtInfinity(
+                f"the velocity pole of {body} is at infinity: {body} does not turn at this instant"
+            )
         arm: Vector = self.velocity(base, body).turned() / rate
         return self.points[base] + arm
 
@@ -81,7 +87,9 @@ class Undriven(dict[str, Any]):
     """The rates of a mechanism that nothing drives: none is known, and asking for one is refused."""
 
     def __missing__(self, rate: str) -> Any:
-        raise MechanismError("nothing drives this mechanism: it has positions but no velocities: give it an input")
+        raise MechanismError(
+            "nothing drives this mechanism: it has positions but no velocities: give it an input"
+        )
 
 
 def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
@@ -108,7 +116,9 @@ def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Mo
         except (Singular, Contradiction):
             pass
     try:
-        return followed(plans.find(frames.relations, equations, arithmetic), frames, equations, arithmetic)
+        return followed(
+            plans.find(frames.relations, equations, arithmetic), frames, equations, arithmetic
+        )
     except (Singular, Contradiction):
         sides = [relation.velocity_side() for relation in frames.relations]
         raise refusal(frames, equations, sides, arithmetic) from None
@@ -119,7 +129,9 @@ def followed(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic:
     relations = frames.relations
     rates = plans.run(plan, equations, lambda i: relations[i].velocity_side(), arithmetic)
     try:
-        changes = plans.run(plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic)
+        changes = plans.run(
+            plan, equations, lambda i: relations[i].acceleration_side(rates), arithmetic
+        )
     except Contradiction:
         sides = [relation.acceleration_side(rates) for relation in relations]
         raise refusal(frames, equations, sides, arithmetic) from None
@@ -137,5 +149,7 @@ def turning_of(rates: Mapping[str, Any], body: str) -> Any:
     if body == GROUND:
         return 0
     if omega_of(body) not in rates:
-        raise MechanismError(f"{body} is a particle: it does not turn: ask for the motion of its point")
+        raise MechanismError(
+            f"{body} is a particle: it does not turn: ask for the motion of its point"
+        )
     return rates[omega_of(body)]

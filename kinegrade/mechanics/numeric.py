@@ -11,9 +11,12 @@ from kinegrade.mechanics.vector import Vector
 
 def drawable_mechanism(mechanism: Mechanism) -> Mechanism:
     """The same mechanism with every number a float."""
-    return Mechanism({name: in_floats(point) for name, point in mechanism.points.items()}, mechanism.bodies,
-                     tuple(in_floats(joint) for joint in mechanism.joints),
-                     tuple(in_floats(driver) for driver in mechanism.drivers))
+    return Mechanism(
+        {name: in_floats(point) for name, point in mechanism.points.items()},
+        mechanism.bodies,
+        tuple(in_floats(joint) for joint in mechanism.joints),
+        tuple(in_floats(driver) for driver in mechanism.drivers),
+    )
 
 
 def in_floats(part: Any) -> Any:
@@ -21,7 +24,9 @@ def in_floats(part: Any) -> Any:
     if isinstance(part, Vector):
         return Vector(float(part.x), float(part.y))
     if is_dataclass(part) and not isinstance(part, type):
-        return replace(part, **{field.name: in_floats(getattr(part, field.name)) for field in fields(part)})
+        return replace(
+            part, **{field.name: in_floats(getattr(part, field.name)) for field in fields(part)}
+        )
     if isinstance(part, (str, bool, tuple)):
         return part
     return float(part)

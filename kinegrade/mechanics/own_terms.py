@@ -17,7 +17,9 @@ from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 Place = tuple[str, str]  # a body and a point of it
-Sign = tuple[str, str, str, str]  # by what a term is known in other chains: rate, point, base, frame
+Sign = tuple[
+    str, str, str, str
+]  # by what a term is known in other chains: rate, point, base, frame
 
 
 def coriolis_share(point: str, frame: str) -> str:
@@ -47,7 +49,9 @@ class OwnTerm(Term):
 
     def coriolis(self, rates: Rates) -> Vector:
         """What is taken of the Coriolis part, m/s^2."""
-        taken: Vector = super().coriolis(rates) * rates.get(coriolis_share(self.point, self.frame), 1.0)
+        taken: Vector = super().coriolis(rates) * rates.get(
+            coriolis_share(self.point, self.frame), 1.0
+        )
         return taken
 
 
@@ -58,7 +62,9 @@ class OwnRelation(Relation):
     def imposed_coriolis(self, rates: Rates) -> Vector:
         """What is taken of the Coriolis acceleration of the imposed relative motion, m/s^2."""
         point = self.left[-1].point if self.left else ""
-        taken: Vector = super().imposed_coriolis(rates) * rates.get(coriolis_share(point, self.frame), 1.0)
+        taken: Vector = super().imposed_coriolis(rates) * rates.get(
+            coriolis_share(point, self.frame), 1.0
+        )
         return taken
 
 
@@ -88,41 +94,77 @@ class OwnFrames(Frames):
 
     def with_own(self, chain: Chain) -> Chain:
         """The terms, each followed by what is added to the motion of the point that it leads to."""
-        return tuple(part for term in chain for part in (own(term), *self.additions.get(sign(term), ())))
+        return tuple(
+            part for term in chain for part in (own(term), *self.additions.get(sign(term), ()))
+        )
 
     @cached_property
     def additions(self) -> dict[Sign, Chain]:
         """What is added at the places, by the last term that leads there."""
-        ends = {place: shortened(super(OwnFrames, self).chain(*place), self.shortcuts) for place in self.places}
-        return {sign(chain[-1]): tuple(Term("sliding", name, axis, place[1]) for name, axis in
-                                       zip(offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True))
-                for place, chain in ends.items() if chain}
+        ends = {
+            place: shortened(super(OwnFrames, self).chain(*place), self.shortcuts)
+            for place in self.places
+        }
+        return {
+            sign(chain[-1]): tuple(
+                Term("sliding", name, axis, place[1])
+                for name, axis in zip(
+                    offsets(place), (Vector(1.0, 0.0), Vector(0.0, 1.0)), strict=True
+                )
+            )
+            for place, chain in ends.items()
+            if chain
+        }
 
     @cached_property
     def relative(self) -> dict[tuple[str, str], Term]:
         """The relative motions that the plan solves for: of a point, seen from a body."""
         chains = [side for relation in self.relations for side in (relation.left, relation.right)]
-        return {(term.point, term.frame): own(term) for chain in (*chains, *(b.chain for b in self.bases.values()))
-                for term in chain if term.frame != GROUND}
+        return {
+            (term.point, term.frame): own(term)
+            for chain in (*chains, *(b.chain for b in self.bases.values()))
+            for term in chain
+            if term.frame != GROUND
+        }
 
 
 def own_frames(frames: Frames, plan: Plan, places: Sequence[Place]) -> OwnFrames:
     """The frames with shortcuts, and with terms for what is added at `places`."""
-    return OwnFrames(frames.mechanism, frames.bases, frames.relations, tuple(shortcuts(frames, plan)), tuple(places))
+    return OwnFrames(
+        frames.mechanism,
+        frames.bases,
+        frames.relations,
+        tuple(shortcuts(frames, plan)),
+        tuple(places),
+    )
 
 
 def own_relations(frames: OwnFrames, plan: Plan) -> tuple[Relation, ...]:
     """The relations by index, each with the shortcuts that earlier steps give."""
     number = {index: place for place, step in enumerate(plan.steps) for index in step.relations}
-    return tuple(own_relation(relation, frames, number[index]) for index, relation in enumerate(frames.relations))
+    return tuple(
+        own_relation(relation, frames, number[index])
+        for index, relation in enumerate(frames.relations)
+    )
 
 
 def own_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
     """A relation as it stands at a step."""
     cuts = [cut for cut in frames.shortcuts if cut.step < step]
-    left, right = (frames.with_own(shortened(side, cuts)) for side in (relation.left, relation.right))
-    return OwnRelation(relation.origin, left, right, relation.along, relation.turning, relation.velocity,
-                       relation.acceleration, relation.frame, relation.source)
+    left, right = (
+        frames.with_own(shortened(side, cuts)) for side in (relation.left, relation.right)
+    )
+    return OwnRelation(
+        relation.origin,
+        left,
+        right,
+        relation.along,
+        relation.turning,
+        relation.velocity,
+        relation.acceleration,
+        relation.frame,
+        relation.source,
+    )
 
 
 def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
@@ -131,7 +173,9 @@ def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
     for number, step in enumerate(plan.steps):
         for relation in (frames.relations[index] for index in step.relations if step.unknowns):
             short, long = sorted((relation.left, relation.right), key=len)
-            last, latest = (max((found[term.rate] for term in side), default=-1) for side in (short, long))
+            last, latest = (
+                max((found[term.rate] for term in side), default=-1) for side in (short, long)
+            )
             if relation.is_vector and len(short) < len(long) and last <= latest:
                 yield Shortcut(tuple(map(sign, long)), short, number)
 
@@ -139,8 +183,8 @@ def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
 def shortened(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
     """The chain with the shortcuts taken, one after the other, as long as there is one."""
     for cut in cuts:
-        if cut.long == tuple(map(sign, chain[:len(cut.long)])):
-            return shortened((*cut.short, *chain[len(cut.long):]), cuts)
+        if cut.long == tuple(map(sign, chain[: len(cut.long)])):
+            return shortened((*cut.short, *chain[len(cut.long) :]), cuts)
     return chain
 
 

@@ -50,10 +50,18 @@ def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -
     return Plan(tuple(steps))
 
 
-def determined(relations: Sequence[Relation], equations: Equations, pending: Sequence[int], known: set[str],
-               arithmetic: Any) -> Iterator[Step]:
+def determined(
+    relations: Sequence[Relation],
+    equations: Equations,
+    pending: Sequence[int],
+    known: set[str],
+    arithmetic: Any,
+) -> Iterator[Step]:
     """The sets of pending relations that determine their unknowns, the smallest first."""
-    open_rates = {index: [rate for rate in relations[index].unknowns() if rate not in known] for index in pending}
+    open_rates = {
+        index: [rate for rate in relations[index].unknowns() if rate not in known]
+        for index in pending
+    }
     sizes = [*range(1, min(MAX_TOGETHER, len(pending)) + 1), len(pending)]
     for group in (group for size in sizes for group in combinations(pending, size)):
         unknowns = tuple(dict.fromkeys(rate for index in group for rate in open_rates[index]))
@@ -73,7 +81,9 @@ def full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> 
     return True
 
 
-def run(plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any) -> dict[str, Any]:
+def run(
+    plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any
+) -> dict[str, Any]:
     """The rates that the plan gives; `right` tells a relation's right-hand sides.
 
     Raises Singular at a dead point of a step, Contradiction when surplus equations do not agree.
@@ -81,8 +91,10 @@ def run(plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]],
     rates: dict[str, Any] = {}
     for step in plan.steps:
         rows = [row for index in step.relations for row in equations[index]]
-        sides = [side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
-                 for row, side in zip(rows, (s for i in step.relations for s in right(i)), strict=True)]
+        sides = [
+            side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
+            for row, side in zip(rows, (s for i in step.relations for s in right(i)), strict=True)
+        ]
         if step.unknowns:
             matrix = [[row.get(rate, 0) for rate in step.unknowns] for row in rows]
             rates.update(zip(step.unknowns, arithmetic.solve(matrix, sides), strict=True))

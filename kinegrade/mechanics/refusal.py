@@ -12,21 +12,31 @@ from kinegrade.mechanics.plan import Equations
 from kinegrade.mechanics.relations import omega_of
 
 
-def refusal(frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any) -> MechanismError:
+def refusal(
+    frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any
+) -> MechanismError:
     """The error for relations that have no solution, or more than one; `sides` are their right-hand sides."""
-    rates = list(dict.fromkeys(rate for relation in frames.relations for rate in relation.unknowns()))
+    rates = list(
+        dict.fromkeys(rate for relation in frames.relations for rate in relation.unknowns())
+    )
     matrix = [[[row.get(rate, 0) for rate in rates] for row in rows] for rows in equations]
     rows = [arithmetic_row(row, arithmetic) for block in matrix for row in block]
     loose = null_vectors(rows, len(rates), arithmetic.is_zero)
-    fits = consistent(rows, [number(s, arithmetic) for side in sides for s in side], arithmetic.is_zero)
+    fits = consistent(
+        rows, [number(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
+    )
     if fits:
         return MechanismError(looseness(frames, [{rates[i] for i in vector} for vector in loose]))
     culprits = contradiction(matrix, sides, arithmetic)
     names = " and ".join(frames.relations[index].origin for index in culprits)
     if loose:
-        return MechanismError(f"dead point: in this configuration {names} cannot act together: "
-                              "choose another configuration or driver")
-    return MechanismError(f"{names} contradict each other: leave one out or make their values agree")
+        return MechanismError(
+            f"dead point: in this configuration {names} cannot act together: "
+            "choose another configuration or driver"
+        )
+    return MechanismError(
+        f"{names} contradict each other: leave one out or make their values agree"
+    )
 
 
 def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
@@ -50,8 +60,9 @@ def unrelated(frames: Frames) -> list[str]:
     return [rate for rate in dict.fromkeys(rates) if rate not in known]
 
 
-def contradiction(matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]],
-                  arithmetic: Any) -> list[int]:
+def contradiction(
+    matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]], arithmetic: Any
+) -> list[int]:
     """A smallest set of relations (by index) that cannot hold together: none of them can be left out."""
     culprits = list(range(len(matrix)))
     for index in list(culprits):

@@ -104,7 +104,9 @@ class Relation:
 
     def unknowns(self) -> tuple[str, ...]:
         """The rates that occur, in order of occurrence."""
-        rates = [term.rate for term in (*self.left, *self.right)] + [rate for rate, _ in self.turning]
+        rates = [term.rate for term in (*self.left, *self.right)] + [
+            rate for rate, _ in self.turning
+        ]
         return tuple(dict.fromkeys(rates))
 
     def equations(self) -> list[dict[str, Any]]:
@@ -115,8 +117,15 @@ class Relation:
                 vector = term.coefficient() * side
                 vectors[term.rate] = vectors[term.rate] + vector if term.rate in vectors else vector
         if self.is_vector:
-            return [{rate: v.x for rate, v in vectors.items()}, {rate: v.y for rate, v in vectors.items()}]
-        row = {rate: self.along.dot(v) for rate, v in vectors.items()} if self.along is not None else {}
+            return [
+                {rate: v.x for rate, v in vectors.items()},
+                {rate: v.y for rate, v in vectors.items()},
+            ]
+        row = (
+            {rate: self.along.dot(v) for rate, v in vectors.items()}
+            if self.along is not None
+            else {}
+        )
         for rate, factor in self.turning:
             row[rate] = row[rate] + factor if rate in row else factor
         return [row]
@@ -139,7 +148,9 @@ class Relation:
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
         """The Coriolis acceleration 2 omega x v_r of the relative motion seen from `frame`, m/s^2."""
-        relative = total(t.velocity(rates) for t in self.left) - total(t.velocity(rates) for t in self.right)
+        relative = total(t.velocity(rates) for t in self.left) - total(
+            t.velocity(rates) for t in self.right
+        )
         coriolis: Vector = relative.turned() * (rates[omega_of(self.frame)] * 2)
         return coriolis
 

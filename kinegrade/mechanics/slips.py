@@ -17,7 +17,9 @@ from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Roll
 from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, omega_of
 from kinegrade.mechanics.vector import Vector
 
-Arms = Mapping[tuple[str, str], Any]  # (centre carried, centre of the circle it runs about): share of the distance
+Arms = Mapping[
+    tuple[str, str], Any
+]  # (centre carried, centre of the circle it runs about): share of the distance
 
 
 @dataclass(frozen=True)
@@ -99,15 +101,31 @@ def mistaken_frames(frames: Frames, slips: Slips) -> MistakenFrames:
 
 def mistaken_chain(chain: Chain, slips: Slips, arms: Arms) -> Chain:
     """The terms with the slips made; the first rotation of a chain is about a fixed pin."""
-    return tuple(mistaken_term(term, slips, slips.relative_normal if place and term.kind == "rotation"
-                               else slips.path_normal, arms) for place, term in enumerate(chain))
+    return tuple(
+        mistaken_term(
+            term,
+            slips,
+            slips.relative_normal if place and term.kind == "rotation" else slips.path_normal,
+            arms,
+        )
+        for place, term in enumerate(chain)
+    )
 
 
 def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Term:
     """A term with the slips made."""
     share = arms.get((term.point, term.base))
     vector = term.vector if share is None else term.vector * share
-    return MistakenTerm(term.kind, term.rate, vector, term.point, term.base, term.frame, normal_share, slips.coriolis)
+    return MistakenTerm(
+        term.kind,
+        term.rate,
+        vector,
+        term.point,
+        term.base,
+        term.frame,
+        normal_share,
+        slips.coriolis,
+    )
 
 
 def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
@@ -122,17 +140,27 @@ def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str]
 def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
     """A relation with the slips made in its chains and in what it says of turning."""
     return MistakenRelation(
-        relation.origin, mistaken_chain(relation.left, slips, arms), mistaken_chain(relation.right, slips, arms),
-        relation.along, mistaken_turning(relation, slips), relation.velocity, relation.acceleration, relation.frame,
-        relation.source, slips.coriolis)
+        relation.origin,
+        mistaken_chain(relation.left, slips, arms),
+        mistaken_chain(relation.right, slips, arms),
+        relation.along,
+        mistaken_turning(relation, slips),
+        relation.velocity,
+        relation.acceleration,
+        relation.frame,
+        relation.source,
+        slips.coriolis,
+    )
 
 
 def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
     """The factors of the turning rates with the slips made."""
     match relation.source:
         case Roll(_, _, of, Line()) | Rotation(_, _, _, of) if of != GROUND:
-            return tuple((rate, factor * slips.carried if rate == omega_of(of) else factor)
-                         for rate, factor in relation.turning)
+            return tuple(
+                (rate, factor * slips.carried if rate == omega_of(of) else factor)
+                for rate, factor in relation.turning
+            )
         case Roll(_, _, _, Circle()):
             return tuple(mistaken_rolling(relation, relation.source, slips))
         case Mesh():
@@ -154,31 +182,51 @@ def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
     sense = -slips.meshing if mesh.inside else slips.meshing
     own, other = mesh.circle.radius, mesh.on.radius * sense
     thought = (slips.carried, 1) if mesh.body != GROUND else (1, slips.carried)
-    factors = [(mesh.body, own), (mesh.of, other), (mesh.carrier, -own * thought[0] - other * thought[1])]
+    factors = [
+        (mesh.body, own),
+        (mesh.of, other),
+        (mesh.carrier, -own * thought[0] - other * thought[1]),
+    ]
     rates: dict[str, Any] = {}
     for body, factor in factors:
         if body != GROUND:
-            rates[omega_of(body)] = rates[omega_of(body)] + factor if omega_of(body) in rates else factor
+            rates[omega_of(body)] = (
+                rates[omega_of(body)] + factor if omega_of(body) in rates else factor
+            )
     return tuple(rates.items())
 
 
-def velocity_chain(chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False) -> Chain:
+def velocity_chain(
+    chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False
+) -> Chain:
     """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without the centre's.
 
     `whole` leaves out relative motions as well: the velocity of the point of the moving body there.
     """
     last = chain[-1] if chain else None
-    about_centre = last is not None and len(chain) > 1 and last.kind == "rotation" \
+    about_centre = (
+        last is not None
+        and len(chain) > 1
+        and last.kind == "rotation"
         and rolling.get(last.rate) == last.base
+    )
     terms = []
     for term in chain:
         share = slips.centre if about_centre and term is not last else 1
         if whole and term.frame != GROUND:
             share = share * slips.relative
-        terms.append(term if isinstance(share, int) and share == 1 else replace(term, vector=term.vector * share))
+        terms.append(
+            term
+            if isinstance(share, int) and share == 1
+            else replace(term, vector=term.vector * share)
+        )
     return tuple(terms)
 
 
 def rolling_centres(frames: Frames) -> dict[str, str]:
     """For each rolling body the point that is its centre, by the body's turning rate."""
-    return {omega_of(joint.body): joint.circle.centre for joint in frames.mechanism.joints if isinstance(joint, Roll)}
+    return {
+        omega_of(joint.body): joint.circle.centre
+        for joint in frames.mechanism.joints
+        if isinstance(joint, Roll)
+    }

@@ -17,10 +17,27 @@ from kinegrade.mechanics.vector import Vector
 def structure(motion: Motion) -> Hashable:
     """What two motions of a template must have in common to be stacked: all but the numbers."""
     frames = motion.frames
-    bases = tuple((name, base.point, chain_structure(base.chain)) for name, base in frames.bases.items())
-    relations = tuple((chain_structure(relation.left), chain_structure(relation.right), relation.along is None,
-                       tuple(rate for rate, _ in relation.turning), relation.frame) for relation in frames.relations)
-    return motion.plan, tuple(motion.points), bases, relations, tuple(motion.rates), tuple(motion.changes)
+    bases = tuple(
+        (name, base.point, chain_structure(base.chain)) for name, base in frames.bases.items()
+    )
+    relations = tuple(
+        (
+            chain_structure(relation.left),
+            chain_structure(relation.right),
+            relation.along is None,
+            tuple(rate for rate, _ in relation.turning),
+            relation.frame,
+        )
+        for relation in frames.relations
+    )
+    return (
+        motion.plan,
+        tuple(motion.points),
+        bases,
+        relations,
+        tuple(motion.rates),
+        tuple(motion.changes),
+    )
 
 
 def chain_structure(chain: Chain) -> Hashable:
@@ -32,43 +49,74 @@ def stacked(motions: Sequence[Motion]) -> Motion:
     """The motions, of one structure and in doubles, as one. Joints and drivers are the first one's, but for numbers
     the relations say all that they state."""
     first, frames = motions[0], [motion.frames for motion in motions]
-    points = {name: stacked_vector([motion.points[name] for motion in motions]) for name in first.points}
-    bases = {name: Base(base.point, stacked_chain([one.bases[name].chain for one in frames]), base.joint)
-             for name, base in frames[0].bases.items()}
-    relations = tuple(stacked_relation(same) for same in zip(*(one.relations for one in frames), strict=True))
+    points = {
+        name: stacked_vector([motion.points[name] for motion in motions]) for name in first.points
+    }
+    bases = {
+        name: Base(base.point, stacked_chain([one.bases[name].chain for one in frames]), base.joint)
+        for name, base in frames[0].bases.items()
+    }
+    relations = tuple(
+        stacked_relation(same) for same in zip(*(one.relations for one in frames), strict=True)
+    )
     mechanism = frames[0].mechanism
     together = Mechanism(points, mechanism.bodies, mechanism.joints, mechanism.drivers)
     if not first.plan.steps:  # poses, of which no rate is known
         return Motion(Frames(together, bases, relations), first.plan, first.rates, first.changes)
-    return Motion(Frames(together, bases, relations), first.plan,
-                  {name: stacked_numbers([motion.rates[name] for motion in motions]) for name in first.rates},
-                  {name: stacked_numbers([motion.changes[name] for motion in motions]) for name in first.changes})
+    return Motion(
+        Frames(together, bases, relations),
+        first.plan,
+        {name: stacked_numbers([motion.rates[name] for motion in motions]) for name in first.rates},
+        {
+            name: stacked_numbers([motion.changes[name] for motion in motions])
+            for name in first.changes
+        },
+    )
 
 
 def stacked_relation(same: Sequence[Relation]) -> Relation:
     """Relations of one structure as one."""
     first = same[0]
     factors = zip(*([factor for _, factor in relation.turning] for relation in same), strict=True)
-    return Relation(first.origin, stacked_chain([relation.left for relation in same]),
-                    stacked_chain([relation.right for relation in same]),
-                    stacked_vector([relation.along for relation in same if relation.along is not None]),
-                    tuple((rate, stacked_numbers(factor))
-                          for (rate, _), factor in zip(first.turning, factors, strict=True)),
-                    stacked_numbers([relation.velocity for relation in same]),
-                    stacked_numbers([relation.acceleration for relation in same]), first.frame, first.source)
+    return Relation(
+        first.origin,
+        stacked_chain([relation.left for relation in same]),
+        stacked_chain([relation.right for relation in same]),
+        stacked_vector([relation.along for relation in same if relation.along is not None]),
+        tuple(
+            (rate, stacked_numbers(factor))
+            for (rate, _), factor in zip(first.turning, factors, strict=True)
+        ),
+        stacked_numbers([relation.velocity for relation in same]),
+        stacked_numbers([relation.acceleration for relation in same]),
+        first.frame,
+        first.source,
+    )
 
 
 def stacked_chain(chains: Sequence[Chain]) -> Chain:
     """Chains of one structure as one."""
-    return tuple(Term(same[0].kind, same[0].rate, stacked_vector([term.vector for term in same]), same[0].point,
-                      same[0].base, same[0].frame) for same in zip(*chains, strict=True))
+    return tuple(
+        Term(
+            same[0].kind,
+            same[0].rate,
+            stacked_vector([term.vector for term in same]),
+            same[0].point,
+            same[0].base,
+            same[0].frame,
+        )
+        for same in zip(*chains, strict=True)
+    )
 
 
 def stacked_vector(vectors: Sequence[Vector]) -> Any:
     """Vectors as one; None for none."""
     if not vectors:
         return None
-    return Vector(stacked_numbers([vector.x for vector in vectors]), stacked_numbers([vector.y for vector in vectors]))
+    return Vector(
+        stacked_numbers([vector.x for vector in vectors]),
+        stacked_numbers([vector.y for vector in vectors]),
+    )
 
 
 def stacked_numbers(numbers: Sequence[float]) -> Any:

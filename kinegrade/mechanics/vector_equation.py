@@ -95,7 +95,9 @@ class VectorEquation:
         return tuple(part for part in self.parts if part.role == "relative" and part.part != "n")
 
 
-def vector_equation(relation: Relation, motion: Motion, known: Collection[str], level: Level) -> VectorEquation:
+def vector_equation(
+    relation: Relation, motion: Motion, known: Collection[str], level: Level
+) -> VectorEquation:
     """The vector equation of a relation at the stage where the rates `known` are known (their changes, for
     accelerations, of which all velocities are known)."""
     left = list(chain_parts(relation.left, motion, known, level))
@@ -103,19 +105,25 @@ def vector_equation(relation: Relation, motion: Motion, known: Collection[str], 
     if is_whole(right) and not is_whole(left):  # v_B = v_A + v_BA, not the other way about
         left, right = right, left
     parts = numbered([*left, *right])
-    return VectorEquation(relation, tuple(parts[:len(left)]), tuple(parts[len(left):]), level)
+    return VectorEquation(relation, tuple(parts[: len(left)]), tuple(parts[len(left) :]), level)
 
 
 def together(equations: Sequence[VectorEquation]) -> tuple[VectorEquation, ...]:
     """The same equations with their compositions of motions counted through."""
     counts = [len(equation.compositions) for equation in equations]
-    return tuple(replace(equation, first=sum(counts[:place]), among=sum(counts))
-                 for place, equation in enumerate(equations))
+    return tuple(
+        replace(equation, first=sum(counts[:place]), among=sum(counts))
+        for place, equation in enumerate(equations)
+    )
 
 
 def is_whole(parts: Sequence[Part]) -> bool:
     """Whether one side of an equation is the absolute motion of one point and nothing else."""
-    return bool(parts) and all(part.role == "absolute" for part in parts) and len({part.point for part in parts}) == 1
+    return (
+        bool(parts)
+        and all(part.role == "absolute" for part in parts)
+        and len({part.point for part in parts}) == 1
+    )
 
 
 def numbered(parts: Sequence[Part]) -> list[Part]:
@@ -123,12 +131,16 @@ def numbered(parts: Sequence[Part]) -> list[Part]:
     number, result = 0, []
     for part, following in zip(parts, (*parts[1:], None), strict=True):
         result.append(replace(part, composition=number))
-        ends = part.role in ("relative", "coriolis") and (following is None or following.term is not part.term)
+        ends = part.role in ("relative", "coriolis") and (
+            following is None or following.term is not part.term
+        )
         number += ends
     return result
 
 
-def chain_parts(chain: Chain, motion: Motion, known: Collection[str], level: Level) -> Iterator[Part]:
+def chain_parts(
+    chain: Chain, motion: Motion, known: Collection[str], level: Level
+) -> Iterator[Part]:
     """The parts of one side: what is known from the ground outwards, then term by term."""
     count = next((place for place, term in enumerate(chain) if term.rate not in known), len(chain))
     if count > 1 and chain[count - 1].frame != GROUND:
@@ -147,9 +159,15 @@ def transports(chain: Chain, count: int) -> bool:
 
 def drawn_together(chain: Chain, motion: Motion, level: Level, transport: bool) -> Part:
     """Known terms as one vector."""
-    values = (term.velocity(motion.rates) if level == "velocity" else term.acceleration(motion.rates, motion.changes)
-              for term in chain)
-    return Part("transport" if transport else "absolute", chain[-1].point, total(values), together=chain)
+    values = (
+        term.velocity(motion.rates)
+        if level == "velocity"
+        else term.acceleration(motion.rates, motion.changes)
+        for term in chain
+    )
+    return Part(
+        "transport" if transport else "absolute", chain[-1].point, total(values), together=chain
+    )
 
 
 def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level) -> Iterator[Part]:

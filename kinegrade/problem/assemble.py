@@ -17,7 +17,19 @@ from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
 from kinegrade.expression import Call, Expression, Name, elementary, evaluate, is_angle
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, constructions
-from kinegrade.mechanics.joints import Arc, Circle, Contact, Joint, Line, Mesh, Parallel, Pin, Roll, Sleeve, Slide
+from kinegrade.mechanics.joints import (
+    Arc,
+    Circle,
+    Contact,
+    Joint,
+    Line,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.sentences import DriverSentence, JointSentence
@@ -45,7 +57,11 @@ def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> 
     if parameter.unit.text == "rad":
         return value if angular or not arithmetic.exact else radians(value)
     if isinstance(value, (Angle, Vector)):
-        raise Inexact("a number with pi in it") if isinstance(value, Angle) else ExpressionError("expected a number")
+        raise (
+            Inexact("a number with pi in it")
+            if isinstance(value, Angle)
+            else ExpressionError("expected a number")
+        )
     return value * arithmetic.number(parameter.unit.factor)
 
 
@@ -56,21 +72,33 @@ def radians(value: Any) -> Any:
     raise Inexact("a rational number of radians")
 
 
-def assemble(template: Template, given: Mapping[str, Any], arithmetic: Any,
-             put_down: Callable[[Vector], Vector] = lambda point: point) -> Assembly:
+def assemble(
+    template: Template,
+    given: Mapping[str, Any],
+    arithmetic: Any,
+    put_down: Callable[[Vector], Vector] = lambda point: point,
+) -> Assembly:
     """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the place, Inexact.
 
     `put_down` gives each constructed point as it is used from then on, which is how rounding enters.
     """
-    values: dict[str, Any] = {"pi": arithmetic.turns(1), **given, **{branch: branch for branch in BRANCHES}}
+    values: dict[str, Any] = {
+        "pi": arithmetic.turns(1),
+        **given,
+        **{branch: branch for branch in BRANCHES},
+    }
     points: dict[str, Vector] = {}
     functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
     for name, tree in template.lengths.items():
-        values[name] = bounded(located(f"lengths.{name}", evaluate, tree, values, functions, arithmetic))
+        values[name] = bounded(
+            located(f"lengths.{name}", evaluate, tree, values, functions, arithmetic)
+        )
     for name, tree in template.points.items():
         place = located(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
-            raise ExpressionError(f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)")
+            raise ExpressionError(
+                f"points.{name}: expected a point, like (x, y) or polar(O, r, phi)"
+            )
         points[name] = values[name] = located(f"points.{name}", measured, put_down(place))
     parts = Parts(values, functions, points, arithmetic)
     joints = tuple(located(sentence.text, parts.joint, sentence) for sentence in template.joints)
@@ -156,16 +184,25 @@ class Parts:
 
     def driver(self, sentence: DriverSentence) -> Driver:
         """The driver that a sentence states."""
-        velocity, acceleration = measure(self.value(sentence.velocity)), measure(self.value(sentence.acceleration))
+        velocity, acceleration = (
+            measure(self.value(sentence.velocity)),
+            measure(self.value(sentence.acceleration)),
+        )
         if sentence.kind == "rotation":
             return Rotation(sentence.body, velocity, acceleration, sentence.of)
         if sentence.along is None:
-            return Circulation(sentence.point, sentence.body, sentence.centre, velocity, acceleration)
+            return Circulation(
+                sentence.point, sentence.body, sentence.centre, velocity, acceleration
+            )
         along = self.value(sentence.along)
         if isinstance(along, (Vector, Line, Round, str)):
-            raise ExpressionError("moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)")
+            raise ExpressionError(
+                "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
+            )
         direction = Constructions(self.arithmetic, self.points).unit(along)
-        return Component(sentence.point, sentence.body, direction, velocity, acceleration, sentence.of)
+        return Component(
+            sentence.point, sentence.body, direction, velocity, acceleration, sentence.of
+        )
 
 
 __all__ = ["Assembly", "assemble", "parameter_value"]

@@ -22,7 +22,17 @@ from kinegrade.problem.assemble import assemble
 from kinegrade.problem.quantities import BodyName
 from kinegrade.problem.template import Template
 
-STEPS = (0, 1, -1, 2, -2, 3, -3, 4, -4)  # of 15 degrees from the instant: multiples of 15 stay in a small field
+STEPS = (
+    0,
+    1,
+    -1,
+    2,
+    -2,
+    3,
+    -3,
+    4,
+    -4,
+)  # of 15 degrees from the instant: multiples of 15 stay in a small field
 
 
 @dataclass(frozen=True)
@@ -36,8 +46,11 @@ class Centrodes:
 
     def functions(self, arithmetic: Any) -> dict[str, Callable[..., Any]]:
         """What a quantity may say of centrodes."""
-        return {"circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
-                "radius": lambda circle: circle.radius, "centre": lambda circle: circle.centre}
+        return {
+            "circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
+            "radius": lambda circle: circle.radius,
+            "centre": lambda circle: circle.centre,
+        }
 
     def circle(self, body: Any, angle: Any, arithmetic: Any) -> Round:
         """The circle on which the pole of `body` moves while the parameter `angle` changes.
@@ -45,7 +58,9 @@ class Centrodes:
         Raises MechanismError when fewer than four configurations can be reached, or the curve is no circle.
         """
         if not isinstance(body, BodyName):
-            raise ExpressionError("circle_of_poles(BODY, parameter): expected the name of a body first")
+            raise ExpressionError(
+                "circle_of_poles(BODY, parameter): expected the name of a body first"
+            )
         key = (body.name, self.parameter(angle))
         if key not in self.known:
             self.known[key] = self.find(*key, arithmetic)
@@ -57,10 +72,14 @@ class Centrodes:
         """The circle through three poles, a fourth of which lies on it."""
         poles = list(islice(self.poles(body, parameter, arithmetic), 4))
         if len(poles) < 4:
-            raise MechanismError(f"the centrode of {body}: fewer than four configurations can be reached by "
-                                 f"changing {parameter}: choose another value")
+            raise MechanismError(
+                f"the centrode of {body}: fewer than four configurations can be reached by "
+                f"changing {parameter}: choose another value"
+            )
         circle = through(poles[0], poles[1], poles[2], arithmetic)
-        if not arithmetic.is_zero((poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()):
+        if not arithmetic.is_zero(
+            (poles[3] - circle.centre).squared() - (poles[0] - circle.centre).squared()
+        ):
             raise MechanismError(f"the centrode of {body} is no circle")
         return circle
 
@@ -69,14 +88,18 @@ class Centrodes:
         for name, value in self.values.items():
             if value is angle and name in self.template.angles:
                 return name
-        raise ExpressionError("circle_of_poles(BODY, parameter): expected the name of an angular parameter second")
+        raise ExpressionError(
+            "circle_of_poles(BODY, parameter): expected the name of an angular parameter second"
+        )
 
     def poles(self, body: str, parameter: str, arithmetic: Any) -> Iterator[Vector]:
         """The poles at the instant and at the neighbouring configurations that can be reached."""
         for step in STEPS:
             changed = self.values[parameter] + arithmetic.turns(fmpq(step, 12))
             try:
-                mechanism = assemble(self.template, {**self.values, parameter: changed}, arithmetic).mechanism
+                mechanism = assemble(
+                    self.template, {**self.values, parameter: changed}, arithmetic
+                ).mechanism
                 yield solve(mechanism, arithmetic, self.plan).pole(body, arithmetic)
             except MechanismError:
                 continue

@@ -60,7 +60,9 @@ def check(template: Template, sample: int = 200) -> Report:
     for language in LANGUAGES:
         report.faults += statement_faults(template, language)
     if not template.published:
-        report.faults.append("no published result: a template is finished when [[published]] proves it")
+        report.faults.append(
+            "no published result: a template is finished when [[published]] proves it"
+        )
     for published in template.published:
         prove(report, published)
     draw(report, sample)
@@ -68,7 +70,9 @@ def check(template: Template, sample: int = 200) -> Report:
     broken = breaking_values(template, min(sample, SEARCHED))
     if broken is not None:
         shown = ", ".join(f"{name} = {text}" for name, text in broken[0].items())
-        report.faults.append(f"breaks at {shown}: {broken[1]}: add a condition or narrow the domains")
+        report.faults.append(
+            f"breaks at {shown}: {broken[1]}: add a condition or narrow the domains"
+        )
     return report
 
 
@@ -106,19 +110,27 @@ def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> Foresight:
 def weigh(report: Report) -> None:
     """Too few instances and constant answers are faults; what else is easily guessed is remarked."""
     if not report.instances:
-        report.faults.append("no acceptable instance was found: widen the domains or relax the conditions")
+        report.faults.append(
+            "no acceptable instance was found: widen the domains or relax the conditions"
+        )
     elif report.distinct < FEWEST:
-        report.faults.append(f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a class: "
-                             "widen the domains")
+        report.faults.append(
+            f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a class: "
+            "widen the domains"
+        )
     for name, spread in report.spreads.items():
         copied = spread.copied()
         if spread.constant:
-            report.faults.append(f"{name} has the same answer in all instances: a student guesses it")
+            report.faults.append(
+                f"{name} has the same answer in all instances: a student guesses it"
+            )
         elif copied is not None:
             report.remarks.append(f"{name} equals the given {copied} in almost all instances")
     report.remarks += rounding_remarks(report)
     if report.refused["mechanism"]:
-        report.remarks.append("some drawable combinations cannot be solved: a condition would say why")
+        report.remarks.append(
+            "some drawable combinations cannot be solved: a condition would say why"
+        )
 
 
 def rounding_remarks(report: Report) -> Iterator[str]:
@@ -126,8 +138,10 @@ def rounding_remarks(report: Report) -> Iterator[str]:
     examined = report.instances + sum(report.refused.values())
     for (reason, ask), count in report.blamed.items():
         if reason == "rounding" and count >= OFTEN_ASTRAY * examined:
-            yield (f"{ask} is off by more than 1 % in {count} of {examined} instances when every intermediate value is "
-                   "rounded to 3 significant figures: keep it from being a small difference, or ask another quantity")
+            yield (
+                f"{ask} is off by more than 1 % in {count} of {examined} instances when every intermediate value is "
+                "rounded to 3 significant figures: keep it from being a small difference, or ask another quantity"
+            )
 
 
 def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:
@@ -158,7 +172,10 @@ def note(report: Report, solution: Solution) -> None:
 
 def prove(report: Report, published: Published) -> None:
     """Hold the published results against the engine: at the stated values, and at several for those left open."""
-    where, complete = f"published ({published.source})", set(published.given) == set(report.template.parameters)
+    where, complete = (
+        f"published ({published.source})",
+        set(published.given) == set(report.template.parameters),
+    )
     solutions, problem = [], ""
     for values in stated(report.template, published, 1 if complete else 20 * INSTANCES):
         try:
@@ -168,8 +185,10 @@ def prove(report: Report, published: Published) -> None:
         if len(solutions) == INSTANCES:
             break
     for solution in solutions:
-        faults = [f"{where} at {at(solution)}: {fault}"
-                  for fault in differences(report.template, published, solution)]
+        faults = [
+            f"{where} at {at(solution)}: {fault}"
+            for fault in differences(report.template, published, solution)
+        ]
         report.faults += faults
         report.proved += len(published.gives) - len(faults)
     if not solutions:
@@ -185,8 +204,10 @@ def stated(template: Template, published: Published, count: int) -> Iterator[Map
 
 def at(solution: Solution) -> str:
     """The values of an instance, for a message."""
-    return ", ".join(f"{name} = {quantity.exact or quantity.decimal(6)}"
-                     for name, quantity in solution.parameters.items())
+    return ", ".join(
+        f"{name} = {quantity.exact or quantity.decimal(6)}"
+        for name, quantity in solution.parameters.items()
+    )
 
 
 def differences(template: Template, published: Published, solution: Solution) -> Iterator[str]:
@@ -194,7 +215,9 @@ def differences(template: Template, published: Published, solution: Solution) ->
     for name, tree in published.gives.items():
         ask, answer = template.asks[name], solution[name]
         try:
-            expected = evaluate(tree, quoted(solution), elementary(solution.arithmetic), solution.arithmetic)
+            expected = evaluate(
+                tree, quoted(solution), elementary(solution.arithmetic), solution.arithmetic
+            )
         except ExpressionError as error:
             yield f"{name}: {error.problems[0]}"
             continue

@@ -37,5 +37,9 @@ def lines(template: Template, language: Language) -> Iterator[str]:
 def domain(parameter: Parameter) -> str:
     """What may be drawn, in short."""
     choices = parameter.choices
-    shown = ", ".join(choices) if len(choices) <= 6 else f"{choices[0]}, {choices[1]}, ... {choices[-1]}"
+    shown = (
+        ", ".join(choices)
+        if len(choices) <= 6
+        else f"{choices[0]}, {choices[1]}, ... {choices[-1]}"
+    )
     return f"{shown} ({len(choices)})"

@@ -46,11 +46,15 @@ def read_range(text: str) -> list[str]:
     """The values of "first .. last step s"."""
     match = RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
-        raise ExpressionError(f'draw: "{text}": expected a list, or a range like "0.1 .. 0.5 step 0.05"')
+        raise ExpressionError(
+            f'draw: "{text}": expected a list, or a range like "0.1 .. 0.5 step 0.05"'
+        )
     first, last, step = (signed(part) for part in match.groups())
     if step <= 0 or last < first or (last - first) / step > MAX_CHOICES:
-        raise ExpressionError(f'draw: "{text}": the step must be positive, the last value not before the first, '
-                              f"and there may be at most {MAX_CHOICES} values")
+        raise ExpressionError(
+            f'draw: "{text}": the step must be positive, the last value not before the first, '
+            f"and there may be at most {MAX_CHOICES} values"
+        )
     count = int(((last - first) / step).floor()) + 1
     return [decimal_text(first + step * index, 30) for index in range(count)]
 

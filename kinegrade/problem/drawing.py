@@ -23,12 +23,21 @@ from kinegrade.problem.foresight import Foresight, foresight
 from kinegrade.problem.honest import stray
 from kinegrade.problem.honest_together import FEW, surely_honest
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import Solution, certified, parameter_values, read_values, solve_template
+from kinegrade.problem.solving import (
+    Solution,
+    certified,
+    parameter_values,
+    read_values,
+    solve_template,
+)
 from kinegrade.problem.template import Condition, Template
 from kinegrade.problem.tolerance import Tolerance
 
 MAX_ATTEMPTS = 400
-SMALLEST, LARGEST = 1e-3, 1e5  # sizes of answers, in the ask's own unit, that a student can be asked to write
+SMALLEST, LARGEST = (
+    1e-3,
+    1e5,
+)  # sizes of answers, in the ask's own unit, that a student can be asked to write
 REASONS = ("condition", "mechanism", "degenerate", "absurd", "rounding", "mistake", "duplicate")
 SAMPLE = 400  # instances by which it is judged what mistakes can be kept apart from the truth
 
@@ -85,9 +94,11 @@ class Deck:
             self.taken.add(tuple(values.values()))
             return Drawn(values, attempt, solution)
         reasons = ", ".join(f"{reason} {count}" for reason, count in sorted(self.refused.items()))
-        raise DrawError(f"{self.question} ({self.template.name}): no acceptable instance for student {student} in "
-                        f"{MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
-                        f"{self.combinations()} combinations are drawable")
+        raise DrawError(
+            f"{self.question} ({self.template.name}): no acceptable instance for student {student} in "
+            f"{MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
+            f"{self.combinations()} combinations are drawable"
+        )
 
     def foresee(self, students: Iterable[str]) -> None:
         """Look at the first draws of many students at once; drawing for them one after the other is faster then."""
@@ -95,8 +106,11 @@ class Deck:
         self.drawn.clear()
         self.examined.clear()
         self.sight.seen.clear()
-        self.sight.look(self.values(student, attempt) for student in students
-                        for attempt in range(self.sight.attempts))
+        self.sight.look(
+            self.values(student, attempt)
+            for student in students
+            for attempt in range(self.sight.attempts)
+        )
         if len(students) >= FEW:
             self.plan = self.plan or self.plan_for(students[0])
             self.examine_ahead(students)
@@ -114,11 +128,24 @@ class Deck:
         """Examine what each student would be given, many instances at once; then the next ones of those refused."""
         waiting = [self.unconfused(student) for student in students]
         while len(waiting) >= FEW:
-            offers = [(attempts, values) for attempts in waiting if (values := next(attempts, None))]
-            found = examine_together(self.template, [values for _, values in offers], self.asks, self.plan,
-                                     self.tolerances)
-            self.examined.update(zip((tuple(values.values()) for _, values in offers), found, strict=True))
-            waiting = [attempts for (attempts, _), one in zip(offers, found, strict=True) if isinstance(one, Refused)]
+            offers = [
+                (attempts, values) for attempts in waiting if (values := next(attempts, None))
+            ]
+            found = examine_together(
+                self.template,
+                [values for _, values in offers],
+                self.asks,
+                self.plan,
+                self.tolerances,
+            )
+            self.examined.update(
+                zip((tuple(values.values()) for _, values in offers), found, strict=True)
+            )
+            waiting = [
+                attempts
+                for (attempts, _), one in zip(offers, found, strict=True)
+                if isinstance(one, Refused)
+            ]
 
     def unconfused(self, student: str) -> Iterator[Mapping[str, str]]:
         """The first draws of a student that no mistake confuses."""
@@ -137,7 +164,9 @@ class Deck:
         """Raises Refused when a known mistake would lead to an answer within tolerance of the right one."""
         key = tuple(values.values())
         if key not in self.sight.seen:
-            self.sight.look(self.values(student, attempt + more) for more in range(self.sight.attempts))
+            self.sight.look(
+                self.values(student, attempt + more) for more in range(self.sight.attempts)
+            )
         if self.sight.seen[key]:
             raise Refused("mistake", "a known mistake leads to an answer within tolerance")
 
@@ -145,8 +174,11 @@ class Deck:
         """The values that an attempt gives to a student."""
         if (student, attempt) not in self.drawn:
             self.drawn[student, attempt] = {
-                name: choices[address(self.secret, student, self.question, name, attempt) % len(choices)]
-                for name, choices in self.domains().items()}
+                name: choices[
+                    address(self.secret, student, self.question, name, attempt) % len(choices)
+                ]
+                for name, choices in self.domains().items()
+            }
         return self.drawn[student, attempt]
 
     def sampled(self, number: int) -> dict[str, str]:
@@ -159,7 +191,10 @@ class Deck:
 
     def domains(self) -> Mapping[str, tuple[str, ...]]:
         """What may be drawn for each parameter."""
-        return {name: self.fixed.get(name, parameter.choices) for name, parameter in self.template.parameters.items()}
+        return {
+            name: self.fixed.get(name, parameter.choices)
+            for name, parameter in self.template.parameters.items()
+        }
 
     def combinations(self) -> int:
         """How many combinations of values there are, acceptable or not."""
@@ -173,7 +208,9 @@ class Deck:
         key = tuple(values.values())
         if key in self.taken:
             raise Refused("duplicate", "another student has these values")
-        found = self.examined.get(key) or examine(self.template, values, self.asks, self.plan, self.tolerances)
+        found = self.examined.get(key) or examine(
+            self.template, values, self.asks, self.plan, self.tolerances
+        )
         if isinstance(found, Refused):
             raise found
         self.plan = self.plan or found.motion.plan
@@ -193,8 +230,13 @@ def framed(part: str | int) -> bytes:
     return len(text).to_bytes(4, "big") + text
 
 
-def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None = None,
-            tolerances: Mapping[str, Tolerance] | None = None) -> Solution:
+def examine(
+    template: Template,
+    values: Mapping[str, str],
+    asks: Iterable[str],
+    plan: Plan | None = None,
+    tolerances: Mapping[str, Tolerance] | None = None,
+) -> Solution:
     """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused with the reason."""
     solution = sensible(template, values, asks, plan)
     if strayed := stray(solution, tolerances or {}):
@@ -202,8 +244,13 @@ def examine(template: Template, values: Mapping[str, str], asks: Iterable[str], 
     return solution
 
 
-def examine_together(template: Template, draws: Iterable[Mapping[str, str]], asks: Iterable[str], plan: Plan | None,
-                     tolerances: Mapping[str, Tolerance]) -> list[Solution | Refused]:
+def examine_together(
+    template: Template,
+    draws: Iterable[Mapping[str, str]],
+    asks: Iterable[str],
+    plan: Plan | None,
+    tolerances: Mapping[str, Tolerance],
+) -> list[Solution | Refused]:
     """For each of many instances what `examine` gives or raises."""
     wanted = tuple(asks)
     found: list[Solution | Refused] = []
@@ -219,7 +266,9 @@ def examine_together(template: Template, draws: Iterable[Mapping[str, str]], ask
     return found
 
 
-def sensible(template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None) -> Solution:
+def sensible(
+    template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
+) -> Solution:
     """The solution of an instance that meets the conditions and has answers to be asked for. Raises Refused."""
     try:
         for condition in template.conditions:
@@ -250,7 +299,12 @@ def holds(template: Template, condition: Condition, given: Mapping[str, str]) ->
 
     def decide(arithmetic: Any) -> bool:
         values = {**parameter_values(template, trees, arithmetic), "pi": arithmetic.turns(1)}
-        room = evaluate(Operation("-", condition.right, condition.left), values, elementary(arithmetic), arithmetic)
+        room = evaluate(
+            Operation("-", condition.right, condition.left),
+            values,
+            elementary(arithmetic),
+            arithmetic,
+        )
         sign = arithmetic.sign(half_turns(room) if isinstance(room, Angle) else room)
         return bool(sign > 0 or (sign == 0 and not condition.strict))
 

@@ -25,7 +25,14 @@ from kinegrade.mechanics.own_terms import Place
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.mistakes import CloseCentrodes, as_float, in_float
-from kinegrade.problem.own_quantities import LEVELS, motion_calls, named, own_functions, share_of, with_rotations
+from kinegrade.problem.own_quantities import (
+    LEVELS,
+    motion_calls,
+    named,
+    own_functions,
+    share_of,
+    with_rotations,
+)
 from kinegrade.problem.quantities import Quantities, body_names
 from kinegrade.problem.template import Ask, Template
 
@@ -35,14 +42,21 @@ GOLDEN, ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet
 FARTHEST = 1000  # times the right answer, or below its thousandth part: from there nothing sensible follows
 
 
-def followed(template: Template, values: Mapping[str, Any], earlier: Mapping[str, float], later: str,
-             plan: Plan | None = None) -> float | None:
+def followed(
+    template: Template,
+    values: Mapping[str, Any],
+    earlier: Mapping[str, float],
+    later: str,
+    plan: Plan | None = None,
+) -> float | None:
     """What follows for the ask `later`, in its unit, from own answers to other asks (each in its unit).
 
     `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on those answers, or
     nothing follows from them: they are zero, beyond any sense, or out of the plan's reach.
     """
-    return Follower(template, {name: as_float(value) for name, value in values.items()}, plan).value(earlier, later)
+    return Follower(
+        template, {name: as_float(value) for name, value in values.items()}, plan
+    ).value(earlier, later)
 
 
 @dataclass(frozen=True)
@@ -55,7 +69,11 @@ class Follower:
 
     def value(self, earlier: Mapping[str, float], later: str) -> float | None:
         """What follows for `later`, as `followed` tells; all the earlier answers are put in at once."""
-        own = {name: value for name, value in earlier.items() if self.sensible(name, value) and name != later}
+        own = {
+            name: value
+            for name, value in earlier.items()
+            if self.sensible(name, value) and name != later
+        }
         if not own:
             return None
         found, stirred = self.result(own, later), self.result(stirred_values(own), later)
@@ -67,7 +85,11 @@ class Follower:
     def sensible(self, name: str, value: float) -> bool:
         """Whether an own answer may be put in: it is of the size of the right one, give or take a thousand times."""
         right = self.right(name)
-        return right is not None and abs(right) > SAME and 1 / FARTHEST <= abs(value / right) <= FARTHEST
+        return (
+            right is not None
+            and abs(right) > SAME
+            and 1 / FARTHEST <= abs(value / right) <= FARTHEST
+        )
 
     def result(self, own: Mapping[str, float], later: str) -> float | None:
         """The answer of `later` with own answers put in, None where there is none."""
@@ -76,7 +98,11 @@ class Follower:
 
     def right(self, name: str) -> float | None:
         """The right answer of an ask, in its unit; None where there is none."""
-        return None if self.right_motion is None else self.read(self.template.asks[name], self.right_motion)
+        return (
+            None
+            if self.right_motion is None
+            else self.read(self.template.asks[name], self.right_motion)
+        )
 
     @cached_property
     def right_motion(self) -> FollowedMotion | None:
@@ -90,7 +116,11 @@ class Follower:
         doubles = Doubles()
         with doubles.context():
             try:
-                values = [value for name in own for value in self.own_values(self.template.asks[name], own[name])]
+                values = [
+                    value
+                    for name in own
+                    for value in self.own_values(self.template.asks[name], own[name])
+                ]
                 return followed_motion(self.still.frames, self.plan, values, doubles)
             except (KinegradeError, ArithmeticError):
                 return None
@@ -112,7 +142,12 @@ class Follower:
         equations = [relation.equations() for relation in relations]
         if self.suggested is not None:
             try:
-                plans.run(self.suggested, equations, lambda index: relations[index].velocity_side(), Doubles())
+                plans.run(
+                    self.suggested,
+                    equations,
+                    lambda index: relations[index].velocity_side(),
+                    Doubles(),
+                )
             except ArithmeticError:
                 pass
             else:
@@ -122,7 +157,10 @@ class Follower:
     @cached_property
     def quantities(self) -> Mapping[str, Expression]:
         """What is read for each ask."""
-        return {name: with_rotations(ask.quantity, self.template.bodies) for name, ask in self.template.asks.items()}
+        return {
+            name: with_rotations(ask.quantity, self.template.bodies)
+            for name, ask in self.template.asks.items()
+        }
 
     @cached_property
     def names(self) -> Mapping[str, Any]:
@@ -132,7 +170,10 @@ class Follower:
     @cached_property
     def factors(self) -> Mapping[str, float]:
         """The units of the asks in SI."""
-        return {name: float(Doubles().number(ask.unit.factor)) for name, ask in self.template.asks.items()}
+        return {
+            name: float(Doubles().number(ask.unit.factor))
+            for name, ask in self.template.asks.items()
+        }
 
     @cached_property
     def fixed(self) -> Mapping[str, Callable[..., Any]]:
@@ -145,8 +186,13 @@ class Follower:
         calls = set(motion_calls(self.quantities[ask.name]))
         call = calls.pop() if len(calls) == 1 else None
         if call is not None and call.function in LEVELS:
-            yield OwnValue(lambda motion: self.read(ask, motion), number, LEVELS[call.function], self.place(call),
-                           share_of(call))
+            yield OwnValue(
+                lambda motion: self.read(ask, motion),
+                number,
+                LEVELS[call.function],
+                self.place(call),
+                share_of(call),
+            )
 
     def place(self, call: Call) -> Place | None:
         """The body and point of whose own velocity or acceleration a call is."""
@@ -162,7 +208,9 @@ class Follower:
         functions = {**self.fixed, **own_functions(motion, doubles)}
         try:
             number = evaluate(self.quantities[ask.name], self.names, functions, doubles)
-            value = float(number * 180 / pi if ask.unit.degrees else number / self.factors[ask.name])
+            value = float(
+                number * 180 / pi if ask.unit.degrees else number / self.factors[ask.name]
+            )
         except (KeyError, KinegradeError, ArithmeticError):
             return None
         return value if isfinite(value) else None
@@ -188,8 +236,10 @@ def generic_plan(template: Template) -> Plan | None:
 def generic_values(template: Template, number: int) -> dict[str, float]:
     """One of many sets of drawable parameters, in SI: each as far along its choices as chance would have it."""
     shares = (modf(number * GOLDEN + place * ROOT)[0] for place in range(len(template.parameters)))
-    return {name: in_float(parameter, parameter.choices[int(share * len(parameter.choices))])
-            for (name, parameter), share in zip(template.parameters.items(), shares, strict=True)}
+    return {
+        name: in_float(parameter, parameter.choices[int(share * len(parameter.choices))])
+        for (name, parameter), share in zip(template.parameters.items(), shares, strict=True)
+    }
 
 
 def connected(follower: Follower) -> Iterator[tuple[str, str]]:
@@ -200,7 +250,11 @@ def connected(follower: Follower) -> Iterator[tuple[str, str]]:
         motion = follower.motion({earlier: number * 1.01}) if number else None
         for later, before in right.items():
             after = follower.read(asks[later], motion) if motion and later != earlier else None
-            if before is not None and after is not None and abs(after - before) > SAME * max(abs(before), abs(after)):
+            if (
+                before is not None
+                and after is not None
+                and abs(after - before) > SAME * max(abs(before), abs(after))
+            ):
                 yield earlier, later
 
 
@@ -212,9 +266,12 @@ def stirred_values(own: Mapping[str, float]) -> dict[str, float]:
 def in_plan_order(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
     """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal parts, which
     velocities decide, then of accelerations; alike ones stay as they stand."""
+
     def stage(name: str) -> int:
         calls = set(motion_calls(template.asks[name].quantity)) if name in template.asks else set()
         accelerations = any(LEVELS.get(call.function) == "acceleration" for call in calls)
-        return accelerations + any(LEVELS.get(call.function) == "acceleration" and not share_of(call) for call in calls)
+        return accelerations + any(
+            LEVELS.get(call.function) == "acceleration" and not share_of(call) for call in calls
+        )
 
     return tuple(sorted(asks, key=stage))

@@ -35,23 +35,40 @@ class Foresight:
 
     def look(self, draws: Iterable[Draw]) -> None:
         """See which of the draws a mistake would confuse."""
-        new = {tuple(draw.values()): draw for draw in draws if tuple(draw.values()) not in self.seen}
+        new = {
+            tuple(draw.values()): draw for draw in draws if tuple(draw.values()) not in self.seen
+        }
         if self.separation is None or not new:
             self.seen.update(dict.fromkeys(new, False))
         else:
-            self.seen.update(zip(new, self.separation.confuses(columns(list(new.values()))).tolist(), strict=True))
+            self.seen.update(
+                zip(
+                    new, self.separation.confuses(columns(list(new.values()))).tolist(), strict=True
+                )
+            )
 
 
-def foresight(template: Template, asks: Sequence[str], tolerances: Mapping[str, Tolerance],
-              sample: Sequence[Draw]) -> Foresight:
+def foresight(
+    template: Template,
+    asks: Sequence[str],
+    tolerances: Mapping[str, Tolerance],
+    sample: Sequence[Draw],
+) -> Foresight:
     """Ready to look at draws of a question, of which `sample` shows what mistakes can be kept apart at all."""
     for draw in sample[:TRIED]:
         try:
             plan = solve_template(template, draw, asks).motion.plan
         except KinegradeError:
             continue
-        return Foresight(separation(template, {name: template.asks[name] for name in asks}, tolerances, plan,
-                                    columns(sample)))
+        return Foresight(
+            separation(
+                template,
+                {name: template.asks[name] for name in asks},
+                tolerances,
+                plan,
+                columns(sample),
+            )
+        )
     return Foresight(None)
 
 

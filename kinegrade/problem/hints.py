@@ -28,8 +28,22 @@ GREEK = re.findall(
     "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
 )
 COMMANDS = frozenset(
-    (*GREEK, "mathrm", "mathbf", "boldsymbol", "vec", "dot", "ddot", "bar", "sqrt", "frac", "prime", "circ", "cdot",
-     "infty")
+    (
+        *GREEK,
+        "mathrm",
+        "mathbf",
+        "boldsymbol",
+        "vec",
+        "dot",
+        "ddot",
+        "bar",
+        "sqrt",
+        "frac",
+        "prime",
+        "circ",
+        "cdot",
+        "infty",
+    )
 )
 _LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
 _DANGLING = re.compile(
@@ -145,9 +159,7 @@ def symbol_fault(symbol: object) -> str | None:
     if not isinstance(symbol, str) or not symbol.strip():
         return "not a symbol; write LaTeX math without dollar signs, such as '\\omega_{AB}'"
     if not _LETTERS.fullmatch(symbol):
-        return (
-            f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and LaTeX commands"
-        )
+        return f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and LaTeX commands"
     unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
     if unknown:
         return f"unknown LaTeX command \\{unknown[0]}; {did_you_mean(unknown[0], COMMANDS)}"
@@ -199,7 +211,11 @@ class _Reader:
         if key == "axes" and isinstance(value, bool):
             return replace(hints, axes=value)
         known = (*readers, "lines", "labels", "shapes", "axes")
-        problem = "expected true or false" if key == "axes" else f"unknown entry; {did_you_mean(key, known)}"
+        problem = (
+            "expected true or false"
+            if key == "axes"
+            else f"unknown entry; {did_you_mean(key, known)}"
+        )
         self.fault(key, problem)
         return hints
 
@@ -221,7 +237,8 @@ class _Reader:
     def angle(self, row: dict[str, Any], place: str) -> Angle:
         self.keys(row, place, ("symbol", "at", "from", "to"), ("sense",))
         start, end = (
-            self.name(row, place, key, self.points | set(SIDES), "point or side") for key in ("from", "to")
+            self.name(row, place, key, self.points | set(SIDES), "point or side")
+            for key in ("from", "to")
         )
         sense = cast(Sense | None, self.choice(row, place, "sense", SENSES))
         return Angle(self.symbol(row, place), self.point(row, place, "at"), start, end, sense)
@@ -236,19 +253,25 @@ class _Reader:
         self.keys(row, place, ("body", "centre", "through"), ())
         centre, through = (self.point(row, place, key) for key in ("centre", "through"))
         if centre and centre == through:
-            self.fault(place, f"a circle about {centre!r} through itself; name another point for 'through'")
+            self.fault(
+                place, f"a circle about {centre!r} through itself; name another point for 'through'"
+            )
         return Rimmed(self.name(row, place, "body", self.bodies, "body"), centre, through)
 
     def arrow(self, row: dict[str, Any], place: str) -> Turning | Moving:
         if "moves" in row:
             self.keys(row, place, ("symbol", "moves"), ("along",))
             choices = self.points | set(SIDES)
-            along = self.name(row, place, "along", choices, "point or side") if "along" in row else None
+            along = (
+                self.name(row, place, "along", choices, "point or side") if "along" in row else None
+            )
             return Moving(self.symbol(row, place), self.point(row, place, "moves"), along)
         self.keys(row, place, ("symbol", "turns"), ("sense",))
         sense = cast(Sense | None, self.choice(row, place, "sense", SENSES))
         return Turning(
-            self.symbol(row, place), self.name(row, place, "turns", self.bodies - {GROUND}, "body"), sense
+            self.symbol(row, place),
+            self.name(row, place, "turns", self.bodies - {GROUND}, "body"),
+            sense,
         )
 
     def lines(self, value: object) -> tuple[tuple[str, str], ...]:
@@ -259,7 +282,10 @@ class _Reader:
                 return ()
             for name in row:
                 if name not in self.points:
-                    self.fault(f"lines[{number}]", f"no point {name!r}; {did_you_mean(str(name), self.points)}")
+                    self.fault(
+                        f"lines[{number}]",
+                        f"no point {name!r}; {did_you_mean(str(name), self.points)}",
+                    )
         return tuple((str(start), str(end)) for start, end in rows)
 
     def labels(self, value: object) -> Mapping[str, str | None]:
@@ -277,7 +303,9 @@ class _Reader:
             if shape in SHAPES:
                 found[name] = cast(Shape, shape)
             else:
-                self.fault(f"shapes.{name}", f"no shape {shape!r}; {did_you_mean(str(shape), SHAPES)}")
+                self.fault(
+                    f"shapes.{name}", f"no shape {shape!r}; {did_you_mean(str(shape), SHAPES)}"
+                )
         return found
 
     def pairs(self, key: str, value: object, names: AbstractSet[str]) -> list[tuple[str, Any]]:
@@ -306,11 +334,15 @@ class _Reader:
     def point(self, row: dict[str, Any], place: str, key: str) -> str:
         return self.name(row, place, key, self.points, "point")
 
-    def name(self, row: dict[str, Any], place: str, key: str, names: AbstractSet[str], kind: str) -> str:
+    def name(
+        self, row: dict[str, Any], place: str, key: str, names: AbstractSet[str], kind: str
+    ) -> str:
         name = row.get(key, "")
         if key in row and name not in names:
             self.fault(f"{place}.{key}", f"no {kind} {name!r}; {did_you_mean(str(name), names)}")
         return str(name)
 
-    def choice(self, row: dict[str, Any], place: str, key: str, choices: tuple[str, ...]) -> str | None:
+    def choice(
+        self, row: dict[str, Any], place: str, key: str, choices: tuple[str, ...]
+    ) -> str | None:
         return self.name(row, place, key, frozenset(choices), "choice") if key in row else None

@@ -42,7 +42,12 @@ from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 DEGREES = 180 / pi  # as `math.degrees` has it
 DISPLAY = 10  # significant figures that a calculator shows and somebody may type
 SAFELY = 0.5000001  # of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
-LOST = (KinegradeError, Singular, ValueError, ZeroDivisionError)  # rounded circles that do not meet, a dead point
+LOST = (
+    KinegradeError,
+    Singular,
+    ValueError,
+    ZeroDivisionError,
+)  # rounded circles that do not meet, a dead point
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,9 @@ class Target:
         if self.low + room <= near <= self.high - room:
             return True
         typed = (worked, *(Rounded(count).written(worked) for count in range(figures, DISPLAY + 1)))
-        return all(self.low <= nearest_turn(number, self.exact, self.turn) <= self.high for number in typed)
+        return all(
+            self.low <= nearest_turn(number, self.exact, self.turn) <= self.high for number in typed
+        )
 
 
 def safe_room(size: Any, figures: int) -> Any:
@@ -91,7 +98,9 @@ def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | No
     """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if there is one."""
     aims = targets(solution, tolerances)
     for figures, every in carried_figures(aims):
-        concerned = {name: aim for name, aim in aims.items() if aim.figures in (figures, figures - 1)}
+        concerned = {
+            name: aim for name, aim in aims.items() if aim.figures in (figures, figures - 1)
+        }
         for worked in workings(solution, solution.doubles, figures, every=every):
             for name, aim in concerned.items():
                 if not aim.met(worked.get(name), figures):
@@ -101,15 +110,24 @@ def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | No
 
 def targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str, Target]:
     """What is right for every ask of an instance, where nothing is stated within 1 %."""
-    return {name: target(solution.template.asks[name], answer, tolerances.get(name, ONE_PER_CENT), solution.doubles)
-            for name, answer in solution.answers.items()}
+    return {
+        name: target(
+            solution.template.asks[name],
+            answer,
+            tolerances.get(name, ONE_PER_CENT),
+            solution.doubles,
+        )
+        for name, answer in solution.answers.items()
+    }
 
 
 def carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
     """The significant figures that are carried: three, or as many as a tolerance takes to be met at all, and then all
     ways of working are followed; and one more."""
     least = {aim.figures for aim in aims.values()}
-    return [(figures, figures in least) for figures in sorted(least | {count + 1 for count in least})]
+    return [
+        (figures, figures in least) for figures in sorted(least | {count + 1 for count in least})
+    ]
 
 
 def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDoubles) -> Target:
@@ -122,7 +140,9 @@ def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDou
     return Target(float(low), float(high), exact, turn_of(ask), allowed.carried(Fraction(exact)))
 
 
-def workings(solution: Solution, motion: Motion, figures: int, *, every: bool) -> Iterator[dict[str, float]]:
+def workings(
+    solution: Solution, motion: Motion, figures: int, *, every: bool
+) -> Iterator[dict[str, float]]:
     """The answers of honest students who carry so many significant figures, in the asks' units; what cannot be found
     is left out. `motion` is the solution's in doubles. All three ways where `every` is true, else the quickest one."""
     yield by_arms(solution, motion, Rounded(figures))
@@ -138,33 +158,57 @@ def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
     try:
         assembly = assemble(template, givens, rounded, lambda point: write(point, rounded))
         motion = Motion(build(assembly.mechanism, rounded), solution.motion.plan, {}, {})
-        return answers(solution, assembly.values, assembly.functions, solve_by_hand(motion, rounded), rounded)
+        return answers(
+            solution, assembly.values, assembly.functions, solve_by_hand(motion, rounded), rounded
+        )
     except LOST:
         return {}
 
 
 def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
     """The answers of one who keeps positions in the calculator; `rounded` says what else is written down."""
-    values = {name: in_double(value) for name, value in solution.assembly.values.items() if name not in motion.points}
+    values = {
+        name: in_double(value)
+        for name, value in solution.assembly.values.items()
+        if name not in motion.points
+    }
     functions = {**elementary(rounded), **constructions(rounded, motion.points)}
     try:
-        return answers(solution, {**values, **motion.points}, functions, solve_by_hand(motion, rounded), rounded)
+        return answers(
+            solution,
+            {**values, **motion.points},
+            functions,
+            solve_by_hand(motion, rounded),
+            rounded,
+        )
     except LOST:
         return {}
 
 
-def answers(solution: Solution, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]], motion: Motion,
-            rounded: Rounded) -> dict[str, float]:
+def answers(
+    solution: Solution,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    motion: Motion,
+    rounded: Rounded,
+) -> dict[str, float]:
     """The answers that a motion worked out by hand gives, without those that cannot be found."""
     known = {**body_names(motion.frames.mechanism), **values}
     may_call = {**functions, **quantities(motion, rounded)}
-    found = {name: worked_answer(solution.template.asks[name], answer, known, may_call, rounded)
-             for name, answer in solution.answers.items()}
+    found = {
+        name: worked_answer(solution.template.asks[name], answer, known, may_call, rounded)
+        for name, answer in solution.answers.items()
+    }
     return {name: number for name, number in found.items() if number is not None}
 
 
-def worked_answer(ask: Ask, answer: Quantity, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]],
-                  rounded: Rounded) -> float | None:
+def worked_answer(
+    ask: Ask,
+    answer: Quantity,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+    rounded: Rounded,
+) -> float | None:
     """One answer in its unit; a centrode is not worked out by numbers but known in closed form."""
     if calls(ask.quantity, "circle_of_poles"):
         return answer.value
@@ -194,8 +238,12 @@ def nearest_turn(number: Any, exact: Any, turn: float) -> Any:
 def calls(tree: Expression, function: str) -> bool:
     """Whether an expression calls a function."""
     if isinstance(tree, Call):
-        return tree.function == function or any(calls(argument, function) for argument in tree.arguments)
-    return isinstance(tree, Operation) and (calls(tree.left, function) or calls(tree.right, function))
+        return tree.function == function or any(
+            calls(argument, function) for argument in tree.arguments
+        )
+    return isinstance(tree, Operation) and (
+        calls(tree.left, function) or calls(tree.right, function)
+    )
 
 
 def in_double(value: Any) -> Any:

@@ -71,17 +71,25 @@ def together(template: Template, asks: Iterable[str]) -> bool:
     """Whether a template's instances can be worked out together: powers of arrays may differ in the last bit, and a
     centrode is known alone."""
     quantities = [template.asks[name].quantity for name in asks]
-    sentences = [getattr(sentence, part) for sentence in (*template.joints, *template.drivers)
-                 for part in ("on", "circle", "velocity", "acceleration", "along") if hasattr(sentence, part)]
+    sentences = [
+        getattr(sentence, part)
+        for sentence in (*template.joints, *template.drivers)
+        for part in ("on", "circle", "velocity", "acceleration", "along")
+        if hasattr(sentence, part)
+    ]
     trees = (*template.lengths.values(), *template.points.values(), *quantities, *sentences)
-    return not (any(map(has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities))
+    return not (
+        any(map(has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities)
+    )
 
 
 def has_power(tree: Expression | None) -> bool:
     """Whether something in an expression is raised to a power."""
     if isinstance(tree, Call):
         return any(map(has_power, tree.arguments))
-    return isinstance(tree, Operation) and (tree.sign == "**" or has_power(tree.left) or has_power(tree.right))
+    return isinstance(tree, Operation) and (
+        tree.sign == "**" or has_power(tree.left) or has_power(tree.right)
+    )
 
 
 def passed(instances: Sequence[Instance]) -> Flags:
@@ -112,19 +120,34 @@ def verdicts(instances: Sequence[Instance]) -> Iterator[tuple[Flags, RoundedArra
     Raises FloatingPointError with the instances that are `unsettled` so far.
     """
     whole = stacked_solution([instance.solution for instance in instances])
-    aims = {name: [instance.targets[name] for instance in instances] for name in instances[0].targets}
+    aims = {
+        name: [instance.targets[name] for instance in instances] for name in instances[0].targets
+    }
     for figures, every in carried_figures(instances[0].targets):
-        concerned = {name: same for name, same in aims.items() if same[0].figures in (figures, figures - 1)}
-        for sparing, by in ((False, "arms"), (True, "arms"), (False, "coordinates"))[:3 if every else 1]:
+        concerned = {
+            name: same for name, same in aims.items() if same[0].figures in (figures, figures - 1)
+        }
+        for sparing, by in ((False, "arms"), (True, "arms"), (False, "coordinates"))[
+            : 3 if every else 1
+        ]:
             arithmetic = RoundedArrays(figures, len(instances), sparing=sparing)
             try:
                 with arithmetic.context():
-                    worked = (by_arms(whole, whole.motion, arithmetic) if by == "arms" else
-                              by_coordinates(whole, arithmetic))
+                    worked = (
+                        by_arms(whole, whole.motion, arithmetic)
+                        if by == "arms"
+                        else by_coordinates(whole, arithmetic)
+                    )
             except FloatingPointError as error:
                 error.unsettled = arithmetic.unsettled  # type: ignore[attr-defined]
                 raise
-            yield np.all([met(same, worked.get(name), figures) for name, same in concerned.items()], axis=0), arithmetic
+            yield (
+                np.all(
+                    [met(same, worked.get(name), figures) for name, same in concerned.items()],
+                    axis=0,
+                ),
+                arithmetic,
+            )
 
 
 def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
@@ -143,10 +166,15 @@ def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
 def stacked_solution(solutions: Sequence[Solution]) -> Solution:
     """The solutions, in doubles, as one whose numbers are arrays; answers are the first one's."""
     first = solutions[0]
-    values = {name: stacked_values([in_double(solution.assembly.values[name]) for solution in solutions])
-              for name in first.assembly.values}
-    return replace(first, motion=stacked([solution.doubles for solution in solutions]),
-                   assembly=replace(first.assembly, values=values))
+    values = {
+        name: stacked_values([in_double(solution.assembly.values[name]) for solution in solutions])
+        for name in first.assembly.values
+    }
+    return replace(
+        first,
+        motion=stacked([solution.doubles for solution in solutions]),
+        assembly=replace(first.assembly, values=values),
+    )
 
 
 def stacked_values(values: Sequence[Any]) -> Any:

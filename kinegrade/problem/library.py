@@ -7,9 +7,10 @@ from pathlib import Path
 
 import kinegrade
 from kinegrade.errors import TemplateError, did_you_mean
-from kinegrade.problem.reading import MAX_CHARACTERS, read_template
+from kinegrade.problem.reading import read_template
 from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Template
+from kinegrade.problem.toml_text import MAX_CHARACTERS
 
 
 def shipped(folder: str) -> Path:
@@ -30,18 +31,24 @@ def load_template(name: str, folder: Path | None = None) -> Template:
     The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises TemplateError when there is
     no such template, or with all faults of the file.
     """
-    path = Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
+    path = (
+        Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
+    )
     known = [other.stem for other in (folder or shipped("templates")).glob("*.toml")]
     if not name.endswith(".toml") and name not in known:
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
-    return read_template(path.stem, template_text(path), partial(mechanism_text, path.parent / FOLDER))
+    return read_template(
+        path.stem, template_text(path), partial(mechanism_text, path.parent / FOLDER)
+    )
 
 
 def mechanism_text(folder: Path, name: str) -> str:
     """The text of the mechanism of that name in a folder. Raises TemplateError when there is none to read."""
     known = [other.stem for other in folder.glob("*.toml")]
     if name not in known:
-        raise TemplateError(f'no mechanism "{name}" in {FOLDER}/ beside the template: {did_you_mean(name, known)}')
+        raise TemplateError(
+            f'no mechanism "{name}" in {FOLDER}/ beside the template: {did_you_mean(name, known)}'
+        )
     return template_text(folder / f"{name}.toml")
 
 
@@ -51,9 +58,15 @@ def template_text(path: Path) -> str:
         with path.open("rb") as file:
             data = file.read(4 * MAX_CHARACTERS + 1)
         if len(data) > 4 * MAX_CHARACTERS:
-            raise TemplateError(f"{path}: too large: at most {MAX_CHARACTERS} characters are read: shorten it")
+            raise TemplateError(
+                f"{path}: too large: at most {MAX_CHARACTERS} characters are read: shorten it"
+            )
         return data.decode("utf-8-sig")
     except OSError as error:
-        raise TemplateError(f"{path}: cannot be read: {error.strerror}: give the path of a template file") from error
+        raise TemplateError(
+            f"{path}: cannot be read: {error.strerror}: give the path of a template file"
+        ) from error
     except UnicodeDecodeError as error:
-        raise TemplateError(f"{path}: not UTF-8 at byte {error.start}: save the template as UTF-8") from error
+        raise TemplateError(
+            f"{path}: not UTF-8 at byte {error.start}: save the template as UTF-8"
+        ) from error

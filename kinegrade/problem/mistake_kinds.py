@@ -65,14 +65,25 @@ def diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
 
 def plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Angular rates given in revolutions or radians per minute with their number taken for radians per second."""
-    return {**values, **{name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
-                         for name in unconverted_rates(template)}}
+    return {
+        **values,
+        **{
+            name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
+            for name in unconverted_rates(template)
+        },
+    }
 
 
 def plain_lengths(template: Template, values: Givens, arithmetic: Any) -> Givens:
     """Lengths, velocities and accelerations with the number that is given, whatever its unit."""
-    return {**values, **{name: value / arithmetic.number(template.parameters[name].unit.factor)
-                         for name, value in values.items() if template.parameters[name].unit.length}}
+    return {
+        **values,
+        **{
+            name: value / arithmetic.number(template.parameters[name].unit.factor)
+            for name, value in values.items()
+            if template.parameters[name].unit.length
+        },
+    }
 
 
 MISTAKES = (
@@ -96,7 +107,9 @@ MISTAKES = (
     Mistake("millimetres-for-metres", givens=plain_lengths, plain_lengths=True),
 )
 IN_THE_ANSWER: Mapping[str, Any] = {
-    "sense-reversed": fmpq(-1), "power-of-ten-up": fmpq(10), "power-of-ten-down": fmpq(1, 10),
+    "sense-reversed": fmpq(-1),
+    "power-of-ten-up": fmpq(10),
+    "power-of-ten-down": fmpq(1, 10),
 }
 IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *IN_THE_ANSWER)
 UNSIGNED = frozenset(CONVENTIONS[keyword][0] for keyword in ("magnitude", "unsigned"))
@@ -104,48 +117,93 @@ UNSIGNED = frozenset(CONVENTIONS[keyword][0] for keyword in ("magnitude", "unsig
 
 def factors(ask: Ask) -> dict[str, Any]:
     """By what the answer itself is wrong after each mistake in writing it; only a signed one can be reversed."""
-    return {name: factor for name, factor in IN_THE_ANSWER.items() if factor > 0 or ask.sign.en not in UNSIGNED}
+    return {
+        name: factor
+        for name, factor in IN_THE_ANSWER.items()
+        if factor > 0 or ask.sign.en not in UNSIGNED
+    }
 
 
 def radii(template: Template) -> set[str]:
     """The parameters that are the radius of a circle which joints speak of."""
-    circles = [shape for joint in template.joints for shape in (joint.circle, joint.on)
-               if shape is not None and shape.function == "circle"]
-    named = {tree.name for tree in (circle.arguments[1] for circle in circles) if isinstance(tree, Name)}
-    return {name for name in named & set(template.parameters) if template.parameters[name].unit.length == 1}
+    circles = [
+        shape
+        for joint in template.joints
+        for shape in (joint.circle, joint.on)
+        if shape is not None and shape.function == "circle"
+    ]
+    named = {
+        tree.name for tree in (circle.arguments[1] for circle in circles) if isinstance(tree, Name)
+    }
+    return {
+        name
+        for name in named & set(template.parameters)
+        if template.parameters[name].unit.length == 1
+    }
 
 
 def unconverted_rates(template: Template) -> list[str]:
     """The parameters that are angular rates in other units than rad/s and rad/s^2."""
-    return [name for name, parameter in template.parameters.items()
-            if parameter.unit.angle and parameter.unit.time < 0 and parameter.unit.factor != 1]
+    return [
+        name
+        for name, parameter in template.parameters.items()
+        if parameter.unit.angle and parameter.unit.time < 0 and parameter.unit.factor != 1
+    ]
 
 
 def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
     """The mistakes that the template gives an occasion for, where these asks are put."""
+    occasions, others = occasions_of_shares(template, asks), occasions_of_givens(template, asks)
+    for mistake in MISTAKES:
+        if others.get(
+            mistake.identifier,
+            template.drivers and any(occasions[share] for share in mistake.shares),
+        ):
+            yield mistake
+
+
+def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+    """For each share of a term whether the template has such terms."""
     kinds = {joint.kind for joint in template.joints}
-    relative = any(joint.of != GROUND for joint in template.joints) \
-        or any(driver.of != GROUND for driver in template.drivers)
+    relative = any(joint.of != GROUND for joint in template.joints) or any(
+        driver.of != GROUND for driver in template.drivers
+    )
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
     wheels = bool(kinds & {"roll", "mesh"})
-    units = {unit for unit in [*(parameter.unit for parameter in template.parameters.values()),
-                               *(ask.unit for ask in asks.values())] if unit.length}
-    occasions = {
-        "coriolis": accelerations and relative, "relative_normal": accelerations, "path_normal": accelerations,
+    return {
+        "coriolis": accelerations and relative,
+        "relative_normal": accelerations,
+        "path_normal": accelerations,
         "carried": wheels or any(driver.of != GROUND for driver in template.drivers),
         "asked_relative": any(calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
-        "meshing": wheels, "arm": wheels, "centre": wheels, "relative": relative, "pole": "pin" in kinds,
+        "meshing": wheels,
+        "arm": wheels,
+        "centre": wheels,
+        "relative": relative,
+        "pole": "pin" in kinds,
     }
-    others = {
+
+
+def occasions_of_givens(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
+    """For each mistake in reading what is given whether the template can be misread so."""
+    units = {
+        unit
+        for unit in [
+            *(parameter.unit for parameter in template.parameters.values()),
+            *(ask.unit for ask in asks.values()),
+        ]
+        if unit.length
+    }
+    return {
         "other-branch": any(calls(tree, ("meet",), 3) for tree in template.points.values()),
         "sine-for-cosine": bool(template.angles),
-        "degrees-for-radians": any(parameter.unit.degrees for parameter in template.parameters.values()),
-        "diameter-for-radius": bool(radii(template)), "rpm-not-converted": bool(unconverted_rates(template)),
+        "degrees-for-radians": any(
+            parameter.unit.degrees for parameter in template.parameters.values()
+        ),
+        "diameter-for-radius": bool(radii(template)),
+        "rpm-not-converted": bool(unconverted_rates(template)),
         "millimetres-for-metres": len({unit.text.split("/")[0] for unit in units}) > 1,
     }
-    for mistake in MISTAKES:
-        if others.get(mistake.identifier, template.drivers and any(occasions[share] for share in mistake.shares)):
-            yield mistake
 
 
 def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
@@ -161,7 +219,9 @@ def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
 @cache
 def sentences() -> dict[str, dict[Language, str]]:
     """The sentence of every mistake in both languages, by its identifier."""
-    table: dict[str, Any] = tomllib.loads(files("kinegrade.problem").joinpath("mistake_words.toml").read_text("utf-8"))
+    table: dict[str, Any] = tomllib.loads(
+        files("kinegrade.problem").joinpath("mistake_words.toml").read_text("utf-8")
+    )
     return table
 
 

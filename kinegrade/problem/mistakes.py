@@ -66,7 +66,9 @@ class Way:
     plain_lengths: Any = False
 
 
-def moved(template: Template, way: Way, plan: Plan, arithmetic: Any, *, stirred: bool = False) -> Reader:
+def moved(
+    template: Template, way: Way, plan: Plan, arithmetic: Any, *, stirred: bool = False
+) -> Reader:
     """The motion as it comes out that way, to be read off; `stirred` as `mistaken` takes it.
 
     Raises MechanismError or Singular where there is none, Inexact and Undecided as the arithmetic does.
@@ -83,7 +85,9 @@ def moved(template: Template, way: Way, plan: Plan, arithmetic: Any, *, stirred:
     return Reader(assembly, motion, centrodes(template, way.values, plan), way.plain_lengths)
 
 
-def work_out(template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Any) -> dict[str, Any]:
+def work_out(
+    template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Any
+) -> dict[str, Any]:
     """The answers in the asks' units, without those that the mistake leaves without a value. Raises as `moved`."""
     reader = moved(template, way, plan, arithmetic)
     found = {name: reader.answer(ask, arithmetic) for name, ask in asks.items()}
@@ -99,7 +103,9 @@ class CloseCentrodes(Centrodes):
         poles = []
         for step in (0, 1, -1):
             changed = self.values[parameter] + step * arithmetic.turns(fmpq(1, 60))
-            mechanism = assemble(self.template, {**self.values, parameter: changed}, arithmetic).mechanism
+            mechanism = assemble(
+                self.template, {**self.values, parameter: changed}, arithmetic
+            ).mechanism
             poles.append(solve(mechanism, arithmetic, self.plan).pole(body, arithmetic))
         return through(poles[0], poles[1], poles[2], arithmetic)
 
@@ -117,7 +123,11 @@ class Reader:
         """The answer of one ask, None where there is no value."""
         own = arithmetic.fork()
         values = {**body_names(self.assembly.mechanism), **self.assembly.values}
-        functions = {**self.assembly.functions, **quantities(self.motion, own), **self.centrodes.functions(own)}
+        functions = {
+            **self.assembly.functions,
+            **quantities(self.motion, own),
+            **self.centrodes.functions(own),
+        }
         try:
             number = evaluate(ask.quantity, values, functions, own)
         except (KinegradeError, AtInfinity):
@@ -132,14 +142,22 @@ class Reader:
             return number * 180 / (arb.pi() if isinstance(number, arb) else np.pi)
         number = fmpq(number) if isinstance(number, int) and arithmetic.certified else number
         converted = number / arithmetic.number(ask.unit.factor)
-        return arithmetic.choose(self.plain_lengths, number, converted) if ask.unit.length else converted
+        return (
+            arithmetic.choose(self.plain_lengths, number, converted)
+            if ask.unit.length
+            else converted
+        )
 
 
 def way_of(mistake: Mistake, template: Template, values: Mapping[str, Any], arithmetic: Any) -> Way:
     """The way of one mistake at the parameters `values` (SI), for `work_out` in any arithmetic."""
     shares = {name: arithmetic.number(share) for name, share in mistake.shares.items()}
-    return Way(mistake.givens(template, values, arithmetic), Slips(**shares), mistake.other_branch,
-               mistake.plain_lengths)
+    return Way(
+        mistake.givens(template, values, arithmetic),
+        Slips(**shares),
+        mistake.other_branch,
+        mistake.plain_lengths,
+    )
 
 
 @dataclass(frozen=True)
@@ -154,8 +172,15 @@ class Outcomes:
     scales: Mapping[str, Any]
 
 
-def outcomes(template: Template, asks: Mapping[str, Ask], mistakes: Sequence[Mistake], values: Mapping[str, Any],
-             plan: Plan, *, stirred: bool = False) -> Outcomes:
+def outcomes(
+    template: Template,
+    asks: Mapping[str, Ask],
+    mistakes: Sequence[Mistake],
+    values: Mapping[str, Any],
+    plan: Plan,
+    *,
+    stirred: bool = False,
+) -> Outcomes:
     """What the mistakes lead to; `values` are parameters in SI, numbers or arrays of instances.
 
     `stirred` as `mistaken` takes it: what then differs depends on the mistaken term, even where it is zero.
@@ -168,25 +193,43 @@ def outcomes(template: Template, asks: Mapping[str, Ask], mistakes: Sequence[Mis
         try:
             reader = moved(template, way, plan, floats, stirred=stirred)
         except (KinegradeError, Singular):
-            return Outcomes({name: finite(nothing, (len(ways), *shape)) for name in asks}, dict.fromkeys(asks, nothing))
+            return Outcomes(
+                {name: finite(nothing, (len(ways), *shape)) for name in asks},
+                dict.fromkeys(asks, nothing),
+            )
         found = {name: reader.answer(ask, floats) for name, ask in asks.items()}
-        answers = {name: finite(nothing if value is None else value, (len(ways), *shape))
-                   for name, value in found.items()}
-        return Outcomes(answers, {name: own_scale(reader.motion, ask, (len(ways), *shape))
-                                  for name, ask in asks.items()})
+        answers = {
+            name: finite(nothing if value is None else value, (len(ways), *shape))
+            for name, value in found.items()
+        }
+        return Outcomes(
+            answers,
+            {
+                name: own_scale(reader.motion, ask, (len(ways), *shape))
+                for name, ask in asks.items()
+            },
+        )
 
 
-def known_mistakes(template: Template, asks: Mapping[str, Ask], values: Values,
-                   plan: Plan) -> dict[str, dict[str, Any]]:
+def known_mistakes(
+    template: Template, asks: Mapping[str, Ask], values: Values, plan: Plan
+) -> dict[str, dict[str, Any]]:
     """For every ask and mistake an array of what it leads to in each instance, as `Quantity.mistakes` does in one.
 
     NaN where a mistake has no value; those that change nothing in an instance have the right answer there.
     """
     kinds = tuple(candidates(template, asks))
     rows = outcomes(template, asks, kinds, in_floats(template, values), plan).answers
-    return {name: {**dict(zip((kind.identifier for kind in kinds), rows[name][1:], strict=True)),
-                   **{written: rows[name][0] * as_float(factor) for written, factor in factors(ask).items()}}
-            for name, ask in asks.items()}
+    return {
+        name: {
+            **dict(zip((kind.identifier for kind in kinds), rows[name][1:], strict=True)),
+            **{
+                written: rows[name][0] * as_float(factor)
+                for written, factor in factors(ask).items()
+            },
+        }
+        for name, ask in asks.items()
+    }
 
 
 def in_floats(template: Template, values: Values) -> dict[str, Any]:
@@ -214,17 +257,26 @@ def own_scale(motion: Motion, ask: Ask, shape: tuple[int, ...]) -> Any:
     return np.broadcast_to(largest, shape)[0]
 
 
-def together(template: Template, ways: Sequence[Mistake], values: Mapping[str, Any], shape: tuple[int, ...]) -> Way:
+def together(
+    template: Template, ways: Sequence[Mistake], values: Mapping[str, Any], shape: tuple[int, ...]
+) -> Way:
     """All ways through the instances at once, one along the first axis for each."""
     floats = Floats()
     taken = [way.givens(template, values, floats) for way in ways]
     rows = {name: np.stack([np.broadcast_to(one[name], shape) for one in taken]) for name in values}
     column = (len(ways), *(1 for _ in shape))
     thought = {name for way in ways for name in way.shares}
-    shares = {name: np.array([float(floats.number(way.shares.get(name, 1))) for way in ways]).reshape(column)
-              for name in SHARES if name in thought}
-    branch, lengths = (np.array([getattr(way, name) for way in ways]).reshape(column)
-                       for name in ("other_branch", "plain_lengths"))
+    shares = {
+        name: np.array([float(floats.number(way.shares.get(name, 1))) for way in ways]).reshape(
+            column
+        )
+        for name in SHARES
+        if name in thought
+    }
+    branch, lengths = (
+        np.array([getattr(way, name) for way in ways]).reshape(column)
+        for name in ("other_branch", "plain_lengths")
+    )
     return Way(rows, Slips(**shares), branch, lengths)
 
 
@@ -259,13 +311,25 @@ class Mistakes:
         kinds = tuple(candidates(self.template, self.asks))
         values = {name: as_float(self.values[name]) for name in self.template.parameters}
         rows = outcomes(self.template, self.asks, kinds, values, self.plan).answers
-        return {name: {kind.identifier: value for kind, value in zip((RIGHT, *kinds), rows[name].tolist(), strict=True)
-                       if isfinite(value)} for name in self.asks}
+        return {
+            name: {
+                kind.identifier: value
+                for kind, value in zip((RIGHT, *kinds), rows[name].tolist(), strict=True)
+                if isfinite(value)
+            }
+            for name in self.asks
+        }
 
     def of(self, ask: str, right: float) -> dict[str, float]:
         """The values of an ask that differ from the right one, by the mistakes' identifiers."""
-        values = {name: value for name, value in self.leads[ask].items() if name and differs(value, right)}
-        written = {name: right * as_float(factor) for name, factor in factors(self.asks[ask]).items() if right}
+        values = {
+            name: value for name, value in self.leads[ask].items() if name and differs(value, right)
+        }
+        written = {
+            name: right * as_float(factor)
+            for name, factor in factors(self.asks[ask]).items()
+            if right
+        }
         return {**values, **written}
 
 

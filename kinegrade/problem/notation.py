@@ -1,7 +1,7 @@
 """From the names of parameters and asks to the symbols of textbooks, in LaTeX math.
 
-    omega_AB  \\omega_{AB}      r1       r_{1}            a_BC_y   a_{BC,y}
-    v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\\mathrm{C}}
+omega_AB  \\omega_{AB}      r1       r_{1}            a_BC_y   a_{BC,y}
+v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\\mathrm{C}}
 """
 
 from __future__ import annotations
@@ -9,9 +9,19 @@ from __future__ import annotations
 import re
 
 GREEK = {
-    "alpha": r"\alpha", "beta": r"\beta", "gamma": r"\gamma", "delta": r"\delta", "eps": r"\varepsilon",
-    "theta": r"\theta", "kappa": r"\kappa", "lam": r"\lambda", "rho": r"\rho", "phi": r"\varphi",
-    "psi": r"\psi", "eta": r"\eta", "omega": r"\omega",
+    "alpha": r"\alpha",
+    "beta": r"\beta",
+    "gamma": r"\gamma",
+    "delta": r"\delta",
+    "eps": r"\varepsilon",
+    "theta": r"\theta",
+    "kappa": r"\kappa",
+    "lam": r"\lambda",
+    "rho": r"\rho",
+    "phi": r"\varphi",
+    "psi": r"\psi",
+    "eta": r"\eta",
+    "omega": r"\omega",
 }
 PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
 UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}

@@ -20,9 +20,16 @@ from kinegrade.problem.quantities import Quantities, quantities
 
 ROTATION = "rotation_velocity"
 LEVELS: Mapping[str, Level] = {
-    "velocity": "velocity", "omega": "velocity", "relative_velocity": "velocity", ROTATION: "velocity",
-    "acceleration": "acceleration", "alpha": "acceleration", "relative_acceleration": "acceleration",
-    "tangential_acceleration": "acceleration", "coriolis": "acceleration", "normal_acceleration": "acceleration",
+    "velocity": "velocity",
+    "omega": "velocity",
+    "relative_velocity": "velocity",
+    ROTATION: "velocity",
+    "acceleration": "acceleration",
+    "alpha": "acceleration",
+    "relative_acceleration": "acceleration",
+    "tangential_acceleration": "acceleration",
+    "coriolis": "acceleration",
+    "normal_acceleration": "acceleration",
 }
 MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
 
@@ -48,7 +55,11 @@ class OwnQuantities(Quantities):
 def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
     """What a quantity may say, read off such a motion."""
     own = OwnQuantities(motion, arithmetic)
-    return {**quantities(motion, arithmetic), "normal_acceleration": own.normal, ROTATION: own.rotation}
+    return {
+        **quantities(motion, arithmetic),
+        "normal_acceleration": own.normal,
+        ROTATION: own.rotation,
+    }
 
 
 def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
@@ -60,14 +71,19 @@ def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
     body = common_body(tree, bodies)
     if body:
         return Call(ROTATION, (tree.left.arguments[0], tree.right.arguments[0], Name(body)))  # type: ignore[union-attr]
-    return Operation(tree.sign, with_rotations(tree.left, bodies), with_rotations(tree.right, bodies))
+    return Operation(
+        tree.sign, with_rotations(tree.left, bodies), with_rotations(tree.right, bodies)
+    )
 
 
 def common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:
     """The body of which a difference of two velocities is the rotation; None for anything else."""
     left, right = tree.left, tree.right
-    if tree.sign != "-" or not (isinstance(left, Call) and isinstance(right, Call)) \
-            or {left.function, right.function} != {"velocity"}:
+    if (
+        tree.sign != "-"
+        or not (isinstance(left, Call) and isinstance(right, Call))
+        or {left.function, right.function} != {"velocity"}
+    ):
         return None
     points = {named(call.arguments[0]) for call in (left, right)}
     said = {named(call.arguments[1]) for call in (left, right) if len(call.arguments) > 1}
@@ -92,7 +108,9 @@ def share_of(call: Call) -> str | None:
     arguments = [named(argument) for argument in call.arguments]
     if call.function == "coriolis":
         return coriolis_share(arguments[0], arguments[2])
-    return normal_share(arguments[0], arguments[1]) if call.function == "normal_acceleration" else None
+    return (
+        normal_share(arguments[0], arguments[1]) if call.function == "normal_acceleration" else None
+    )
 
 
 def named(tree: Expression) -> str:

@@ -40,10 +40,19 @@ def quantities(motion: Motion, arithmetic: Any) -> dict[str, Callable[..., Any]]
     """The functions of a motion by name."""
     ask = Quantities(motion, arithmetic)
     return {
-        "velocity": ask.velocity, "acceleration": ask.acceleration, "omega": ask.omega, "alpha": ask.alpha,
-        "relative_velocity": ask.relative_velocity, "relative_acceleration": ask.relative_acceleration,
-        "coriolis": ask.coriolis, "normal_acceleration": ask.normal, "tangential_acceleration": ask.tangential,
-        "pole": ask.pole, "magnitude": ask.magnitude, "along": ask.along, "angle": ask.angle,
+        "velocity": ask.velocity,
+        "acceleration": ask.acceleration,
+        "omega": ask.omega,
+        "alpha": ask.alpha,
+        "relative_velocity": ask.relative_velocity,
+        "relative_acceleration": ask.relative_acceleration,
+        "coriolis": ask.coriolis,
+        "normal_acceleration": ask.normal,
+        "tangential_acceleration": ask.tangential,
+        "pole": ask.pole,
+        "magnitude": ask.magnitude,
+        "along": ask.along,
+        "angle": ask.angle,
         "between": ask.between,
     }
 
@@ -77,13 +86,21 @@ class Quantities:
             return self.body(body)
         mechanism = self.motion.frames.mechanism
         owners = [other.name for other in mechanism.bodies if point in other.points]
-        pins = [joint.bodies for joint in mechanism.joints if isinstance(joint, Pin) and joint.point == point]
+        pins = [
+            joint.bodies
+            for joint in mechanism.joints
+            if isinstance(joint, Pin) and joint.point == point
+        ]
         if not owners:
-            raise ExpressionError(f"point {point} belongs to no body: name the body that carries it, "
-                                  f"like velocity({point}, {mechanism.bodies[0].name})")
+            raise ExpressionError(
+                f"point {point} belongs to no body: name the body that carries it, "
+                f"like velocity({point}, {mechanism.bodies[0].name})"
+            )
         if len(owners) > 1 and not any(set(owners) <= set(bodies) for bodies in pins):
-            raise ExpressionError(f"point {point} belongs to {' and '.join(owners)}, which are not pinned there: "
-                                  f"name the body, like velocity({point}, {owners[0]})")
+            raise ExpressionError(
+                f"point {point} belongs to {' and '.join(owners)}, which are not pinned there: "
+                f"name the body, like velocity({point}, {owners[0]})"
+            )
         return owners[0]
 
     def velocity(self, place: Vector, body: Any = None) -> Vector:
@@ -110,7 +127,9 @@ class Quantities:
 
     def relative_acceleration(self, place: Vector, body: Any, frame: Any) -> Vector:
         """Acceleration of a body's point seen from a moving body."""
-        return self.motion.relative_acceleration(self.point(place), self.body(body), self.body(frame))
+        return self.motion.relative_acceleration(
+            self.point(place), self.body(body), self.body(frame)
+        )
 
     def coriolis(self, place: Vector, body: Any, frame: Any) -> Vector:
         """Coriolis acceleration of a body's point, moving frame on the second body."""

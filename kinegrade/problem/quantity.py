@@ -14,7 +14,9 @@ from kinegrade.exact.text import LATEX, angle_text, decimal_text, exact_text
 from kinegrade.units import Unit
 
 CERTIFIED_DIGITS = 40
-LONGEST_CLOSED_FORM = 60  # characters: longer ones do not fit beside their decimal on a page of the key
+LONGEST_CLOSED_FORM = (
+    60  # characters: longer ones do not fit beside their decimal on a page of the key
+)
 
 
 @dataclass(frozen=True)
@@ -28,7 +30,9 @@ class Quantity:
     name: str
     number: Any
     measure: Unit
-    consequences: Callable[[str, float], Mapping[str, float]] | None = field(default=None, compare=False, repr=False)
+    consequences: Callable[[str, float], Mapping[str, float]] | None = field(
+        default=None, compare=False, repr=False
+    )
 
     @property
     def unit(self) -> str:
@@ -132,8 +136,12 @@ class Quantity:
 
     def record(self) -> dict[str, Any]:
         """exact, value and unit, as the key and `solve --json` write them; no value at infinity."""
-        return {"exact": self.exact, "value": None if self.at_infinity else self.value, "unit": self.unit,
-                "decimal": self.certified}
+        return {
+            "exact": self.exact,
+            "value": None if self.at_infinity else self.value,
+            "unit": self.unit,
+            "decimal": self.certified,
+        }
 
 
 def is_short_decimal(number: Any) -> bool:

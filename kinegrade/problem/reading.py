@@ -7,18 +7,17 @@ stranger is safe to open.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from itertools import combinations
 from typing import Any, TypeVar
 
-from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean, one_line
-from kinegrade.expression import MAX_DIGITS, Expression, names, read
+from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean
+from kinegrade.expression import Expression, read
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.author_words import read_method, read_tags
-from kinegrade.problem.conditions import mixed, read_condition
+from kinegrade.problem.conditions import read_condition
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.hints import FigureHints, read_hints
 from kinegrade.problem.notation import symbol
@@ -34,20 +33,16 @@ from kinegrade.problem.shared_mechanism import (
 )
 from kinegrade.problem.signs import read_sign
 from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
+from kinegrade.problem.toml_text import KNOWN, NEEDED, short_line, toml_tables
+from kinegrade.problem.uses import Uses
 from kinegrade.units import read_unit
 
-MAX_CHARACTERS = 100_000
-KEYS = ("title", "family", "source", "parameters", "lengths", "points", "bodies", "joints", "inputs", "conditions",
-        "asks", "statement", "published", "figure", "tags", "method")
-KNOWN = (*KEYS, "mechanism")  # a template that stands alone has no use for the last
-NEEDED = ("title", "family", "source", "parameters", "points", "bodies", "joints", "inputs", "asks", "statement")
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
-MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, and what was expected
-TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', '.join(sorted(RESERVED))}"
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
 Part = TypeVar("Part")
-Mechanisms = Callable[[str], str]  # the text of the mechanism of that name; raises TemplateError when there is none
+# The text of the mechanism of that name; raises TemplateError when there is none.
+Mechanisms = Callable[[str], str]
 
 
 def no_mechanisms(name: str) -> str:
@@ -79,16 +74,25 @@ class Reader:
     def load(self) -> dict[str, Any]:
         """The file's own TOML tables; a file that is no TOML ends here."""
         if not FILE_NAME.fullmatch(self.name):
-            raise TemplateError(f"{self.where}: a template's name is made of small letters, digits and hyphens")
+            raise TemplateError(
+                f"{self.where}: a template's name is made of small letters, digits and hyphens"
+            )
         table = toml_tables(self.where, self.text)
-        self.faults += [f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KNOWN)}"
-                        for key in table if key not in KNOWN]
+        self.faults += [
+            f"{self.where}: unknown table or key {key!r}: {did_you_mean(key, KNOWN)}"
+            for key in table
+            if key not in KNOWN
+        ]
         self.need(table, [key for key in NEEDED if "mechanism" not in table or key not in KINDS])
         return table
 
     def need(self, table: Mapping[str, Any], keys: Iterable[str]) -> None:
         """A fault for every key that is not there."""
-        self.faults += [f"{self.where}: {key} is missing: every template needs it" for key in keys if key not in table]
+        self.faults += [
+            f"{self.where}: {key} is missing: every template needs it"
+            for key in keys
+            if key not in table
+        ]
 
     def share(self, mechanisms: Mechanisms) -> None:
         """Lay the tables over those of the mechanism; one that cannot be read ends here, as its names are unknown."""
@@ -124,7 +128,9 @@ class Reader:
         """The table or list under `key`, empty if it is missing or of another kind."""
         value = self.table.get(key, kind())
         if not isinstance(value, kind):
-            self.fault(key, f"expected a {'table' if kind is dict else 'list' if kind is list else 'text'}")
+            self.fault(
+                key, f"expected a {'table' if kind is dict else 'list' if kind is list else 'text'}"
+            )
             return kind()
         return value
 
@@ -136,13 +142,27 @@ class Reader:
         bodies = self.bodies(points)
         self.check_names(parameters, lengths, points, bodies)
         result = Template(
-            self.name, self.section("family", str), self.translated(self.table, "title"),
-            self.translated(self.table, "statement"), self.section("source", str), parameters, lengths, points, bodies,
-            self.joints(), self.drivers(), self.conditions(), self.asks(), self.published(parameters),
-            self.hints(points, bodies), self.text,
-            read_tags(self.section("tags", list), self.fault), self.mechanism,
-            read_method(self.table.get("method"), self.fault))
-        self.check_uses(result)
+            self.name,
+            self.section("family", str),
+            self.translated(self.table, "title"),
+            self.translated(self.table, "statement"),
+            self.section("source", str),
+            parameters,
+            lengths,
+            points,
+            bodies,
+            self.joints(),
+            self.drivers(),
+            self.conditions(),
+            self.asks(),
+            self.published(parameters),
+            self.hints(points, bodies),
+            self.text,
+            read_tags(self.section("tags", list), self.fault),
+            self.mechanism,
+            read_method(self.table.get("method"), self.fault),
+        )
+        Uses(self.fault).check(result)
         if self.faults:
             raise TemplateError(*self.faults)
         return result
@@ -150,10 +170,16 @@ class Reader:
     def translated(self, table: Mapping[str, Any], key: str, path: str = "") -> Translated:
         """A text in en and zh."""
         value = table.get(key)
-        if not isinstance(value, dict) or set(value) != {"en", "zh"} or not all(
-                isinstance(text, str) and text.strip() for text in value.values()):
+        if (
+            not isinstance(value, dict)
+            or set(value) != {"en", "zh"}
+            or not all(isinstance(text, str) and text.strip() for text in value.values())
+        ):
             if key in table or path:
-                self.fault(path or key, f'{key}: expected texts in both languages: {{ en = "...", zh = "..." }}')
+                self.fault(
+                    path or key,
+                    f'{key}: expected texts in both languages: {{ en = "...", zh = "..." }}',
+                )
             return Translated("", "")
         return Translated(value["en"].strip(), value["zh"].strip())
 
@@ -162,7 +188,9 @@ class Reader:
         found = {}
         for name, entry in self.section("parameters", dict).items():
             path = f"parameters.{name}"
-            if not self.is_table(path, entry, {"unit", "draw", "published", "means", "symbol"}, {"unit", "draw"}):
+            if not self.is_table(
+                path, entry, {"unit", "draw", "published", "means", "symbol"}, {"unit", "draw"}
+            ):
                 continue
             unit = self.part(path, read_unit, str(entry["unit"]))
             choices = self.part(path, read_choices, entry["draw"])
@@ -171,7 +199,9 @@ class Reader:
                 self.part(path, read, published)
             if unit is not None and choices is not None:
                 means = self.translated(entry, "means", path)
-                found[name] = Parameter(name, str(entry.get("symbol", symbol(name))), unit, choices, published, means)
+                found[name] = Parameter(
+                    name, str(entry.get("symbol", symbol(name))), unit, choices, published, means
+                )
         return found
 
     def is_table(self, path: str, entry: Any, known: set[str], needed: set[str]) -> bool:
@@ -204,7 +234,9 @@ class Reader:
             marked = tuple(words[1:] if particle else words)
             for point in marked:
                 if point not in points:
-                    self.fault(f"bodies.{name}", f'no point "{point}": {did_you_mean(point, points)}')
+                    self.fault(
+                        f"bodies.{name}", f'no point "{point}": {did_you_mean(point, points)}'
+                    )
             if not marked or (particle and len(marked) != 1):
                 self.fault(f"bodies.{name}", 'expected its points, like "O A", or "particle M"')
             found.append(Body(name, marked, particle))
@@ -216,16 +248,25 @@ class Reader:
         for name in [*parameters, *lengths, *points, *(body.name for body in bodies)]:
             if not IDENTIFIER.fullmatch(name) or name in RESERVED:
                 self.fault(name, NAMING)
-        groups_of_names = (parameters, lengths, points), (parameters, lengths, {body.name for body in bodies})
-        twice = {name for group in groups_of_names for first, second in combinations(group, 2)
-                 for name in set(first) & set(second)}
+        groups_of_names = (
+            (parameters, lengths, points),
+            (parameters, lengths, {body.name for body in bodies}),
+        )
+        twice = {
+            name
+            for group in groups_of_names
+            for first, second in combinations(group, 2)
+            for name in set(first) & set(second)
+        }
         for name in sorted(twice):
             self.fault(name, "one name for two things: rename one of them")
 
     def joints(self) -> tuple[JointSentence, ...]:
         """The joint sentences."""
-        sentences = [self.part(f"joints[{index}]", read_joint, str(text))
-                     for index, text in enumerate(self.section("joints", list))]
+        sentences = [
+            self.part(f"joints[{index}]", read_joint, str(text))
+            for index, text in enumerate(self.section("joints", list))
+        ]
         return tuple(sentence for sentence in sentences if sentence is not None)
 
     def drivers(self) -> tuple[DriverSentence, ...]:
@@ -233,9 +274,16 @@ class Reader:
         found = []
         for index, entry in enumerate(self.section("inputs", list)):
             path = f"inputs[{index}]"
-            if self.is_table(path, entry, {"motion", "velocity", "acceleration"}, {"motion", "velocity"}):
-                sentence = self.part(path, read_driver, str(entry["motion"]), str(entry["velocity"]),
-                                     str(entry.get("acceleration", "0")))
+            if self.is_table(
+                path, entry, {"motion", "velocity", "acceleration"}, {"motion", "velocity"}
+            ):
+                sentence = self.part(
+                    path,
+                    read_driver,
+                    str(entry["motion"]),
+                    str(entry["velocity"]),
+                    str(entry.get("acceleration", "0")),
+                )
                 found += [sentence] if sentence is not None else []
         return tuple(found)
 
@@ -269,10 +317,17 @@ class Reader:
             if not isinstance(entry.get(flag, False), bool):
                 raise ExpressionError(f"{flag}: expected true or false")
         english, chinese = read_sign(entry.get("sign", "magnitude"))
-        return Ask(name, str(entry.get("symbol", symbol(name))), read(str(entry["quantity"])),
-                   read_unit(str(entry["unit"])), self.translated(entry, "means", f"asks.{name}"),
-                   Translated(english, chinese), points, entry.get("vanishes") is True,
-                   entry.get("cyclic") is True)
+        return Ask(
+            name,
+            str(entry.get("symbol", symbol(name))),
+            read(str(entry["quantity"])),
+            read_unit(str(entry["unit"])),
+            self.translated(entry, "means", f"asks.{name}"),
+            Translated(english, chinese),
+            points,
+            entry.get("vanishes") is True,
+            entry.get("cyclic") is True,
+        )
 
     def published(self, parameters: Mapping[str, Parameter]) -> tuple[Published, ...]:
         """Published results with the values they hold for."""
@@ -287,10 +342,13 @@ class Reader:
             given = {key: str(value) for key, value in entry.get("given", {}).items()}
             for key in given:
                 if key not in parameters:
-                    self.fault(path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}')
+                    self.fault(
+                        path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}'
+                    )
             texts = {key: str(value) for key, value in entry["gives"].items()}
-            trees = {key: self.part(f"{path}.gives.{key}", read, value)
-                     for key, value in texts.items()}
+            trees = {
+                key: self.part(f"{path}.gives.{key}", read, value) for key, value in texts.items()
+            }
             known = {key: tree for key, tree in trees.items() if tree is not None}
             found.append(Published(str(entry["source"]), given, known, texts))
         return tuple(found)
@@ -298,7 +356,9 @@ class Reader:
     def hints(self, points: Mapping[str, Any], bodies: tuple[Body, ...]) -> FigureHints:
         """The figure's marks."""
         try:
-            return read_hints(self.section("figure", dict), self.name, set(points), {body.name for body in bodies})
+            return read_hints(
+                self.section("figure", dict), self.name, set(points), {body.name for body in bodies}
+            )
         except TemplateError as error:
             for problem in error.problems:
                 self.figure_fault(problem)
@@ -309,83 +369,3 @@ class Reader:
         key = re.match(r"[\w-]+: (figure\.\w+)", problem)
         file, _ = self.layers.standing(key[1] if key else "figure")
         self.faults.append(f"{file}: figure: {short_line(problem)}")
-
-    def check_uses(self, template: Template) -> None:
-        """Names in expressions are known where they are used; published results and asks belong together."""
-        parameters = {*template.parameters, "pi"}
-        self.check_order("lengths", template.lengths, parameters)
-        self.check_order("points", template.points, {*parameters, *template.lengths, *BRANCHES})
-        self.check_sentences(template, {*parameters, *template.lengths, *BRANCHES, *template.points})
-        for index, condition in enumerate(template.conditions):
-            for tree in (condition.left, condition.right):
-                self.check_known(f"conditions[{index}]", tree, parameters)
-            if mixed(condition, template.angles):
-                self.fault(f"conditions[{index}]", f'"{condition.text}": an angle against a number: '
-                                                   "write degrees as parts of pi, like phi < pi/2")
-        for index, result in enumerate(template.published):
-            for name, tree in result.gives.items():
-                if name not in template.asks:
-                    self.fault(f"published[{index}]", f'no ask "{name}": {did_you_mean(name, template.asks)}')
-                self.check_known(f"published[{index}].gives.{name}", tree, parameters)
-
-    def check_order(self, key: str, trees: Mapping[str, Expression], known: set[str]) -> None:
-        """Lengths and points may name what stands before them."""
-        for name, tree in trees.items():
-            self.check_known(f"{key}.{name}", tree, known)
-            known = {*known, name}
-
-    def check_sentences(self, template: Template, known: set[str]) -> None:
-        """Joints, inputs and asks name bodies, points and values that there are."""
-        bodies = {GROUND, *(body.name for body in template.bodies)}
-        for joint in template.joints:
-            self.check_listed(joint.text, "body", (joint.body, joint.of, joint.carrier, *joint.bodies), bodies)
-            self.check_listed(joint.text, "point", (joint.point,), set(template.points))
-            for shape in (joint.circle, joint.on):
-                self.check_known(joint.text, shape, known)
-        for driver in template.drivers:
-            self.check_listed(driver.text, "body", (driver.body, driver.of), bodies)
-            self.check_listed(driver.text, "point", (driver.point, driver.centre), set(template.points))
-            for tree in (driver.velocity, driver.acceleration, driver.along):
-                self.check_known(driver.text, tree, known)
-        for name, ask in template.asks.items():
-            self.check_known(f"asks.{name}", ask.quantity, known | bodies)
-
-    def check_listed(self, path: str, kind: str, named: tuple[str, ...], there: set[str]) -> None:
-        """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
-        for name in named:
-            if name and name not in there:
-                self.fault(path, f'no {kind} "{name}": {did_you_mean(name, there)}')
-
-    def check_known(self, path: str, tree: Expression | None, known: set[str]) -> None:
-        """A fault for every name that is not known at this place."""
-        for name in dict.fromkeys(names(tree)) if tree is not None else ():
-            if name not in known:
-                self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
-
-
-def toml_tables(where: str, text: str) -> dict[str, Any]:
-    """The tables of a TOML text. Raises TemplateError when it is too long, no TOML, or holds absurd numbers."""
-    if len(text) > MAX_CHARACTERS:
-        raise TemplateError(f"{where}: {len(text)} characters: at most {MAX_CHARACTERS} are read")
-    try:
-        table = tomllib.loads(text, parse_float=str)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise TemplateError(f"{where}: not readable as TOML: {short_line(str(error))}") from error
-    except ValueError as error:  # Python reads no integer of more than 4,300 digits
-        raise TemplateError(f"{where}: {TOO_LARGE}") from error
-    if too_large(table):
-        raise TemplateError(f"{where}: {TOO_LARGE}")
-    return table
-
-
-def short_line(text: str) -> str:
-    """A text as one line of a message can hold it."""
-    line = one_line(text)
-    return line if len(line) <= MAX_PROBLEM else f"{line[:MAX_PROBLEM - 1]}…"
-
-
-def too_large(value: Any) -> bool:
-    """Whether a whole number of absurdly many digits stands anywhere in a TOML value."""
-    if isinstance(value, (dict, list)):
-        return any(too_large(part) for part in (value.values() if isinstance(value, dict) else value))
-    return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS

@@ -13,14 +13,20 @@ def report_lines(report: Report) -> Iterator[str]:
     verdict = "FAULTY" if report.faults else "sound"
     yield f"{template.name}: {verdict}"
     yield f"  published results proved exactly: {report.proved}"
-    refused = ", ".join(f"{reason} {count}" for reason, count in sorted(report.refused.items())) or "none"
-    yield (f"  drawable combinations: {template.combinations}; examined: "
-           f"{report.instances + sum(report.refused.values())}, accepted: {report.instances}, refused: {refused}")
+    refused = (
+        ", ".join(f"{reason} {count}" for reason, count in sorted(report.refused.items())) or "none"
+    )
+    yield (
+        f"  drawable combinations: {template.combinations}; examined: "
+        f"{report.instances + sum(report.refused.values())}, accepted: {report.instances}, refused: {refused}"
+    )
     yield f"  distinct instances: about {report.distinct}; {report.seconds * 1e3:.1f} ms each"
     for name, spread in report.spreads.items():
-        yield (f"  {name:<12} {min(spread.values):10.4g} .. {max(spread.values):<10.4g} "
-               f"{template.asks[name].unit.printed:<7} negative {spread.negative:4.0%}, "
-               f"different {len(set(spread.values))}")
+        yield (
+            f"  {name:<12} {min(spread.values):10.4g} .. {max(spread.values):<10.4g} "
+            f"{template.asks[name].unit.printed:<7} negative {spread.negative:4.0%}, "
+            f"different {len(set(spread.values))}"
+        )
     for name, mistakes in report.inseparable.items():
         if mistakes:
             yield f"  {name}: cannot be told from the right answer: {', '.join(mistakes)}"

@@ -26,13 +26,21 @@ DECIMALS = 2
 
 def breaking_values(template: Template, examples: int) -> tuple[dict[str, str], str] | None:
     """Values at which the asked quantities cannot be found, with the reason; None if `examples` tries show none."""
-    strategy = st.fixed_dictionaries({name: between(template, parameter)
-                                      for name, parameter in template.parameters.items()})
-    quiet = settings(max_examples=examples, derandomize=True, database=None, deadline=None,
-                     suppress_health_check=list(HealthCheck))
+    strategy = st.fixed_dictionaries(
+        {name: between(template, parameter) for name, parameter in template.parameters.items()}
+    )
+    quiet = settings(
+        max_examples=examples,
+        derandomize=True,
+        database=None,
+        deadline=None,
+        suppress_health_check=list(HealthCheck),
+    )
     with nothing_left_behind():
         try:
-            found = find(strategy, lambda values: reason(template, values) is not None, settings=quiet)
+            found = find(
+                strategy, lambda values: reason(template, values) is not None, settings=quiet
+            )
         except NoSuchExample:
             return None
     return found, reason(template, found) or ""

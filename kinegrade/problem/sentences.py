@@ -22,23 +22,29 @@ from kinegrade.mechanics.joints import GROUND
 
 SHAPE = r"(?:line|circle)\(.+?\)"
 OF = r"(?: of (?P<of>\w+))?"
-JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in {
-    "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
-    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
-    "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
-    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
-    "contact": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-    "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+)"
-            r" on (?P<carrier>\w+)(?P<inside> inside)?",
-    "translate": r"(?P<body>\w+) translates",
-    "parallel": r"(?P<body>\w+) turns with (?P<of>\w+)",
-}.items()}
-DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in {
-    "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
-    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?",
-    "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
-}.items()}
+JOINTS = {
+    kind: re.compile(pattern, re.ASCII)
+    for kind, pattern in {
+        "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
+        "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
+        "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
+        "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
+        "contact": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
+        "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
+        "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+)"
+        r" on (?P<carrier>\w+)(?P<inside> inside)?",
+        "translate": r"(?P<body>\w+) translates",
+        "parallel": r"(?P<body>\w+) turns with (?P<of>\w+)",
+    }.items()
+}
+DRIVERS = {
+    kind: re.compile(pattern, re.ASCII)
+    for kind, pattern in {
+        "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
+        "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?",
+        "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
+    }.items()
+}
 AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
 
@@ -82,18 +88,30 @@ def read_joint(text: str) -> JointSentence:
             found = {key: value for key, value in match.groupdict().items() if value is not None}
             bodies = tuple(re.split(r"[ ,]+", found["bodies"])) if "bodies" in found else ()
             return JointSentence(
-                "parallel" if kind == "translate" else kind, text, found.get("point", ""), found.get("body", ""),
-                found.get("of", GROUND), bodies, read_shape(found.get("circle")), read_shape(found.get("on")),
-                found.get("carrier", ""), "inside" in found)
-    raise ExpressionError(f'"{text}": no such joint: write one of "pin A: OA AB", "B of AB slides on line(O, 0)", '
-                          '"... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", '
-                          '"... meshes with ... on ...", "... slides through ... along ...", "... translates"')
+                "parallel" if kind == "translate" else kind,
+                text,
+                found.get("point", ""),
+                found.get("body", ""),
+                found.get("of", GROUND),
+                bodies,
+                read_shape(found.get("circle")),
+                read_shape(found.get("on")),
+                found.get("carrier", ""),
+                "inside" in found,
+            )
+    raise ExpressionError(
+        f'"{text}": no such joint: write one of "pin A: OA AB", "B of AB slides on line(O, 0)", '
+        '"... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", '
+        '"... meshes with ... on ...", "... slides through ... along ...", "... translates"'
+    )
 
 
 def require_short(text: str) -> None:
     """Refuse what is too long for a sentence, before it keeps the patterns busy."""
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(f"a sentence of {len(text)} characters: at most {MAX_LENGTH} are read")
+        raise ExpressionError(
+            f"a sentence of {len(text)} characters: at most {MAX_LENGTH} are read"
+        )
 
 
 def read_shape(text: str | None) -> Call | None:
@@ -101,8 +119,14 @@ def read_shape(text: str | None) -> Call | None:
     if text is None:
         return None
     tree = read(text)
-    if not isinstance(tree, Call) or len(tree.arguments) != 2 or not isinstance(tree.arguments[0], Name):
-        raise ExpressionError(f'"{text}": expected line(POINT, angle or point) or circle(POINT, radius)')
+    if (
+        not isinstance(tree, Call)
+        or len(tree.arguments) != 2
+        or not isinstance(tree.arguments[0], Name)
+    ):
+        raise ExpressionError(
+            f'"{text}": expected line(POINT, angle or point) or circle(POINT, radius)'
+        )
     return tree
 
 
@@ -115,7 +139,17 @@ def read_driver(text: str, velocity: str, acceleration: str) -> DriverSentence:
             found = {key: value for key, value in match.groupdict().items() if value is not None}
             along = found.get("along")
             return DriverSentence(
-                kind, text, read(velocity), read(acceleration), found.get("point", ""), found["body"],
-                found.get("of", GROUND), read(AXES.get(along, along)) if along else None, found.get("centre", ""))
-    raise ExpressionError(f'"{text}": no such input: write "OA turns", "AB turns relative to OA", '
-                          '"B of AB moves along +x" or "A of W circles O"')
+                kind,
+                text,
+                read(velocity),
+                read(acceleration),
+                found.get("point", ""),
+                found["body"],
+                found.get("of", GROUND),
+                read(AXES.get(along, along)) if along else None,
+                found.get("centre", ""),
+            )
+    raise ExpressionError(
+        f'"{text}": no such input: write "OA turns", "AB turns relative to OA", '
+        '"B of AB moves along +x" or "A of W circles O"'
+    )

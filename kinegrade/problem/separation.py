@@ -26,9 +26,15 @@ from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 
 WRITTEN = 0.005  # relative: what three significant figures may be off
 HALF = 0.5  # a mistake that more instances cannot tell from the truth is inseparable from it
-SCARCE = 0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
+SCARCE = (
+    0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
+)
 ROOM = 1.05  # the scale is rounded to two figures where it gives room
-NORMAL_OR_CORIOLIS = {"coriolis", "relative_normal", "path_normal"}  # shares of terms that velocities decide
+NORMAL_OR_CORIOLIS = {
+    "coriolis",
+    "relative_normal",
+    "path_normal",
+}  # shares of terms that velocities decide
 
 
 @dataclass(frozen=True)
@@ -80,9 +86,11 @@ class Separation:
             identifiers[name] = (*(mistake.identifier for mistake in self.mistakes), *written)
             room = self.room(name, right, found)
             with np.errstate(all="ignore"):
-                near[name] = np.array([apart(one, right, ask) <= room + WRITTEN * np.abs(one) for one in wrong])
+                near[name] = np.array(
+                    [apart(one, right, ask) <= room + WRITTEN * np.abs(one) for one in wrong]
+                )
                 changed[name] = np.array([differing(one, right) for one in wrong])
-            near[name][len(self.mistakes):] &= right != 0  # zero has no sense and no decimal point
+            near[name][len(self.mistakes) :] &= right != 0  # zero has no sense and no decimal point
         return Comparison(identifiers, near, changed, self.fit(found, arrays))
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
@@ -92,15 +100,25 @@ class Separation:
         most instances; draws do not keep them apart.
         """
         seen = self.compare(self.sample)
-        stirred = outcomes(self.template, self.asks, self.mistakes, in_floats(self.template, self.sample),
-                           self.plan, stirred=True)
+        stirred = outcomes(
+            self.template,
+            self.asks,
+            self.mistakes,
+            in_floats(self.template, self.sample),
+            self.plan,
+            stirred=True,
+        )
         found = {}
         for name in self.asks:
             right, *wrong = stirred.answers[name]
             hidden = (seen.changed[name] & seen.fit).any(axis=1)
             for place, (mistake, one) in enumerate(zip(self.mistakes, wrong, strict=True)):
-                hidden[place] |= bool(NORMAL_OR_CORIOLIS & set(mistake.shares)) and differing(one, right).any()
-            found[name] = tuple(np.array(seen.identifiers[name])[hidden & ~self.kept[name]].tolist())
+                hidden[place] |= (
+                    bool(NORMAL_OR_CORIOLIS & set(mistake.shares)) and differing(one, right).any()
+                )
+            found[name] = tuple(
+                np.array(seen.identifiers[name])[hidden & ~self.kept[name]].tolist()
+            )
         return found
 
     def room(self, name: str, right: Any, found: Outcomes) -> Any:
@@ -113,23 +131,39 @@ class Separation:
 
     def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
         """Which instances meet the conditions and have answers that do not vanish where they must not."""
-        known = {name: rows[0] for name, rows in found.answers.items() if np.isfinite(rows[0]).any()}
-        fits = [np.isfinite(right) & (self.asks[name].vanishes | (right != 0)) for name, right in known.items()]
+        known = {
+            name: rows[0] for name, rows in found.answers.items() if np.isfinite(rows[0]).any()
+        }
+        fits = [
+            np.isfinite(right) & (self.asks[name].vanishes | (right != 0))
+            for name, right in known.items()
+        ]
         return np.all([*fits, *conditions(self.template, arrays)], axis=0)
 
 
-def separation(template: Template, asks: Mapping[str, Ask], tolerances: Mapping[str, Tolerance], plan: Plan,
-               sample: Values) -> Separation:
+def separation(
+    template: Template,
+    asks: Mapping[str, Ask],
+    tolerances: Mapping[str, Tolerance],
+    plan: Plan,
+    sample: Values,
+) -> Separation:
     """What draws of a question keep apart, judged by a sample of them."""
     mistakes = tuple(candidates(template, asks))
     whole = Separation(template, asks, tolerances, plan, mistakes, sample)
     seen = whole.compare(sample)
-    share = {name: seen.near[name][:, seen.fit].mean(axis=1) if seen.fit.any() else np.ones(len(seen.near[name]))
-             for name in asks}
+    share = {
+        name: seen.near[name][:, seen.fit].mean(axis=1)
+        if seen.fit.any()
+        else np.ones(len(seen.near[name]))
+        for name in asks
+    }
     bound = HALF
     while True:
         kept = {name: share[name] < bound for name in asks}
-        confused = np.any([(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0)
+        confused = np.any(
+            [(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0
+        )
         usable = float((seen.fit & ~confused).mean())
         if usable >= SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
             return replace(whole, kept=kept, usable=usable)
@@ -143,7 +177,12 @@ def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
     for condition in template.conditions:
         try:
             with floats.context():
-                room = evaluate(Operation("-", condition.right, condition.left), values, elementary(floats), floats)
+                room = evaluate(
+                    Operation("-", condition.right, condition.left),
+                    values,
+                    elementary(floats),
+                    floats,
+                )
         except KinegradeError:
             continue
         yield ~(np.broadcast_to(room, np.shape(next(iter(arrays.values())))) < -SAME)

@@ -16,8 +16,15 @@ from kinegrade.errors import TemplateError, did_you_mean
 
 FOLDER = "mechanisms"  # beside the templates
 FILE_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*", re.ASCII)
-KINDS: Mapping[str, type] = {"parameters": dict, "lengths": dict, "points": dict, "bodies": dict, "joints": list,
-                             "conditions": list, "figure": dict}
+KINDS: Mapping[str, type] = {
+    "parameters": dict,
+    "lengths": dict,
+    "points": dict,
+    "bodies": dict,
+    "joints": list,
+    "conditions": list,
+    "figure": dict,
+}
 LISTED = re.compile(r"(joints|conditions)\[(\d+)\]", re.ASCII)
 
 
@@ -32,7 +39,11 @@ class Layers:
 
     def tables(self) -> dict[str, Any]:
         """The tables together."""
-        both = {key: laid_over(key, self.shared[key], self.own[key]) for key in self.shared if key in self.own}
+        both = {
+            key: laid_over(key, self.shared[key], self.own[key])
+            for key in self.shared
+            if key in self.own
+        }
         return {**self.shared, **self.own, **both}
 
     def standing(self, path: str) -> tuple[str, str]:
@@ -51,12 +62,18 @@ class Layers:
             return self.file, path
         if not holds(self.own, keys, name):
             return self.shared_file, path
-        return (f"{self.file} over {self.shared_file}" if table == "parameters" else self.file), path
+        return (
+            f"{self.file} over {self.shared_file}" if table == "parameters" else self.file
+        ), path
 
     def standing_in_list(self, key: str, index: int) -> tuple[str, str]:
         """The file of an entry of a list, counted as it is in that file."""
         shared = len(self.shared.get(key, ()))
-        return (self.shared_file, f"{key}[{index}]") if index < shared else (self.file, f"{key}[{index - shared}]")
+        return (
+            (self.shared_file, f"{key}[{index}]")
+            if index < shared
+            else (self.file, f"{key}[{index - shared}]")
+        )
 
 
 def laid_over(key: str, shared: Any, own: Any) -> Any:
@@ -67,8 +84,11 @@ def laid_over(key: str, shared: Any, own: Any) -> Any:
         return own
     entries = {**shared, **own}
     if key == "parameters":
-        entries |= {name: {**shared[name], **own[name]} for name in shared
-                    if isinstance(shared[name], dict) and isinstance(own.get(name), dict)}
+        entries |= {
+            name: {**shared[name], **own[name]}
+            for name in shared
+            if isinstance(shared[name], dict) and isinstance(own.get(name), dict)
+        }
     return entries
 
 
@@ -80,13 +100,19 @@ def holds(tables: Mapping[str, Any], keys: Iterable[str], name: str) -> bool:
 def mechanism_name(name: Any) -> str:
     """A name that can stand for a file in the folder and nowhere else. Raises TemplateError for any other."""
     if not isinstance(name, str) or not FILE_NAME.fullmatch(name):
-        raise TemplateError(f"expected a file's name in {FOLDER}/ without .toml: small letters, digits, hyphens")
+        raise TemplateError(
+            f"expected a file's name in {FOLDER}/ without .toml: small letters, digits, hyphens"
+        )
     return name
 
 
 def sharable(tables: Mapping[str, Any]) -> dict[str, Any]:
     """Those tables of a mechanism's file that templates can share."""
-    return {key: value for key, value in tables.items() if key in KINDS and isinstance(value, KINDS[key])}
+    return {
+        key: value
+        for key, value in tables.items()
+        if key in KINDS and isinstance(value, KINDS[key])
+    }
 
 
 def mechanism_faults(file: str, tables: Mapping[str, Any]) -> list[str]:

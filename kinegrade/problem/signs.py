@@ -27,5 +27,7 @@ def read_sign(sign: Any) -> tuple[str, str]:
     if isinstance(sign, dict) and set(sign) == {"en", "zh"}:
         return str(sign["en"]), str(sign["zh"])
     if isinstance(sign, str):
-        raise ExpressionError(f'sign "{sign}": {did_you_mean(sign, CONVENTIONS)}, or {{ en = "...", zh = "..." }}')
+        raise ExpressionError(
+            f'sign "{sign}": {did_you_mean(sign, CONVENTIONS)}, or {{ en = "...", zh = "..." }}'
+        )
     raise ExpressionError('sign: expected a keyword, or texts { en = "...", zh = "..." }')

@@ -37,7 +37,9 @@ if TYPE_CHECKING:
     from kinegrade.problem.mistakes import Mistakes
 
 Result = TypeVar("Result")
-CERTIFIED = 120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
+CERTIFIED = (
+    120  # bits: an enclosure counts as certified when narrower than 2^-120, below 1e-36, relative
+)
 
 
 @dataclass(frozen=True)
@@ -82,8 +84,12 @@ class Consequences:
         return self.mistakes.of(ask, right)
 
 
-def solve_template(template: Template, given: Mapping[str, str], asks: Iterable[str] | None = None,
-                   plan: Plan | None = None) -> Solution:
+def solve_template(
+    template: Template,
+    given: Mapping[str, str],
+    asks: Iterable[str] | None = None,
+    plan: Plan | None = None,
+) -> Solution:
     """Solve `template` at the values given as texts in the parameters' units; the rest take their default.
 
     Raises TemplateError for unknown names or unreadable values, MechanismError with the reason in mechanics.
@@ -93,7 +99,9 @@ def solve_template(template: Template, given: Mapping[str, str], asks: Iterable[
     try:
         return certified(lambda arithmetic: attempt(template, trees, wanted, plan, arithmetic))
     except (ExpressionError, MechanismError) as error:
-        raise MechanismError(*(f"{template.name}: {problem}" for problem in error.problems)) from error
+        raise MechanismError(
+            *(f"{template.name}: {problem}" for problem in error.problems)
+        ) from error
 
 
 def certified(work: Callable[[Any], Result]) -> Result:
@@ -101,15 +109,20 @@ def certified(work: Callable[[Any], Result]) -> Result:
 
     Raises MechanismError when even the narrowest balls leave a sign or a pivot open.
     """
-    arithmetics: tuple[Field | Balls, ...] = (Field(), *(Balls(precision) for precision in PRECISIONS))
+    arithmetics: tuple[Field | Balls, ...] = (
+        Field(),
+        *(Balls(precision) for precision in PRECISIONS),
+    )
     for arithmetic in arithmetics:
         try:
             with arithmetic.context():
                 return work(arithmetic)
         except (Inexact, Undecided):
             continue
-    raise MechanismError("at these values the configuration cannot be told from a degenerate one "
-                         f"even with {PRECISIONS[-1]} bits: choose other values")
+    raise MechanismError(
+        "at these values the configuration cannot be told from a degenerate one "
+        f"even with {PRECISIONS[-1]} bits: choose other values"
+    )
 
 
 def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expression]:
@@ -117,13 +130,18 @@ def read_values(template: Template, given: Mapping[str, str]) -> dict[str, Expre
     faults, trees = [], {}
     for name in given:
         if name not in template.parameters:
-            faults.append(f'{template.name}: no parameter "{name}": {did_you_mean(name, template.parameters)}')
+            faults.append(
+                f'{template.name}: no parameter "{name}": {did_you_mean(name, template.parameters)}'
+            )
     for name, parameter in template.parameters.items():
         text = given.get(name, parameter.default)
         try:
             trees[name] = read_again(text)
         except ExpressionError as error:
-            faults += [f"{template.name}: {name} = {one_line(text[:60])}: {problem}" for problem in error.problems]
+            faults += [
+                f"{template.name}: {name} = {one_line(text[:60])}: {problem}"
+                for problem in error.problems
+            ]
     if faults:
         raise TemplateError(*faults)
     return trees
@@ -135,7 +153,9 @@ def read_again(text: str) -> Expression:
     return read(text)
 
 
-def parameter_values(template: Template, trees: Mapping[str, Expression], arithmetic: Any) -> dict[str, Any]:
+def parameter_values(
+    template: Template, trees: Mapping[str, Expression], arithmetic: Any
+) -> dict[str, Any]:
     """All parameters in SI. Raises TemplateError with every value that is no number (roots of negative numbers,
     unknown names), Inexact where the exact field does not hold them."""
     faults, values = [], {}
@@ -154,29 +174,50 @@ def parameter_values(template: Template, trees: Mapping[str, Expression], arithm
 def require_asks(template: Template, asks: Iterable[str] | None) -> tuple[Ask, ...]:
     """The asks named, or all. Raises TemplateError for unknown ones."""
     chosen = tuple(template.asks if asks is None else asks)
-    unknown = [f'{template.name}: no ask "{name}": {did_you_mean(name, template.asks)}'
-               for name in chosen if name not in template.asks]
+    unknown = [
+        f'{template.name}: no ask "{name}": {did_you_mean(name, template.asks)}'
+        for name in chosen
+        if name not in template.asks
+    ]
     if unknown:
         raise TemplateError(*unknown)
     return tuple(template.asks[name] for name in chosen)
 
 
-def attempt(template: Template, trees: Mapping[str, Expression], asks: Iterable[Ask], plan: Plan | None,
-            arithmetic: Any) -> Solution:
+def attempt(
+    template: Template,
+    trees: Mapping[str, Expression],
+    asks: Iterable[Ask],
+    plan: Plan | None,
+    arithmetic: Any,
+) -> Solution:
     """Solve in one arithmetic. Raises Inexact or Undecided when another is needed."""
     values = parameter_values(template, trees, arithmetic)
     assembly = assemble(template, values, arithmetic)
-    motion = solve(assembly.mechanism, arithmetic, plan) if template.drivers else pose(assembly.mechanism, arithmetic)
+    motion = (
+        solve(assembly.mechanism, arithmetic, plan)
+        if template.drivers
+        else pose(assembly.mechanism, arithmetic)
+    )
     circles = Centrodes(template, values, plan)
     consequences = Consequences(template, {ask.name: ask for ask in asks}, values, motion.plan)
-    answers = {ask.name: replace(answer(ask, assembly, motion, circles, arithmetic), consequences=consequences)
-               for ask in asks}
+    answers = {
+        ask.name: replace(
+            answer(ask, assembly, motion, circles, arithmetic), consequences=consequences
+        )
+        for ask in asks
+    }
     known = values if arithmetic.exact else certain(template, trees, values)
-    parameters = {name: in_unit(name, number, template.parameters[name].unit) for name, number in known.items()}
+    parameters = {
+        name: in_unit(name, number, template.parameters[name].unit)
+        for name, number in known.items()
+    }
     return Solution(template, parameters, answers, assembly, motion, arithmetic)
 
 
-def answer(ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any) -> Quantity:
+def answer(
+    ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any
+) -> Quantity:
     """The answer of one ask; roots that it alone needs stay out of the others' field."""
     own = arithmetic.fork()
     values = {**body_names(assembly.mechanism), **assembly.values}
@@ -196,21 +237,31 @@ def answer(ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, ari
 def require_number(number: Any, ask: Ask) -> None:
     """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle where one is due."""
     if not isinstance(number, (int, fmpq, Surd, arb, Angle)):
-        raise ExpressionError("expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector")
+        raise ExpressionError(
+            "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
+        )
     if ask.unit.degrees and not isinstance(number, (Angle, arb)):
-        raise ExpressionError("expected an angle: degrees count angle(...), between(...), direction(...) or atan(...)")
+        raise ExpressionError(
+            "expected an angle: degrees count angle(...), between(...), direction(...) or atan(...)"
+        )
 
 
 def require_certified(number: Any) -> None:
     """Raises Undecided for a ball that is too wide to be a reference; one about zero must be narrow in itself."""
     if not isinstance(number, arb):
         return
-    narrow = number.rad() < arb(2) ** -CERTIFIED if 0 in number else number.rel_accuracy_bits() >= CERTIFIED
+    narrow = (
+        number.rad() < arb(2) ** -CERTIFIED
+        if 0 in number
+        else number.rel_accuracy_bits() >= CERTIFIED
+    )
     if not narrow:
         raise Undecided("an enclosure is too wide")
 
 
-def certain(template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]) -> dict[str, Any]:
+def certain(
+    template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]
+) -> dict[str, Any]:
     """The parameters in SI, exact wherever they can be, although the instance is solved by balls."""
     found = dict(values)
     for name, parameter in template.parameters.items():

@@ -34,7 +34,9 @@ class Spread:
     @property
     def constant(self) -> bool:
         """Whether all instances have one answer."""
-        return len(self.values) > 1 and all(isclose(value, self.values[0], rel_tol=1e-12) for value in self.values)
+        return len(self.values) > 1 and all(
+            isclose(value, self.values[0], rel_tol=1e-12) for value in self.values
+        )
 
     def copied(self) -> str | None:
         """The given that the answer equals (signs apart) in almost all instances, if there is one."""

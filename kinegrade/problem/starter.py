@@ -25,7 +25,9 @@ def write_starter(name: str, path: Path | None = None, *, force: bool = False) -
     read_template(name, text)
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":
-        raise TemplateError(f"{target}: a template is called by the name of its file: expected a path that ends in "
-                            f"{name}.toml: change the path or the name")
+        raise TemplateError(
+            f"{target}: a template is called by the name of its file: expected a path that ends in "
+            f"{name}.toml: change the path or the name"
+        )
     write_file(target, text.encode("utf-8"), force=force)
     return target

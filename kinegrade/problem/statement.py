@@ -22,7 +22,9 @@ from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template import LANGUAGES, Language, Template
 
 ALLOWED = (nodes.Template, nodes.Output, nodes.TemplateData, nodes.Name, nodes.Getattr)
-ENVIRONMENT = SandboxedEnvironment(undefined=StrictUndefined, autoescape=False, keep_trailing_newline=False)
+ENVIRONMENT = SandboxedEnvironment(
+    undefined=StrictUndefined, autoescape=False, keep_trailing_newline=False
+)
 
 
 @dataclass(frozen=True)
@@ -48,18 +50,24 @@ def with_unit(quantity: Quantity) -> str:
         return angle_text(quantity.number, degrees=False, form=LATEX)
     if unit.degrees:
         return f"{quantity.given_text}^\\circ"
-    return quantity.given_text if unit.text == "1" else rf"{quantity.given_text}\,\unit{{{unit.text}}}"
+    return (
+        quantity.given_text if unit.text == "1" else rf"{quantity.given_text}\,\unit{{{unit.text}}}"
+    )
 
 
 def statement(template: Template, parameters: Mapping[str, Quantity], language: Language) -> str:
     """The statement in one language at these parameters. Raises TemplateError for what is not allowed."""
-    givens = {name: Given(template.parameters[name].symbol, with_unit(quantity))
-              for name, quantity in parameters.items()}
+    givens = {
+        name: Given(template.parameters[name].symbol, with_unit(quantity))
+        for name, quantity in parameters.items()
+    }
     text = template.statement.in_language(language)
     try:
         return prepared(text).render(givens)
     except (TemplateSyntaxError, UndefinedError) as error:
-        raise TemplateError(f"{template.name}.toml: statement.{language}: {error.message}") from error
+        raise TemplateError(
+            f"{template.name}.toml: statement.{language}: {error.message}"
+        ) from error
 
 
 @lru_cache(maxsize=256)
@@ -83,19 +91,31 @@ def statement_faults(template: Template, language: Language) -> list[str]:
     try:
         tree = ENVIRONMENT.parse(template.statement.in_language(language))
     except (TemplateSyntaxError, RecursionError) as error:
-        return [f"{where}: {getattr(error, 'message', 'nested too deeply')}: only {{{{ parameter }}}} is filled in"]
+        return [
+            f"{where}: {getattr(error, 'message', 'nested too deeply')}: only {{{{ parameter }}}} is filled in"
+        ]
     strange = sorted({kind for node in tree.find_all(nodes.Node) if (kind := forbidden(node))})
     named = {node.name for node in tree.find_all(nodes.Name)}
-    faults = [f"{where}: {kind}: only {{{{ parameter }}}} and {{{{ parameter.value }}}} are filled in"
-              for kind in strange]
-    faults += [f'{where}: {{{{ {name} }}}}: no such parameter' for name in sorted(named - set(template.parameters))]
-    faults += [f"{where}: the parameter {name} is not given to the student: write {{{{ {name} }}}}"
-               for name in template.parameters if name not in named]
+    faults = [
+        f"{where}: {kind}: only {{{{ parameter }}}} and {{{{ parameter.value }}}} are filled in"
+        for kind in strange
+    ]
+    faults += [
+        f"{where}: {{{{ {name} }}}}: no such parameter"
+        for name in sorted(named - set(template.parameters))
+    ]
+    faults += [
+        f"{where}: the parameter {name} is not given to the student: write {{{{ {name} }}}}"
+        for name in template.parameters
+        if name not in named
+    ]
     return faults
 
 
 def forbidden(node: nodes.Node) -> str:
     """What of Jinja a node is that statements may not use; "" for what they may."""
-    if isinstance(node, nodes.Getattr) and not (node.attr == "value" and isinstance(node.node, nodes.Name)):
+    if isinstance(node, nodes.Getattr) and not (
+        node.attr == "value" and isinstance(node.node, nodes.Name)
+    ):
         return f"attribute .{node.attr}"
     return "" if isinstance(node, ALLOWED) else type(node).__name__

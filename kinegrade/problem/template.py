@@ -127,8 +127,11 @@ class Template:
     @property
     def angles(self) -> frozenset[str]:
         """The names of the parameters that are angles."""
-        return frozenset(name for name, parameter in self.parameters.items() if parameter.unit.degrees
-                         or parameter.unit.text == "rad")
+        return frozenset(
+            name
+            for name, parameter in self.parameters.items()
+            if parameter.unit.degrees or parameter.unit.text == "rad"
+        )
 
     @property
     def combinations(self) -> int:

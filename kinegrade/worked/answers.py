@@ -77,15 +77,19 @@ def counted_as_asked(ask: Ask, case: Case) -> str:
     """An answer that a step has given under the same symbol, with the opposite sense positive."""
     answer = case.solution.answers[ask.name]
     sign = "-" if double(answer.number) < 0 else ""
-    return (f"{ask.symbol} &= {sign}{absolute_value(ask.symbol)} = {stated_quantity(answer)}"
-            rf"\quad\text{{({phrase('as_asked', case.language)})}}")
+    return (
+        f"{ask.symbol} &= {sign}{absolute_value(ask.symbol)} = {stated_quantity(answer)}"
+        rf"\quad\text{{({phrase('as_asked', case.language)})}}"
+    )
 
 
 def last_line(ask: Ask, written: Written, writer: Writer) -> str:
     """The answer's symbol, its formula, its numbers and its value, which is the key's; in SI first where numbers lead
     to a value in centimetres or millimetres."""
     answer = writer.case.solution.answers[ask.name]
-    between = [text for text in (written.symbols, written.numbers) if text not in ("", "0", ask.symbol)]
+    between = [
+        text for text in (written.symbols, written.numbers) if text not in ("", "0", ask.symbol)
+    ]
     values = [stated_quantity(answer)]
     if between and PREFIXED.match(answer.unit):
         base = stated(writer.value(ask.quantity), PREFIXED.sub("m", answer.unit))
@@ -147,12 +151,16 @@ class Writer:
                 sign = "-" if double(sum(fact.value)) < 0 else ""
                 return Written(f"{sign}{names[0]}" if names else "0")
             numbers = [bracketed(short(number)) for number in fact.value]
-            return Written(rf"\sqrt{{{names[0]}^{{2}}+{names[1]}^{{2}}}}",
-                           rf"\sqrt{{{numbers[0]}^{{2}}+{numbers[1]}^{{2}}}}")
+            return Written(
+                rf"\sqrt{{{names[0]}^{{2}}+{names[1]}^{{2}}}}",
+                rf"\sqrt{{{numbers[0]}^{{2}}+{numbers[1]}^{{2}}}}",
+            )
         pieces = [piece for piece in fact.told if double(piece.value.squared())] or fact.told[:1]
         if len(pieces) > 1:
-            return Written(root(piece.symbol for piece in pieces),
-                           root(bracketed(signed(piece, self.case)) for piece in pieces))
+            return Written(
+                root(piece.symbol for piece in pieces),
+                root(bracketed(signed(piece, self.case)) for piece in pieces),
+            )
         piece = pieces[0]
         negative = double(piece.value.dot(piece.positive)) < 0
         return Written(absolute_value(piece.symbol) if negative else piece.symbol)
@@ -174,8 +182,11 @@ class Writer:
         if tree.function == "between" and second < first:
             first, second = second, first
         difference = f"{angle_text(second)} - {angle_text(first)}"
-        return Written(difference if tree.function == "angle" or second - first <= 180
-                       else rf"360^\circ - ({difference})")
+        return Written(
+            difference
+            if tree.function == "angle" or second - first <= 180
+            else rf"360^\circ - ({difference})"
+        )
 
     def rotation(self, tree: Call) -> Written:
         """An angular velocity or acceleration, absolute or relative."""
@@ -185,19 +196,30 @@ class Writer:
             return Written(turning(names[0], self.case, level))
         symbols = " - ".join(turning(name, self.case, level) for name in names)
         rates = [turning_value(name, self.case, level) for name in names]
-        return Written(symbols, f"{short(rates[0])} - {bracketed(short(rates[1]))}" if any(map(double, rates)) else "")
+        return Written(
+            symbols,
+            f"{short(rates[0])} - {bracketed(short(rates[1]))}" if any(map(double, rates)) else "",
+        )
 
     def combined(self, tree: Operation) -> Written:
         """A formula of two numbers."""
         left, right = self.write(tree.left), self.write(tree.right)
-        numbers = [short(self.value(side)) if not isinstance(side, Number) else short(side.value)
-                   for side in (tree.left, tree.right)]
-        symbols = [part.symbols or self.component_symbol(side)
-                   for part, side in ((left, tree.left), (right, tree.right))]
+        numbers = [
+            short(self.value(side)) if not isinstance(side, Number) else short(side.value)
+            for side in (tree.left, tree.right)
+        ]
+        symbols = [
+            part.symbols or self.component_symbol(side)
+            for part, side in ((left, tree.left), (right, tree.right))
+        ]
         if tree.sign == "/":
-            return Written(rf"\frac{{{symbols[0]}}}{{{symbols[1]}}}", rf"\frac{{{numbers[0]}}}{{{numbers[1]}}}")
+            return Written(
+                rf"\frac{{{symbols[0]}}}{{{symbols[1]}}}", rf"\frac{{{numbers[0]}}}{{{numbers[1]}}}"
+            )
         sign = r"\cdot" if tree.sign == "*" else tree.sign
-        return Written(f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}")
+        return Written(
+            f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}"
+        )
 
     def component_symbol(self, tree: Expression) -> str:
         """The symbol of a component that has been told."""
@@ -217,7 +239,9 @@ class Writer:
         own = self.case.arithmetic.fork()
         assembly = self.case.solution.assembly
         values = {**body_names(assembly.mechanism), **assembly.values}
-        return evaluate(tree, values, {**assembly.functions, **quantities(self.case.motion, own)}, own)
+        return evaluate(
+            tree, values, {**assembly.functions, **quantities(self.case.motion, own)}, own
+        )
 
 
 def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
@@ -240,8 +264,10 @@ def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
 def components(fact: Fact) -> tuple[Piece, ...]:
     """A vector that is known by its components as the sum of these."""
     axes = Vector(1, 0), Vector(0, 1)
-    return tuple(Piece(component(fact.symbol, name), axis, axis * number)
-                 for name, axis, number in zip("xy", axes, fact.value, strict=True))
+    return tuple(
+        Piece(component(fact.symbol, name), axis, axis * number)
+        for name, axis, number in zip("xy", axes, fact.value, strict=True)
+    )
 
 
 def signed(piece: Piece, case: Case) -> str:
@@ -252,7 +278,10 @@ def signed(piece: Piece, case: Case) -> str:
 
 def root(numbers: Iterable[str]) -> str:
     """The root of a sum of squares."""
-    squares = (rf"\left({number}\right)^{{2}}" if "^" in number else f"{number}^{{2}}" for number in numbers)
+    squares = (
+        rf"\left({number}\right)^{{2}}" if "^" in number else f"{number}^{{2}}"
+        for number in numbers
+    )
     return rf"\sqrt{{{'+'.join(squares)}}}"
 
 
@@ -261,7 +290,9 @@ def poles_named(tree: Expression, case: Case) -> Expression:
     if isinstance(tree, Call):
         if tree.function == "pole" and isinstance(tree.arguments[0], Name):
             return Name(pole_name(tree.arguments[0].name, case))
-        return Call(tree.function, tuple(poles_named(argument, case) for argument in tree.arguments))
+        return Call(
+            tree.function, tuple(poles_named(argument, case) for argument in tree.arguments)
+        )
     if isinstance(tree, Operation):
         return Operation(tree.sign, poles_named(tree.left, case), poles_named(tree.right, case))
     return tree
@@ -284,4 +315,3 @@ def sense(ask: Ask, case: Case) -> str:
         facts = Facts(case, Findings(), Quantities(case.motion, case.arithmetic))
         return direction_words(Writer(case, facts).fact(tree.arguments[0]).value, case)
     return ""
-

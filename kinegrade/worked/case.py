@@ -51,7 +51,9 @@ class Case:
         body, of = bodies.split("/")
         for sentence in self.template.joints:
             same = sentence.body == body and sentence.of == of
-            if same and (sentence.point == point or centre_of(sentence) == point or sentence.kind == "sleeve"):
+            if same and (
+                sentence.point == point or centre_of(sentence) == point or sentence.kind == "sleeve"
+            ):
                 return sentence
         return None
 

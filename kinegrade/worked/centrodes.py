@@ -38,19 +38,36 @@ def circle_blocks(body: str, angle: str, case: Case) -> Iterator[Block]:
     """The poles in the given position and in neighbouring ones, and the circle through them."""
     values = {name: case.solution.assembly.values[name] for name in case.template.parameters}
     own = case.arithmetic.fork()
-    poles = list(islice(Centrodes(case.template, values, case.motion.plan).poles(body, angle, own), SHOWN))
+    poles = list(
+        islice(Centrodes(case.template, values, case.motion.plan).poles(body, angle, own), SHOWN)
+    )
     letter = case.naming.point(pole_name(body, case))
-    yield Prose(phrase("centrode", case.language, body=case.naming.body(body), angle=symbols_of(case.template)[angle]))
-    yield Display(tuple(f"{letter}^{{({number})}} &: ({coordinates(pole)})"
-                        for number, pole in enumerate(poles, start=1)))
+    yield Prose(
+        phrase(
+            "centrode",
+            case.language,
+            body=case.naming.body(body),
+            angle=symbols_of(case.template)[angle],
+        )
+    )
+    yield Display(
+        tuple(
+            f"{letter}^{{({number})}} &: ({coordinates(pole)})"
+            for number, pole in enumerate(poles, start=1)
+        )
+    )
     circle = through(poles[0], poles[1], poles[2], own)
     yield Prose(phrase("centrode_circle", case.language))
     radius = stated(circle.radius, "m")
-    yield Display((f"{RADIUS} &= {radius}", rf"\text{{{phrase('centre', case.language)}}} &: "
-                                            rf"({coordinates(circle.centre)})\,\unit{{m}}"))
+    yield Display(
+        (
+            f"{RADIUS} &= {radius}",
+            rf"\text{{{phrase('centre', case.language)}}} &: "
+            rf"({coordinates(circle.centre)})\,\unit{{m}}",
+        )
+    )
 
 
 def coordinates(point: Vector) -> str:
     """The coordinates of a point in metres."""
     return rf"{short(point.x)},\ {short(point.y)}"
-

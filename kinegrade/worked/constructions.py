@@ -43,11 +43,16 @@ def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tu
             told = Coordinates(before.points + told.points, before.lines + told.lines)
             blocks.pop()
         blocks += [told] if isinstance(told, Coordinates) else told
-    return tuple(part for block in blocks
-                 for part in (block.blocks(words) if isinstance(block, Coordinates) else (block,)))
+    return tuple(
+        part
+        for block in blocks
+        for part in (block.blocks(words) if isinstance(block, Coordinates) else (block,))
+    )
 
 
-def construction(step: Step, instance: Instance, language: Language) -> tuple[Block, ...] | Coordinates:
+def construction(
+    step: Step, instance: Instance, language: Language
+) -> tuple[Block, ...] | Coordinates:
     """The blocks of one step, or its coordinates where these say all."""
     words, tree = position_words(language), step.tree
     if isinstance(tree, Call) and tree.function == "meet":
@@ -60,14 +65,21 @@ def construction(step: Step, instance: Instance, language: Language) -> tuple[Bl
     if pair == (ZERO, ZERO):
         return (Prose(words.origin.format(point=instance.symbols[step.point])),)
     told, lines = sentence(step, instance, words), coordinate_lines(step.point, pair, instance)
-    return (Prose(told), Display(lines)) if told else Coordinates((instance.symbols[step.point],), lines)
+    return (
+        (Prose(told), Display(lines))
+        if told
+        else Coordinates((instance.symbols[step.point],), lines)
+    )
 
 
 def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, ...]:
     """x = ..., y = ... worked out."""
     name = instance.symbols[point]
-    return tuple(line for axis, tree in zip("xy", pair, strict=True)
-                 for line in instance.equation(f"{axis}_{{{name}}}", tree))
+    return tuple(
+        line
+        for axis, tree in zip("xy", pair, strict=True)
+        for line in instance.equation(f"{axis}_{{{name}}}", tree)
+    )
 
 
 def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
@@ -79,22 +91,35 @@ def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
         case Call(function="polar", arguments=(centre, radius, angle)):
             return polar_sentence(point, (centre, radius, angle), instance, words)
         case Call(function="midpoint", arguments=(Name(first), Name(second))):
-            return words.midpoint.format(point=point, first=instance.symbols[first], second=instance.symbols[second])
+            return words.midpoint.format(
+                point=point, first=instance.symbols[first], second=instance.symbols[second]
+            )
         case Operation(sign="+" | "-", left=Name(base), right=right):
             vector = right if tree.sign == "+" else negated(right, instance)
-            return words.displaced.format(point=point, base=instance.symbols[base],
-                                          vector=vector_words(vector, instance, words))
+            return words.displaced.format(
+                point=point,
+                base=instance.symbols[base],
+                vector=vector_words(vector, instance, words),
+            )
     return ""
 
 
-def polar_sentence(point: str, parts: tuple[Expression, Expression, Expression], instance: Instance,
-                   words: PositionWords) -> str:
+def polar_sentence(
+    point: str,
+    parts: tuple[Expression, Expression, Expression],
+    instance: Instance,
+    words: PositionWords,
+) -> str:
     """Distance and direction from a centre; a negative distance is one in the opposite direction."""
     centre, radius, angle = parts
     quarters = quarter_turns(angle)
     against = instance.sign(radius) < 0
-    texts = {"point": point, "centre": instance.symbolic(centre), "angle": instance.symbolic(angle, degrees=True),
-             "radius": instance.symbolic(minus(ZERO, radius) if against else radius)}
+    texts = {
+        "point": point,
+        "centre": instance.symbolic(centre),
+        "angle": instance.symbolic(angle, degrees=True),
+        "radius": instance.symbolic(minus(ZERO, radius) if against else radius),
+    }
     if quarters is not None:
         return words.beside[(quarters + 2 * against) % 4].format(**texts)
     return (words.polar_against if against else words.polar).format(**texts)
@@ -102,14 +127,23 @@ def polar_sentence(point: str, parts: tuple[Expression, Expression, Expression],
 
 def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
     """A point at a distance on the way from one point to another, or along a vector."""
-    start, end, distance = step.tree.arguments if isinstance(step.tree, Call) else (ZERO, ZERO, ZERO)
+    start, end, distance = (
+        step.tree.arguments if isinstance(step.tree, Call) else (ZERO, ZERO, ZERO)
+    )
     vector = way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
-    texts = {"point": instance.symbols[step.point], "start": instance.symbolic(start),
-             "end": instance.symbolic(end), "distance": instance.symbolic(distance)}
-    told = words.toward.format(**texts) if isinstance(end, Name) else \
-        words.along.format(vector=vector_words(vector, instance, words), **texts)
+    texts = {
+        "point": instance.symbols[step.point],
+        "start": instance.symbolic(start),
+        "end": instance.symbolic(end),
+        "distance": instance.symbolic(distance),
+    }
+    told = (
+        words.toward.format(**texts)
+        if isinstance(end, Name)
+        else words.along.format(vector=vector_words(vector, instance, words), **texts)
+    )
     if base is None or direction is None:
         return (Prose(told),)
     lines = length_lines(size, instance)

@@ -11,7 +11,16 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeGuard
 
-from kinegrade.expression import Call, Expression, Name, Number, Operation, is_literal_zero, names, read
+from kinegrade.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    is_literal_zero,
+    names,
+    read,
+)
 from kinegrade.problem.template import Template
 from kinegrade.worked.formula_text import quarter_turns
 
@@ -42,14 +51,18 @@ def steps(template: Template) -> tuple[Step, ...]:
     return tuple(found)
 
 
-def unnested(tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False) -> Expression:
+def unnested(
+    tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False
+) -> Expression:
     """The tree with inner constructions replaced by the names of auxiliary points, which are added to `found`."""
     if isinstance(tree, Operation):
         left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
         return Operation(tree.sign, left, right)
     if not isinstance(tree, Call):
         return tree
-    plain = Call(tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments))
+    plain = Call(
+        tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments)
+    )
     if tree.function in CENTRED and awkward(tree.function, plain.arguments[0]):
         centre = auxiliary(plain.arguments[0], found, before, taken)
         plain = Call(tree.function, (centre, *plain.arguments[1:]))
@@ -64,7 +77,11 @@ def awkward(function: str, centre: Expression) -> bool:
 
 def auxiliary(tree: Expression, found: list[Step], before: int, taken: set[str]) -> Name:
     """The name of an auxiliary point, whose step is added to `found`."""
-    name = next(name for count in range(before + len(found) + 1, 10_000) if (name := f"H{count}") not in taken)
+    name = next(
+        name
+        for count in range(before + len(found) + 1, 10_000)
+        if (name := f"H{count}") not in taken
+    )
     found.append(Step(name, tree))
     return Name(name)
 
@@ -104,7 +121,9 @@ class Axes:
             return tree.name in self.points
         if isinstance(tree, Call):
             return tree.function in ("", "turned") or tree.function in PLACED
-        return isinstance(tree, Operation) and (self.is_vector(tree.left) or self.is_vector(tree.right))
+        return isinstance(tree, Operation) and (
+            self.is_vector(tree.left) or self.is_vector(tree.right)
+        )
 
     def pair(self, tree: Expression) -> Pair | None:
         """The coordinates of a point or vector as formulas; None for what meets or stands at right angles."""
@@ -131,7 +150,9 @@ class Axes:
             return added(tree.sign, self.pair(tree.left), self.pair(tree.right))
         if tree.sign == "/":
             return divided(self.pair(tree.left), tree.right)
-        vector, factor = (tree.left, tree.right) if self.is_vector(tree.left) else (tree.right, tree.left)
+        vector, factor = (
+            (tree.left, tree.right) if self.is_vector(tree.left) else (tree.right, tree.left)
+        )
         return scaled(self.pair(vector), factor)
 
 
@@ -141,8 +162,13 @@ def axes_of(all_steps: tuple[Step, ...]) -> Axes:
     for step in all_steps:
         leaves = (Call("x", (Name(step.point),)), Call("y", (Name(step.point),)))
         pairs = [axes.pair(step.tree), *met_along_axes(step.tree, axes)]
-        zeros = {leaf for pair in pairs if pair is not None
-                 for leaf, part in zip(leaves, pair, strict=True) if part == ZERO}
+        zeros = {
+            leaf
+            for pair in pairs
+            if pair is not None
+            for leaf, part in zip(leaves, pair, strict=True)
+            if part == ZERO
+        }
         axes = Axes(axes.points, axes.zeros | zeros)
     return axes
 
@@ -154,7 +180,10 @@ def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
     for shape in tree.arguments[:2]:
         if isinstance(shape, Call) and shape.function == "line":
             start, direction = line_of(shape, axes)
-            yield ONE if direction[0] != ZERO else start[0], ONE if direction[1] != ZERO else start[1]
+            yield (
+                ONE if direction[0] != ZERO else start[0],
+                ONE if direction[1] != ZERO else start[1],
+            )
 
 
 def line_of(shape: Call, axes: Axes) -> tuple[Pair, Pair]:

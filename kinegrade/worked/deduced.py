@@ -21,8 +21,10 @@ from kinegrade.worked.vectors import arm, ends_of_track, letters_of, magnitude_f
 NUMBER = re.compile(r"-?[0-9.]+")
 AXES = {0.0: "axis_x", 90.0: "axis_y"}
 UNITS: dict[tuple[Level, bool], str] = {
-    ("velocity", False): "m/s", ("acceleration", False): "m/s^2",
-    ("velocity", True): "rad/s", ("acceleration", True): "rad/s^2",
+    ("velocity", False): "m/s",
+    ("acceleration", False): "m/s^2",
+    ("velocity", True): "rad/s",
+    ("acceleration", True): "rad/s^2",
 }
 
 
@@ -36,7 +38,12 @@ class Stage:
 
     def occurrences(self, rate: str) -> list[tuple[VectorEquation, Part]]:
         """Where an unknown stands."""
-        return [(equation, part) for equation in self.equations for part in equation.parts if part.unknown == rate]
+        return [
+            (equation, part)
+            for equation in self.equations
+            for part in equation.parts
+            if part.unknown == rate
+        ]
 
     def unknown_text(self, equation: VectorEquation, part: Part) -> str:
         """An unknown as equations write it: the vector's symbol, or arm times rate where several vectors share it."""
@@ -44,13 +51,19 @@ class Stage:
         alone = len(self.occurrences(part.unknown or "")) == 1
         return symbol(equation, part, self.case) if alone or not formula else formula
 
-    def share_size(self, equation: VectorEquation, part: Part, solved: Collection[str] | None) -> str:
+    def share_size(
+        self, equation: VectorEquation, part: Part, solved: Collection[str] | None
+    ) -> str:
         """A share of a projection before its cosine: in symbols, or in numbers where the rates `solved` are known.
 
         An unknown one stays a symbol in numbers too, with the number by which it is multiplied.
         """
         if solved is None:
-            return self.unknown_text(equation, part) if part.unknown else symbol(equation, part, self.case)
+            return (
+                self.unknown_text(equation, part)
+                if part.unknown
+                else symbol(equation, part, self.case)
+            )
         if part.unknown is None or part.term is None:
             return short(length(part.value, self.case.arithmetic))
         if part.unknown in solved:
@@ -61,9 +74,14 @@ class Stage:
 
     def sides(self, projection: Projection, solved: Collection[str] | None) -> tuple[str, str]:
         """The two sides of a projection, in symbols or in numbers."""
-        return (self._side(projection, projection.left, solved), self._side(projection, projection.right, solved))
+        return (
+            self._side(projection, projection.left, solved),
+            self._side(projection, projection.right, solved),
+        )
 
-    def _side(self, projection: Projection, shares: Sequence[Share], solved: Collection[str] | None) -> str:
+    def _side(
+        self, projection: Projection, shares: Sequence[Share], solved: Collection[str] | None
+    ) -> str:
         text = ""
         for share in shares:
             size = self.share_size(projection.equation, share.part, solved)
@@ -90,7 +108,11 @@ def rate_symbol(term: Term, stage: Stage) -> str:
     if term.kind != "rotation":
         return ""
     body = term.rate.removeprefix("omega ")
-    return stage.case.naming.omega(body) if stage.level == "velocity" else stage.case.naming.alpha(body)
+    return (
+        stage.case.naming.omega(body)
+        if stage.level == "velocity"
+        else stage.case.naming.alpha(body)
+    )
 
 
 def deduced(stage: Stage, deduction: Deduction, solved: Collection[str]) -> Iterator[Block]:
@@ -98,8 +120,13 @@ def deduced(stage: Stage, deduction: Deduction, solved: Collection[str]) -> Iter
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
         yield Prose(announced(stage, projection))
-        yield Display(tuple(solved_lines(stage, projection, solved, deduction.unknowns[0]) if single
-                            else projected_lines(stage, projection, solved)))
+        yield Display(
+            tuple(
+                solved_lines(stage, projection, solved, deduction.unknowns[0])
+                if single
+                else projected_lines(stage, projection, solved)
+            )
+        )
     if not single:
         yield Prose(phrase("together", case.language))
         yield Display(tuple(line for rate in deduction.unknowns for line in results(stage, rate)))
@@ -113,7 +140,9 @@ def projected_lines(stage: Stage, projection: Projection, solved: Collection[str
         yield " &= ".join(numbers)
 
 
-def solved_lines(stage: Stage, projection: Projection, solved: Collection[str], rate: str) -> Iterator[str]:
+def solved_lines(
+    stage: Stage, projection: Projection, solved: Collection[str], rate: str
+) -> Iterator[str]:
     """A projection with one unknown and what follows; in one chain where the unknown stands alone on a side."""
     left, value = next(results(stage, rate)).split(" &= ", 1)
     sides, numbers = stage.sides(projection, None), stage.sides(projection, solved)
@@ -122,7 +151,9 @@ def solved_lines(stage: Stage, projection: Projection, solved: Collection[str], 
         yield from results(stage, rate)
         return
     place = 1 - sides.index(left)
-    steps = [text for text in dict.fromkeys((sides[place], numbers[place])) if not NUMBER.fullmatch(text)]
+    steps = [
+        text for text in dict.fromkeys((sides[place], numbers[place])) if not NUMBER.fullmatch(text)
+    ]
     yield from chained(left, tuple(("=", text) for text in (*steps, value)))
     yield from list(results(stage, rate))[1:]
 
@@ -147,7 +178,9 @@ def results(stage: Stage, rate: str) -> Iterator[str]:
         yield f"{symbol(equation, part, case)} &= {vector_value(part, case, level)}"
         if not turning:
             return
-        yield rotation_result(rate, case, level, f"\\frac{{{symbol(equation, part, case)}}}{{{arm(part, case)}}} = ")
+        yield rotation_result(
+            rate, case, level, f"\\frac{{{symbol(equation, part, case)}}}{{{arm(part, case)}}} = "
+        )
     elif turning:
         yield rotation_result(rate, case, level, "")
 
@@ -165,8 +198,9 @@ def vector_value(part: Part, case: Case, level: Level) -> str:
     if part.term is None or part.coefficient is None:
         return stated(length(part.value, case.arithmetic), UNITS[level, False])
     value = along_direction(part.term, case, level)
-    return stated(value, UNITS[level, False]) + sense_along(double(value), part.coefficient, ends_of_path(part, case),
-                                                            case)
+    return stated(value, UNITS[level, False]) + sense_along(
+        double(value), part.coefficient, ends_of_path(part, case), case
+    )
 
 
 def ends_of_path(part: Part, case: Case) -> tuple[str, str] | None:

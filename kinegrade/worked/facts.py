@@ -32,8 +32,12 @@ from kinegrade.worked.scalars import turning, turning_value
 
 Found = Generator[Block, None, Fact]
 LEVELS: dict[str, Level] = {
-    "velocity": "velocity", "acceleration": "acceleration", "relative_velocity": "velocity",
-    "relative_acceleration": "acceleration", "coriolis": "acceleration", "normal_acceleration": "acceleration",
+    "velocity": "velocity",
+    "acceleration": "acceleration",
+    "relative_velocity": "velocity",
+    "relative_acceleration": "acceleration",
+    "coriolis": "acceleration",
+    "normal_acceleration": "acceleration",
     "tangential_acceleration": "acceleration",
 }
 
@@ -75,9 +79,14 @@ class Facts:
 
     def of_point(self, names: list[str], level: Level) -> Found:
         """The velocity or acceleration of a point of a body."""
-        point, body = names[0], names[1] if len(names) > 1 else self.quantities.owner(names[0], None)
+        point, body = (
+            names[0],
+            names[1] if len(names) > 1 else self.quantities.owner(names[0], None),
+        )
         chain = self.case.motion.frames.chain(body, point)
-        yield from find_point(chain, self.symbol(point, body, level), self.case, level, self.findings)
+        yield from find_point(
+            chain, self.symbol(point, body, level), self.case, level, self.findings
+        )
         nothing = Fact(point_symbol(point, level, self.case), Vector(0, 0), False)
         return self.findings.facts.get(key_of(chain, level), nothing)
 
@@ -88,7 +97,9 @@ class Facts:
         except ExpressionError:
             usual = ""
         plain = point_symbol(point, level, self.case)
-        same = usual and self.case.motion.frames.chain(usual, point) == self.case.motion.frames.chain(body, point)
+        same = usual and self.case.motion.frames.chain(
+            usual, point
+        ) == self.case.motion.frames.chain(body, point)
         if usual == body or same:
             return plain
         return f"{plain[:-1]}({self.case.naming.letters(body)})}}"
@@ -104,18 +115,24 @@ class Facts:
             rates = self.case.motion.rates if level == "velocity" else self.case.motion.changes
             value = term.coefficient() * rates[term.rate]
             return Fact(name, value, False, (Piece(name, term.coefficient(), value),))
-        parts = [(part_symbol(part, "a", number), part.value)
-                 for part in term_parts(term, self.case.motion, tuple(self.case.motion.rates), level)
-                 if part.role != "coriolis"]
+        parts = [
+            (part_symbol(part, "a", number), part.value)
+            for part in term_parts(term, self.case.motion, tuple(self.case.motion.rates), level)
+            if part.role != "coriolis"
+        ]
         yield Display(tuple(sum_line(axis, name, parts, level) for axis in "xy"))
         return Fact(name, total(value for _, value in parts), True)
 
     def track(self, point: str, body: str, frame: str) -> Term | None:
         """The term of a point that is guided in the frame, None where no joint guides it."""
         frames = self.case.motion.frames
-        for chain in [side for relation in frames.relations for side in (relation.left, relation.right)]:
+        for chain in [
+            side for relation in frames.relations for side in (relation.left, relation.right)
+        ]:
             for term in chain:
-                if term.frame == frame and term.rate.startswith((f"slide {point} {body}/", f"circle {point} {body}/")):
+                if term.frame == frame and term.rate.startswith(
+                    (f"slide {point} {body}/", f"circle {point} {body}/")
+                ):
                     return term
         return None
 
@@ -125,26 +142,42 @@ class Facts:
         transport = yield from self.of_point([point, frame], level)
         parts = [(absolute.symbol, absolute.value), (transport.symbol, transport.value)]
         if level == "acceleration":
-            coriolis = yield from self.find(Call("coriolis", (Name(point), Name(body), Name(frame))))
+            coriolis = yield from self.find(
+                Call("coriolis", (Name(point), Name(body), Name(frame)))
+            )
             parts.append((coriolis.symbol, coriolis.value))
-        yield Prose(phrase(f"relative_left_{level}", self.case.language, point=self.case.naming.point(point),
-                           frame=self.body(frame)))
+        yield Prose(
+            phrase(
+                f"relative_left_{level}",
+                self.case.language,
+                point=self.case.naming.point(point),
+                frame=self.body(frame),
+            )
+        )
         yield Display(tuple(sum_line(axis, name, parts, level, "-") for axis in "xy"))
         return Fact(name, absolute.value - total(value for _, value in parts[1:]), True)
 
     def coriolis(self, point: str, body: str, frame: str) -> Found:
         """The Coriolis acceleration, twice the frame's angular velocity times the relative speed."""
-        relative = yield from self.find(Call("relative_velocity", (Name(point), Name(body), Name(frame))))
+        relative = yield from self.find(
+            Call("relative_velocity", (Name(point), Name(body), Name(frame)))
+        )
         value = self.case.motion.coriolis(point, body, frame)
         omega = turning(frame, self.case, "velocity")
         term = self.track(point, body, frame)
         name = rf"a_{{\mathrm{{C}}{self.findings.numbers.get(term.rate, '') if term else ''}}}"
-        numbers = rf"2\cdot {absolute_number(turning_value(frame, self.case, 'velocity'))}\cdot " \
-                  rf"{short(length(relative.value, self.case.arithmetic))}"
+        numbers = (
+            rf"2\cdot {absolute_number(turning_value(frame, self.case, 'velocity'))}\cdot "
+            rf"{short(length(relative.value, self.case.arithmetic))}"
+        )
         size = stated(length(value, self.case.arithmetic), "m/s^2")
         shown = f" = {numbers}" if any(map(double, value)) else ""
-        yield Display((rf"{name} &= 2{absolute_value(omega)}{absolute_value(relative.symbol)}{shown} = "
-                       f"{size}{way(value, self.case)}",))
+        yield Display(
+            (
+                rf"{name} &= 2{absolute_value(omega)}{absolute_value(relative.symbol)}{shown} = "
+                f"{size}{way(value, self.case)}",
+            )
+        )
         return Fact(name, value, False)
 
     def about_base(self, function: str, point: str, base: str, body: str) -> Found:
@@ -154,7 +187,11 @@ class Facts:
         letters = naming.point(base) + naming.point(point)
         part = "n" if function.startswith("normal") else "t"
         name = rf"a_{{{naming.point(point)}{naming.point(base)}}}^{{\mathrm{{{part}}}}}"
-        value = arm * -(motion.omega(body) * motion.omega(body)) if part == "n" else arm.turned() * motion.alpha(body)
+        value = (
+            arm * -(motion.omega(body) * motion.omega(body))
+            if part == "n"
+            else arm.turned() * motion.alpha(body)
+        )
         size = short(length(arm, self.case.arithmetic))
         if part == "n":
             formula = rf"{letters}\cdot {naming.omega(body)}^{{2}}"
@@ -180,7 +217,9 @@ class Facts:
 
     def body(self, name: str) -> str:
         """A body in prose."""
-        return phrase("ground", self.case.language) if name == GROUND else self.case.naming.body(name)
+        return (
+            phrase("ground", self.case.language) if name == GROUND else self.case.naming.body(name)
+        )
 
 
 def pair_symbol(left: str, right: str) -> str:
@@ -204,4 +243,3 @@ def prerequisites(tree: Expression, facts: Facts) -> Iterator[Block]:
     elif isinstance(tree, Operation):
         yield from prerequisites(tree.left, facts)
         yield from prerequisites(tree.right, facts)
-

@@ -16,7 +16,17 @@ from typing import Any, Literal
 
 from kinegrade.exact.field import Field
 from kinegrade.exact.text import decimal_text
-from kinegrade.expression import Call, Expression, Name, Number, Operation, evaluate, is_literal_zero, names, read
+from kinegrade.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    evaluate,
+    is_literal_zero,
+    names,
+    read,
+)
 from kinegrade.problem.notation import point_symbol, symbol
 from kinegrade.problem.quantity import is_short_decimal
 from kinegrade.problem.template import Template
@@ -44,12 +54,22 @@ class Piece:
         return ("-" if self.negative else "") + self.text
 
 
-APART = ("(", "|", r"\sqrt", r"\cdot", *OPERATORS)  # marks of a product that needs brackets behind a sine
+APART = (
+    "(",
+    "|",
+    r"\sqrt",
+    r"\cdot",
+    *OPERATORS,
+)  # marks of a product that needs brackets behind a sine
 Leaf = Callable[[Expression, bool], Piece | None]
 
 
-def latex_of(expression: Expression, symbols: Mapping[str, str], degrees: bool = False,
-             points: Collection[str] = ()) -> str:
+def latex_of(
+    expression: Expression,
+    symbols: Mapping[str, str],
+    degrees: bool = False,
+    points: Collection[str] = (),
+) -> str:
     """LaTeX math (no dollar signs) of an expression; `symbols` gives the LaTeX of its names, see `symbols_of`.
 
     `pi` prints as such, but in degrees within sines and cosines, and everywhere if the expression is an angle that is
@@ -65,7 +85,9 @@ def latex_of(expression: Expression, symbols: Mapping[str, str], degrees: bool =
 
 def symbol_writer(symbols: Mapping[str, str], points: Collection[str] = ()) -> Writer:
     """The writer of formulas in symbols."""
-    return Writer(lambda tree, angular: vector_between(tree, points) or symbolic(tree, angular, symbols))
+    return Writer(
+        lambda tree, angular: vector_between(tree, points) or symbolic(tree, angular, symbols)
+    )
 
 
 def symbols_of(template: Template) -> dict[str, str]:
@@ -96,7 +118,11 @@ def named(name: str) -> str:
 
 def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
     """x_A, y_A, the distance AB, the angle from the x axis to AB; None where the points are not named."""
-    points = [symbols.get(part.name, point_symbol(part.name)) for part in tree.arguments if isinstance(part, Name)]
+    points = [
+        symbols.get(part.name, point_symbol(part.name))
+        for part in tree.arguments
+        if isinstance(part, Name)
+    ]
     if len(points) != len(tree.arguments):
         return None
     if tree.function == "direction":
@@ -139,7 +165,9 @@ def constant_half_turns(tree: Expression) -> Any:
 
 def has_call(tree: Expression) -> bool:
     """Whether a function is called anywhere in an expression."""
-    return isinstance(tree, Call) or (isinstance(tree, Operation) and (has_call(tree.left) or has_call(tree.right)))
+    return isinstance(tree, Call) or (
+        isinstance(tree, Operation) and (has_call(tree.left) or has_call(tree.right))
+    )
 
 
 @dataclass(frozen=True)
@@ -174,7 +202,12 @@ class Writer:
         terms = list(self.terms(tree, angular))
         if len(terms) == 1:
             return closed(terms[0]) if terms[0].kind == "sum" else terms[0]
-        return Piece("".join(following(piece) if place else piece.signed for place, piece in enumerate(terms)), "sum")
+        return Piece(
+            "".join(
+                following(piece) if place else piece.signed for place, piece in enumerate(terms)
+            ),
+            "sum",
+        )
 
     def terms(self, tree: Expression, angular: bool) -> Iterator[Piece]:
         """The terms of a sum; brackets after a plus are dropped."""
@@ -215,17 +248,29 @@ class Writer:
             more, under = self.factors(tree.right, angular)
             return above + more, below + under
         more, under = self.factors(tree.right, angular)
-        return (above, below + more) if not under else (above, [*below, self.write(tree.right, angular)])
+        return (
+            (above, below + more)
+            if not under
+            else (above, [*below, self.write(tree.right, angular)])
+        )
 
     def power(self, tree: Operation) -> Piece:
         """A power; that of a sine stands behind its name."""
         exponent = self.write(tree.right).signed
-        if isinstance(tree.left, Call) and tree.left.function in TRIGONOMETRY and not exponent.startswith("-"):
+        if (
+            isinstance(tree.left, Call)
+            and tree.left.function in TRIGONOMETRY
+            and not exponent.startswith("-")
+        ):
             base = self.write(tree.left)
             name = TRIGONOMETRY[tree.left.function]
             return replace(base, text=f"{name}^{{{exponent}}}" + base.text.removeprefix(name))
         base = self.write(tree.left)
-        simple = base.kind in ("number", "symbol") and not base.signed.startswith("-") and "^" not in base.text
+        simple = (
+            base.kind in ("number", "symbol")
+            and not base.signed.startswith("-")
+            and "^" not in base.text
+        )
         if not simple:
             return Piece(f"{bracketed(base.signed)}^{{{exponent}}}", "closed")
         return Piece(f"{base.text}^{{{exponent}}}", base.kind)
@@ -237,8 +282,10 @@ class Writer:
         if tree.function == "abs" and len(tree.arguments) == 1:
             return Piece(rf"\left|{self.write(tree.arguments[0]).signed}\right|", "closed")
         if tree.function in TRIGONOMETRY or tree.function in INVERSE:
-            return applied({**TRIGONOMETRY, **INVERSE}[tree.function],
-                           self.write(tree.arguments[0], tree.function in TRIGONOMETRY))
+            return applied(
+                {**TRIGONOMETRY, **INVERSE}[tree.function],
+                self.write(tree.arguments[0], tree.function in TRIGONOMETRY),
+            )
         inner = r",\ ".join(self.write(part).signed for part in tree.arguments)
         name = tree.function.replace("_", r"}\ \mathrm{")
         return Piece((rf"\mathrm{{{name}}}" if name else "") + bracketed(inner), "closed")
@@ -257,7 +304,10 @@ def numeral(text: str) -> Piece:
     body = text.removeprefix("-")
     if is_sum(text):
         return Piece(text, "sum")
-    return Piece(text, "fraction" if body.startswith(r"\frac") else "number" if body[:1].isdigit() else "closed")
+    return Piece(
+        text,
+        "fraction" if body.startswith(r"\frac") else "number" if body[:1].isdigit() else "closed",
+    )
 
 
 def is_sum(text: str) -> bool:
@@ -288,7 +338,10 @@ def joined(factors: list[Piece]) -> str:
     """A product of sizes; the signs are left to the caller."""
     if len(factors) == 1:
         return factors[0].text
-    pieces = [closed(replace(piece, negative=False)) if piece.kind == "sum" else piece for piece in factors]
+    pieces = [
+        closed(replace(piece, negative=False)) if piece.kind == "sum" else piece
+        for piece in factors
+    ]
     text = pieces[0].text
     for before, piece in pairwise(pieces):
         text += between(before, piece) + piece.text
@@ -311,7 +364,11 @@ def applied(name: str, argument: Piece) -> Piece:
     """A sine, cosine ... of its argument, in brackets unless that is simple."""
     signed = argument.signed.startswith("-")
     plain = argument.kind in ("number", "symbol", "fraction") and not signed
-    if plain or (argument.kind == "product" and not signed and not any(mark in argument.text for mark in APART)):
+    if plain or (
+        argument.kind == "product"
+        and not signed
+        and not any(mark in argument.text for mark in APART)
+    ):
         return Piece(operated(name, argument.text), "function")
     return Piece(name + bracketed(argument.signed), "closed")
 
@@ -329,4 +386,3 @@ def closed(piece: Piece) -> Piece:
 def bracketed(text: str) -> str:
     """Text in brackets as high as it needs."""
     return rf"\left({text}\right)" if r"\frac" in text else f"({text})"
-

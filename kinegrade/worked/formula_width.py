@@ -10,9 +10,20 @@ import re
 from collections.abc import Iterator
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\S")
-SILENT = frozenset({r"\left", r"\right", r"\mathrm", r"\boldsymbol", r"\overrightarrow", r"\text", r"\!", "&"})
-WIDTHS = {r"\,": 0.3, r"\ ": 0.5, r"\quad": 2.0, r"\qquad": 4.0, **dict.fromkeys("+-=<>", 1.9), r"\approx": 1.9,
-          **{rf"\{name}": len(name) + 0.5 for name in ("sin", "cos", "tan", "arcsin", "arccos", "arctan")}}
+SILENT = frozenset(
+    {r"\left", r"\right", r"\mathrm", r"\boldsymbol", r"\overrightarrow", r"\text", r"\!", "&"}
+)
+WIDTHS = {
+    r"\,": 0.3,
+    r"\ ": 0.5,
+    r"\quad": 2.0,
+    r"\qquad": 4.0,
+    **dict.fromkeys("+-=<>", 1.9),
+    r"\approx": 1.9,
+    **{
+        rf"\{name}": len(name) + 0.5 for name in ("sin", "cos", "tan", "arcsin", "arccos", "arctan")
+    },
+}
 WIDEST = 68  # letters: what fits on a line of a display
 SMALL = 0.7  # of a subscript against the letter that carries it
 

@@ -1,6 +1,6 @@
 """A solved instance as formulas are written for it: symbols on one side, this paper's numbers on the other.
 
-    x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\mathrm{m}
+x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\mathrm{m}
 """
 
 from __future__ import annotations
@@ -19,12 +19,24 @@ from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.problem.solving import Solution
 from kinegrade.units import Unit, read_unit
 from kinegrade.worked.coordinates import Axes, Step, axes_of, steps
-from kinegrade.worked.formula_text import INVERSE, TRIGONOMETRY, Piece, Writer, numeral, symbol_writer, symbols_of
+from kinegrade.worked.formula_text import (
+    INVERSE,
+    TRIGONOMETRY,
+    Piece,
+    Writer,
+    numeral,
+    symbol_writer,
+    symbols_of,
+)
 from kinegrade.worked.formula_width import chained
 
 DIGITS = 4  # significant, of every decimal that is rounded
-LONGEST_SUBSTITUTED = 12  # characters of plain text: longer exact numbers, and parts of roots, go in as decimals
-LONGEST_EXACT = 30  # characters of plain text: a longer exact number is left out on the way to an answer
+LONGEST_SUBSTITUTED = (
+    12  # characters of plain text: longer exact numbers, and parts of roots, go in as decimals
+)
+LONGEST_EXACT = (
+    30  # characters of plain text: a longer exact number is left out on the way to an answer
+)
 STRUCTURAL = frozenset({*TRIGONOMETRY, *INVERSE, "sqrt", "abs"})
 Part = tuple[str, str]  # a relation sign and what stands behind it
 
@@ -45,12 +57,17 @@ class Instance:
 
     def named(self, name: str, symbol: str, value: Any) -> Instance:
         """The instance with one thing more that formulas may name."""
-        return replace(self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value})
+        return replace(
+            self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value}
+        )
 
     def free(self, letter: str) -> str:
         """A name for an auxiliary quantity that nothing of the template has."""
-        return next(name for name in (letter, *(f"{letter}{count}" for count in range(1, 1000)))
-                    if name not in self.values)
+        return next(
+            name
+            for name in (letter, *(f"{letter}{count}" for count in range(1, 1000)))
+            if name not in self.values
+        )
 
     def value(self, tree: Expression) -> Any:
         """The value of an expression in SI: exact where a small field holds it, else enclosed."""
@@ -60,7 +77,11 @@ class Instance:
         except Inexact:
             balls = Balls(PRECISIONS[0])
             with balls.context():
-                return evaluated(tree, {name: enclosed(value, balls) for name, value in self.values.items()}, balls)
+                return evaluated(
+                    tree,
+                    {name: enclosed(value, balls) for name, value in self.values.items()},
+                    balls,
+                )
 
     def sign(self, tree: Expression) -> int:
         """Whether the value of an expression is negative, zero or positive: -1, 0, 1."""
@@ -115,7 +136,9 @@ class Instance:
     def worked_out(self, left: str, tree: Expression, degrees: bool = False) -> tuple[Part, ...]:
         """The formula and the same with numbers, each where it says something new."""
         symbols, numbers = self.symbolic(tree, degrees), self.numeric(tree, degrees)
-        plain = isinstance(tree, (Name, Number)) or (isinstance(tree, Call) and tree.function not in STRUCTURAL)
+        plain = isinstance(tree, (Name, Number)) or (
+            isinstance(tree, Call) and tree.function not in STRUCTURAL
+        )
         given = () if symbols == left or isinstance(tree, Number) else (("=", symbols),)
         return given if plain or numbers == symbols else (*given, ("=", numbers))
 
@@ -123,8 +146,14 @@ class Instance:
 def instance_of(solution: Solution) -> Instance:
     """The instance of a solution, its auxiliary points worked out."""
     template = solution.template
-    bare = Instance(solution, (), Axes(frozenset(), frozenset()), symbols_of(template),
-                    dict(solution.assembly.values), solution.arithmetic.fork())
+    bare = Instance(
+        solution,
+        (),
+        Axes(frozenset(), frozenset()),
+        symbols_of(template),
+        dict(solution.assembly.values),
+        solution.arithmetic.fork(),
+    )
     return with_steps(bare, steps(template))
 
 
@@ -135,14 +164,19 @@ def with_steps(instance: Instance, more: Iterable[Step]) -> Instance:
     for step in all_steps:
         if step.point not in instance.values:
             place = instance.value(step.tree)
-            instance = instance.named(step.point, f"{step.point[0]}_{{{step.point[1:]}}}", Vector(place.x, place.y))
+            instance = instance.named(
+                step.point, f"{step.point[0]}_{{{step.point[1:]}}}", Vector(place.x, place.y)
+            )
     return instance
 
 
 def evaluated(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
     """The value of an expression in one arithmetic."""
     points = {name: value for name, value in values.items() if isinstance(value, Vector)}
-    functions: dict[str, Callable[..., Any]] = {**elementary(arithmetic), **constructions(arithmetic, points)}
+    functions: dict[str, Callable[..., Any]] = {
+        **elementary(arithmetic),
+        **constructions(arithmetic, points),
+    }
     return evaluate(tree, values, functions, arithmetic)
 
 
@@ -163,7 +197,11 @@ def substituted(value: Any) -> str:
     if quantity.is_plain:
         return quantity.decimal(12)
     text = str(quantity.exact)
-    if quantity.is_exact and len(text) <= LONGEST_SUBSTITUTED and not ("sqrt" in text and "/" in text):
+    if (
+        quantity.is_exact
+        and len(text) <= LONGEST_SUBSTITUTED
+        and not ("sqrt" in text and "/" in text)
+    ):
         return exact_text(value, LATEX)
     return settled(quantity) or quantity.decimal(DIGITS)
 

@@ -26,16 +26,31 @@ def kind(body: Body, mechanism: Mechanism, case: Case) -> str:
     name = case.naming.body(body.name)
     if body.particle:
         return phrase("particle", case.language, body=case.naming.point(body.name))
-    pivot = next((joint.point for joint in mechanism.joints
-                  if isinstance(joint, Pin) and GROUND in joint.bodies and body.name in joint.bodies), None)
+    pivot = next(
+        (
+            joint.point
+            for joint in mechanism.joints
+            if isinstance(joint, Pin) and GROUND in joint.bodies and body.name in joint.bodies
+        ),
+        None,
+    )
     if pivot is not None:
         return phrase("rotates", case.language, body=name, point=case.naming.point(pivot))
     if body.name in translating(mechanism):
         return phrase("translates", case.language, body=name)
-    roll = next((joint for joint in mechanism.joints if isinstance(joint, Roll) and joint.body == body.name), None)
+    roll = next(
+        (
+            joint
+            for joint in mechanism.joints
+            if isinstance(joint, Roll) and joint.body == body.name
+        ),
+        None,
+    )
     if roll is not None:
         return phrase("rolls", case.language, body=name, other=track_of(roll, case))
-    still = omega_of(body.name) in case.motion.rates and case.arithmetic.is_zero(case.motion.omega(body.name))
+    still = omega_of(body.name) in case.motion.rates and case.arithmetic.is_zero(
+        case.motion.omega(body.name)
+    )
     return phrase("plane_instant" if still else "plane", case.language, body=name)
 
 

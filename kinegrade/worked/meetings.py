@@ -50,19 +50,26 @@ def meeting_blocks(step: Step, instance: Instance, language: Language) -> tuple[
     if len(lines) == 2:
         return two_lines_blocks(step.point, (first, second), instance, language)
     told = words.line_meets_circle.format(
-        point=instance.symbols[step.point], side=words.sides.get(side, ""),
-        line=line_words(lines[0], instance, words), circle=circle_words(circles[0], instance, words))
+        point=instance.symbols[step.point],
+        side=words.sides.get(side, ""),
+        line=line_words(lines[0], instance, words),
+        circle=circle_words(circles[0], instance, words),
+    )
     if ZERO not in line_of(lines[0], instance.axes)[1]:
         told += between_sentences(language) + along_words(words.quadratic, lines[0], instance)
     return Prose(told), *line_and_circle(step.point, lines[0], circles[0], instance)
 
 
-def two_lines_blocks(point: str, lines: tuple[Call, Call], instance: Instance,
-                     language: Language) -> tuple[Block, ...]:
+def two_lines_blocks(
+    point: str, lines: tuple[Call, Call], instance: Instance, language: Language
+) -> tuple[Block, ...]:
     """The point in which two lines meet; of two slanting ones the first is run along."""
     words = position_words(language)
-    told = words.lines_meet.format(point=instance.symbols[point], first=line_words(lines[0], instance, words),
-                                   second=line_words(lines[1], instance, words))
+    told = words.lines_meet.format(
+        point=instance.symbols[point],
+        first=line_words(lines[0], instance, words),
+        second=line_words(lines[1], instance, words),
+    )
     first, second = (line_of(line, instance.axes) for line in lines)
     if ZERO in first[1] + second[1]:
         return Prose(told), Display(two_lines(point, first, second, instance))
@@ -103,8 +110,12 @@ def two_lines(point: str, first: Line, second: Line, instance: Instance) -> tupl
     known, sought = ("y", "x") if level else ("x", "y")
     place, slope = (1, over(across[0], across[1])) if level else (0, over(across[1], across[0]))
     rise = minus(coordinate(instance, known, point), other[place])
-    return (*instance.equation(label(instance, known, point), base[place]),
-            *instance.equation(label(instance, sought, point), plus(other[1 - place], product(rise, slope))))
+    return (
+        *instance.equation(label(instance, known, point), base[place]),
+        *instance.equation(
+            label(instance, sought, point), plus(other[1 - place], product(rise, slope))
+        ),
+    )
 
 
 def product(rise: Expression, slope: Expression) -> Expression:
@@ -127,7 +138,9 @@ def letter(name: str, instance: Instance) -> str:
     return symbol(instance.free(name))
 
 
-def run_along(point: str, base: Pair, along: Pair, share: Expression, instance: Instance) -> tuple[str, ...]:
+def run_along(
+    point: str, base: Pair, along: Pair, share: Expression, instance: Instance
+) -> tuple[str, ...]:
     """s worked out, then the coordinates of the point s from the line's own point."""
     name = instance.free("s")
     further = instance.named(name, symbol(name), instance.value(share))
@@ -138,9 +151,14 @@ def run_along(point: str, base: Pair, along: Pair, share: Expression, instance: 
     return lines
 
 
-def line_and_circle(point: str, line: Call, circle: Call, instance: Instance) -> tuple[Display, ...]:
+def line_and_circle(
+    point: str, line: Call, circle: Call, instance: Instance
+) -> tuple[Display, ...]:
     """The circle's equation and its solution on the line, aligned each in itself."""
-    (base, along), centre = line_of(line, instance.axes), instance.axes.pair(circle.arguments[0]) or NOTHING
+    (base, along), centre = (
+        line_of(line, instance.axes),
+        instance.axes.pair(circle.arguments[0]) or NOTHING,
+    )
     radius = circle.arguments[1]
     equation = circle_equation(point, circle, instance)
     if ZERO in along:
@@ -150,17 +168,26 @@ def line_and_circle(point: str, line: Call, circle: Call, instance: Instance) ->
         reach = root(minus(square(radius), square(rise)))
         beyond = instance.sign(minus(Call(sought, (Name(point),)), centre[1 - place]))
         solved = (minus if beyond < 0 else plus)(centre[1 - place], reach)
-        return Display((equation,)), Display((*instance.equation(label(instance, known, point), base[place]),
-                                              *instance.equation(label(instance, sought, point), solved)))
+        return Display((equation,)), Display(
+            (
+                *instance.equation(label(instance, known, point), base[place]),
+                *instance.equation(label(instance, sought, point), solved),
+            )
+        )
     quadratic, *solution = slanting_chord(point, (base, along), (centre, radius), instance)
     return Display((equation,)), Display((quadratic,)), Display(tuple(solution))
 
 
-def slanting_chord(point: str, line: Line, circle: tuple[Pair, Expression], instance: Instance) -> tuple[str, ...]:
+def slanting_chord(
+    point: str, line: Line, circle: tuple[Pair, Expression], instance: Instance
+) -> tuple[str, ...]:
     """s from s^2 + 2ps + q = 0, then both coordinates."""
     (base, along), (centre, radius) = unit_line(line, instance), circle
     offset = minus(base[0], centre[0]), minus(base[1], centre[1])
-    middle, rest = dot(offset, along), minus(plus(square(offset[0]), square(offset[1])), square(radius))
+    middle, rest = (
+        dot(offset, along),
+        minus(plus(square(offset[0]), square(offset[1])), square(radius)),
+    )
     first, second = instance.free("p"), instance.free("q")
     further = instance.named(first, symbol(first), instance.value(middle))
     further = further.named(second, symbol(second), instance.value(rest))
@@ -169,15 +196,22 @@ def slanting_chord(point: str, line: Line, circle: tuple[Pair, Expression], inst
     ahead = further.sign(plus(run, middle))
     reach = root(minus(square(Name(first)), Name(second)))
     share = (minus if ahead < 0 else plus)(minus(ZERO, Name(first)), reach)
-    return (rf"{letter('s', instance)}^{{2}} + 2\,{symbol(first)}\,{letter('s', instance)} + {symbol(second)} &= 0",
-            *further.equation(symbol(first), middle), *further.equation(symbol(second), rest, AREA),
-            *run_along(point, base, along, share, further))
+    return (
+        rf"{letter('s', instance)}^{{2}} + 2\,{symbol(first)}\,{letter('s', instance)} + {symbol(second)} &= 0",
+        *further.equation(symbol(first), middle),
+        *further.equation(symbol(second), rest, AREA),
+        *run_along(point, base, along, share, further),
+    )
 
 
 def unit_line(line: Line, instance: Instance) -> Line:
     """A line with a direction of length one: as it is where given by an angle, else divided by its length."""
     base, along = line
-    if ONE in along or minus(ZERO, ONE) in along or (isinstance(along[0], Call) and along[0].function == "cos"):
+    if (
+        ONE in along
+        or minus(ZERO, ONE) in along
+        or (isinstance(along[0], Call) and along[0].function == "cos")
+    ):
         return line
     size = length_of(Call("", along), instance.axes)
     return base, (over(along[0], size), over(along[1], size))
@@ -186,33 +220,47 @@ def unit_line(line: Line, instance: Instance) -> Line:
 def circle_equation(point: str, circle: Call, instance: Instance) -> str:
     """(x - a)^2 + (y - b)^2 = r^2 in symbols."""
     centre = instance.axes.pair(circle.arguments[0]) or NOTHING
-    left = plus(square(minus(coordinate(instance, "x", point), centre[0])),
-                square(minus(coordinate(instance, "y", point), centre[1])))
+    left = plus(
+        square(minus(coordinate(instance, "x", point), centre[0])),
+        square(minus(coordinate(instance, "y", point), centre[1])),
+    )
     return f"{instance.symbolic(left)} &= {instance.symbolic(square(circle.arguments[1]))}"
 
 
-def circles_blocks(point: str, circles: tuple[Call, Call], instance: Instance,
-                   language: Language) -> tuple[Block, ...]:
+def circles_blocks(
+    point: str, circles: tuple[Call, Call], instance: Instance, language: Language
+) -> tuple[Block, ...]:
     """The third corner of a triangle with known sides, by the law of cosines."""
     words = position_words(language)
     (first, radius), (second, _) = (circle.arguments for circle in circles)
     left = turns_left(point, first, second, instance)
-    texts = {"point": instance.symbols[point], "first": instance.symbolic(first), "second": instance.symbolic(second)}
+    texts = {
+        "point": instance.symbols[point],
+        "first": instance.symbolic(first),
+        "second": instance.symbolic(second),
+    }
     told = words.circles_meet.format(
-        point=texts["point"], first=circle_words(circles[0], instance, words),
+        point=texts["point"],
+        first=circle_words(circles[0], instance, words),
         second=circle_words(circles[1], instance, words),
-        side=(words.on_the_left if left else words.on_the_right).format(**texts))
+        side=(words.on_the_left if left else words.on_the_right).format(**texts),
+    )
     axis = Call("distance", (first, second))
     corner = instance.free("corner")
     cosine = cosine_at(radius, circles[1].arguments[1], axis)
-    opened = instance.named(corner, rf"\angle {texts['second']}{texts['first']}{texts['point']}",
-                            instance.value(Call("acos", (cosine,))))
+    opened = instance.named(
+        corner,
+        rf"\angle {texts['second']}{texts['first']}{texts['point']}",
+        instance.value(Call("acos", (cosine,))),
+    )
     towards = Call("direction", (first, second))
     heading = (plus if left else minus)(towards, Name(corner))
-    return (Prose(told + between_sentences(language) + words.triangle.format(**texts)),
-            Display(triangle_lines(axis, cosine, corner, opened)),
-            Prose(words.reached_along.format(sense=sense(language, left), **texts)),
-            Display((*direction_line(towards, opened), *placed(point, first, radius, heading, opened))))
+    return (
+        Prose(told + between_sentences(language) + words.triangle.format(**texts)),
+        Display(triangle_lines(axis, cosine, corner, opened)),
+        Prose(words.reached_along.format(sense=sense(language, left), **texts)),
+        Display((*direction_line(towards, opened), *placed(point, first, radius, heading, opened))),
+    )
 
 
 def between_sentences(language: Language) -> str:
@@ -226,13 +274,19 @@ def cosine_at(radius: Expression, opposite: Expression, axis: Expression) -> Exp
     return over(above, times(times(TWO, radius), axis))
 
 
-def triangle_lines(axis: Call, cosine: Expression, corner: str, instance: Instance) -> tuple[str, ...]:
+def triangle_lines(
+    axis: Call, cosine: Expression, corner: str, instance: Instance
+) -> tuple[str, ...]:
     """The side between the centres, the cosine, and the angle."""
     vector = instance.axes.pair(Operation("-", axis.arguments[1], axis.arguments[0])) or NOTHING
     angle = instance.symbols[corner]
-    return (*instance.equation(instance.symbolic(axis), length_of(Call("", vector), instance.axes), METRE),
-            *instance.equation(rf"\cos{angle}", cosine, PURE),
-            *instance.equation(angle, Name(corner), DEGREE))
+    return (
+        *instance.equation(
+            instance.symbolic(axis), length_of(Call("", vector), instance.axes), METRE
+        ),
+        *instance.equation(rf"\cos{angle}", cosine, PURE),
+        *instance.equation(angle, Name(corner), DEGREE),
+    )
 
 
 def direction_line(towards: Call, instance: Instance) -> tuple[str, ...]:
@@ -240,18 +294,25 @@ def direction_line(towards: Call, instance: Instance) -> tuple[str, ...]:
     return instance.equation(instance.symbolic(towards), towards, DEGREE)
 
 
-def placed(point: str, centre: Expression, radius: Expression, heading: Expression,
-           instance: Instance) -> tuple[str, ...]:
+def placed(
+    point: str, centre: Expression, radius: Expression, heading: Expression, instance: Instance
+) -> tuple[str, ...]:
     """The coordinates at a distance from a centre in a direction."""
     pair = instance.axes.pair(Call("polar", (centre, radius, heading))) or NOTHING
-    return tuple(line for axis, tree in zip("xy", pair, strict=True)
-                 for line in instance.equation(label(instance, axis, point), tree))
+    return tuple(
+        line
+        for axis, tree in zip("xy", pair, strict=True)
+        for line in instance.equation(label(instance, axis, point), tree)
+    )
 
 
 def turns_left(point: str, first: Expression, second: Expression, instance: Instance) -> bool:
     """Whether a point lies on the left of the directed line from the first to the second."""
     axes = instance.axes
-    axis, arm = axes.pair(Operation("-", second, first)), axes.pair(Operation("-", Name(point), first))
+    axis, arm = (
+        axes.pair(Operation("-", second, first)),
+        axes.pair(Operation("-", Name(point), first)),
+    )
     return instance.sign(cross(axis or NOTHING, arm or NOTHING)) >= 0
 
 
@@ -263,14 +324,20 @@ def foot_blocks(step: Step, instance: Instance, language: Language) -> tuple[Blo
         return ()
     base, along = unit_line(line_of(line, instance.axes), instance)
     place = instance.axes.pair(source) or NOTHING
-    told = words.foot.format(point=instance.symbols[step.point], from_=instance.symbolic(source),
-                             line=line_words(line, instance, words))
+    told = words.foot.format(
+        point=instance.symbols[step.point],
+        from_=instance.symbolic(source),
+        line=line_words(line, instance, words),
+    )
     vector = vector_words(Operation("-", source, line.arguments[0]), instance, words)
-    reached = words.foot_reached.format(share=letter("s", instance), start=instance.symbolic(line.arguments[0]),
-                                        vector=vector)
+    reached = words.foot_reached.format(
+        share=letter("s", instance), start=instance.symbolic(line.arguments[0]), vector=vector
+    )
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
-    return (Prose(told + between_sentences(language) + reached),
-            Display(run_along(step.point, base, along, share, instance)))
+    return (
+        Prose(told + between_sentences(language) + reached),
+        Display(run_along(step.point, base, along, share, instance)),
+    )
 
 
 def coordinate(instance: Instance, axis: str, point: str) -> Expression:

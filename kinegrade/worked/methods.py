@@ -69,9 +69,12 @@ def method_for(coupler: Coupler, case: Case) -> Method:
     """The method asked for; else the pole where an answer is about it, or where the body does not turn."""
     if case.method is not None:
         return case.method
-    asked = {call.arguments[0].name for name in case.solution.answers
-             for call in calls(case.template.asks[name].quantity)
-             if call.function == "pole" and isinstance(call.arguments[0], Name)}
+    asked = {
+        call.arguments[0].name
+        for name in case.solution.answers
+        for call in calls(case.template.asks[name].quantity)
+        if call.function == "pole" and isinstance(call.arguments[0], Name)
+    }
     still = case.arithmetic.is_zero(case.motion.omega(coupler.body))
     return "pole" if coupler.body in asked or still else "base-point"
 
@@ -82,13 +85,21 @@ def coupler_of(stage: Stage) -> Coupler | None:
         return None
     equation = stage.equations[0]
     whole, other = equation.left, equation.right
-    if not (is_whole(whole) and len(whole) == 1 and len(other) == 2 and other[1].role == "rotation"):
+    if not (
+        is_whole(whole) and len(whole) == 1 and len(other) == 2 and other[1].role == "rotation"
+    ):
         return None
     if whole[0].unknown is None:  # v_B known, v_A sought: A and B change places
         known, sought = whole[0], other[0]
     else:
         known, sought = other[0], whole[0]
-    if known.unknown or not sought.unknown or not other[1].unknown or vanishes(known) or sought.role != "absolute":
+    if (
+        known.unknown
+        or not sought.unknown
+        or not other[1].unknown
+        or vanishes(known)
+        or sought.role != "absolute"
+    ):
         return None
     return Coupler(equation, known, sought, other[1])
 
@@ -104,8 +115,15 @@ def by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]
     projection = first.projections[0]
     base, point = case.naming.point(coupler.base.point), case.naming.point(coupler.point.point)
     yield from base_speed(coupler, case)
-    yield Prose(phrase("method_projection", case.language, body=case.naming.body(coupler.body), first=base,
-                       second=point))
+    yield Prose(
+        phrase(
+            "method_projection",
+            case.language,
+            body=case.naming.body(coupler.body),
+            first=base,
+            second=point,
+        )
+    )
     yield Display(tuple(solved_lines(stage, projection, (), first.unknowns[0])))
     yield Prose(introduction(coupler.equation, case))
     yield table(coupler.equation, case)
@@ -118,8 +136,16 @@ def by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Bloc
     case, body = stage.case, coupler.body
     name = pole_name(body, case)
     letter = case.naming.point(name)
-    yield Prose(phrase(construction(coupler, case), case.language, body=case.naming.body(body), pole=letter,
-                       first=case.naming.point(coupler.base.point), second=case.naming.point(coupler.point.point)))
+    yield Prose(
+        phrase(
+            construction(coupler, case),
+            case.language,
+            body=case.naming.body(body),
+            pole=letter,
+            first=case.naming.point(coupler.base.point),
+            second=case.naming.point(coupler.point.point),
+        )
+    )
     if case.arithmetic.is_zero(case.motion.omega(body)):
         yield from base_speed(coupler, case)
         known = symbol(coupler.equation, coupler.base, case)
@@ -136,8 +162,12 @@ def base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
     formula = magnitude_formula(coupler.equation, coupler.base, case)
     if formula and coupler.base.term and not is_told_negative(coupler.base.term, case, "velocity"):
         value = coupler.base.value
-        yield Display((f"{letters_of(coupler.equation, coupler.base, case)} &= {formula} = "
-                       f"{stated(length(value, case.arithmetic), 'm/s')}{way(value, case)}",))
+        yield Display(
+            (
+                f"{letters_of(coupler.equation, coupler.base, case)} &= {formula} = "
+                f"{stated(length(value, case.arithmetic), 'm/s')}{way(value, case)}",
+            )
+        )
 
 
 def construction(coupler: Coupler, case: Case) -> str:
@@ -149,22 +179,30 @@ def construction(coupler: Coupler, case: Case) -> str:
     return "method_pole_parallel" if parallel else "method_pole"
 
 
-def pole_lines(coupler: Coupler, pole: Vector, letter: str, stage: Stage, findings: Findings) -> Iterator[str]:
+def pole_lines(
+    coupler: Coupler, pole: Vector, letter: str, stage: Stage, findings: Findings
+) -> Iterator[str]:
     """The pole, its distances, and the velocities that follow from them."""
     case, points = stage.case, stage.case.motion.points
     base, point = coupler.base.point, coupler.point.point
     yield rf"{letter} &: ({stated(pole.x, 'm')},\quad {stated(pole.y, 'm')})"
     arms = {name: length(points[name] - pole, case.arithmetic) for name in (base, point)}
-    yield from (f"{letter}{case.naming.point(name)} &= {stated(size_, 'm')}" for name, size_ in arms.items())
+    yield from (
+        f"{letter}{case.naming.point(name)} &= {stated(size_, 'm')}" for name, size_ in arms.items()
+    )
     speed = symbol(coupler.equation, coupler.base, case)
     omega = absolute_value(case.naming.omega(coupler.body))
     value = length(coupler.base.value, case.arithmetic)
-    yield (rf"{omega} &= \frac{{{speed}}}{{{letter}{case.naming.point(base)}}} = "
-           rf"\frac{{{short(value)}}}{{{short(arms[base])}}}")
+    yield (
+        rf"{omega} &= \frac{{{speed}}}{{{letter}{case.naming.point(base)}}} = "
+        rf"\frac{{{short(value)}}}{{{short(arms[base])}}}"
+    )
     yield rotation_result(f"omega {coupler.body}", case, "velocity", "")
     findings.sized.add(point_symbol(point, "velocity", case))
-    how = (rf"{letter}{case.naming.point(point)}\cdot {omega} = "
-           rf"{short(arms[point])}\cdot {short(abs(case.motion.omega(coupler.body)))}")
+    how = (
+        rf"{letter}{case.naming.point(point)}\cdot {omega} = "
+        rf"{short(arms[point])}\cdot {short(abs(case.motion.omega(coupler.body)))}"
+    )
     yield from found_speed(coupler, how, case)
 
 

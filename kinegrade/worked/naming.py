@@ -11,16 +11,34 @@ from kinegrade.problem.notation import point_symbol
 from kinegrade.problem.template import Language, Template
 
 BODIES = {  # the words that templates use for bodies
-    "crank": ("the crank", "曲柄"), "rocker": ("the rocker", "摇杆"), "rod": ("the rod", "杆"),
-    "bar": ("the bar", "杆"), "wheel": ("the wheel", "轮"), "gear": ("the gear", "齿轮"), "rack": ("the rack", "齿条"),
-    "disc": ("the disc", "圆盘"), "disk": ("the disc", "圆盘"), "sleeve": ("the sleeve", "套筒"),
-    "cam": ("the cam", "凸轮"), "arm": ("the carrier", "系杆"),
-    "plate": ("the plate", "平板"), "planet": ("the planet gear", "行星轮"), "tappet": ("the follower", "从动件"),
-    "follower": ("the follower", "从动件"), "jaw": ("the jaw", "颚板"), "strut": ("the strut", "撑杆"),
-    "coupler": ("the coupler", "连杆"), "slider": ("the slider", "滑块"), "table": ("the table", "台面"),
-    "ring": ("the ring", "圆环"), "sun": ("the sun gear", "太阳轮"), "roller": ("the roller", "滚子"),
+    "crank": ("the crank", "曲柄"),
+    "rocker": ("the rocker", "摇杆"),
+    "rod": ("the rod", "杆"),
+    "bar": ("the bar", "杆"),
+    "wheel": ("the wheel", "轮"),
+    "gear": ("the gear", "齿轮"),
+    "rack": ("the rack", "齿条"),
+    "disc": ("the disc", "圆盘"),
+    "disk": ("the disc", "圆盘"),
+    "sleeve": ("the sleeve", "套筒"),
+    "cam": ("the cam", "凸轮"),
+    "arm": ("the carrier", "系杆"),
+    "plate": ("the plate", "平板"),
+    "planet": ("the planet gear", "行星轮"),
+    "tappet": ("the follower", "从动件"),
+    "follower": ("the follower", "从动件"),
+    "jaw": ("the jaw", "颚板"),
+    "strut": ("the strut", "撑杆"),
+    "coupler": ("the coupler", "连杆"),
+    "slider": ("the slider", "滑块"),
+    "table": ("the table", "台面"),
+    "ring": ("the ring", "圆环"),
+    "sun": ("the sun gear", "太阳轮"),
+    "roller": ("the roller", "滚子"),
 }
-LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})  # told by their ends
+LINKS = frozenset(
+    {"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"}
+)  # told by their ends
 
 
 @dataclass(frozen=True)
@@ -45,7 +63,7 @@ class Naming:
         ends = "".join(map(point_symbol, self._points(name)[:2]))
         if kind in LINKS and len(self._points(name)) > 1:
             return f"{self._word(kind)} ${ends}$"
-        return f"{self._bare(kind)} {name[len(kind):]}" if kind != name else self._word(kind)
+        return f"{self._bare(kind)} {name[len(kind) :]}" if kind != name else self._word(kind)
 
     def letters(self, name: str) -> str:
         """A body in a subscript, in LaTeX math: its letters, else the word for it."""
@@ -54,15 +72,20 @@ class Naming:
 
     def _is_round(self, body: str) -> bool:
         """Whether a body rolls, meshes or touches with a circle of its own."""
-        return len(body) < 3 and any(joint.circle and joint.body == body for joint in self.template.joints)
+        return len(body) < 3 and any(
+            joint.circle and joint.body == body for joint in self.template.joints
+        )
 
     def _wheel(self, body: str) -> str:
         """The wheel, or the gear; with its letter where there are several, or where it is a roman numeral."""
         kind = "gear" if "gear" in self.template.family else "wheel"
         several = sum(self._is_round(other.name) for other in self.template.bodies) > 1
         roman = set(body) <= set("IV")
-        return f"{self._bare(kind)} {body if roman else f'${point_symbol(body)}$'}" if several or roman \
+        return (
+            f"{self._bare(kind)} {body if roman else f'${point_symbol(body)}$'}"
+            if several or roman
             else self._word(kind)
+        )
 
     def _bare(self, name: str) -> str:
         """The word for a body without its article."""
@@ -92,20 +115,34 @@ class Naming:
         for body in self.template.bodies:
             omega, alpha = asked.get(("omega", body.name)), asked.get(("alpha", body.name))
             if omega is None:
-                omega = alpha.replace("alpha", "omega", 1) if alpha else self._own(body.name, body.points, taken)
+                omega = (
+                    alpha.replace("alpha", "omega", 1)
+                    if alpha
+                    else self._own(body.name, body.points, taken)
+                )
             found[body.name] = (omega, alpha or omega.replace("omega", "alpha", 1))
             taken.add(omega)
         return found
 
     def _own(self, body: str, points: tuple[str, ...], taken: set[str]) -> str:
-        letters = point_symbol(body) if not body.islower() else "".join(map(point_symbol, points[:2]))
+        letters = (
+            point_symbol(body) if not body.islower() else "".join(map(point_symbol, points[:2]))
+        )
         symbol = rf"\omega_{{{letters}}}"
-        return symbol if symbol not in taken and "_" not in body else rf"\omega_{{\text{{{self._bare(body)}}}}}"
+        return (
+            symbol
+            if symbol not in taken and "_" not in body
+            else rf"\omega_{{\text{{{self._bare(body)}}}}}"
+        )
 
     def _asked_rotations(self) -> Iterator[tuple[str, str, str]]:
         for ask in self.template.asks.values():
             tree = ask.quantity
-            if isinstance(tree, Call) and tree.function in ("omega", "alpha") and len(tree.arguments) == 1:
+            if (
+                isinstance(tree, Call)
+                and tree.function in ("omega", "alpha")
+                and len(tree.arguments) == 1
+            ):
                 body = tree.arguments[0]
                 if isinstance(body, Name) and ask.symbol.startswith("\\" + tree.function):
                     yield tree.function, body.name, ask.symbol

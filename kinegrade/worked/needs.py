@@ -14,7 +14,9 @@ from kinegrade.mechanics.relations import Chain, omega_of
 from kinegrade.problem.quantities import Quantities
 
 RELATIVE = ("relative_velocity", "relative_acceleration", "coriolis")
-ACCELERATIONS = frozenset({"acceleration", "relative_acceleration", "alpha", "tangential_acceleration"})
+ACCELERATIONS = frozenset(
+    {"acceleration", "relative_acceleration", "alpha", "tangential_acceleration"}
+)
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,9 @@ def turning_bodies(call: Call) -> list[str]:
     match call.function:
         case "omega" | "alpha":
             return names
-        case "normal_acceleration" | "tangential_acceleration" | "coriolis" | "relative_acceleration":
+        case (
+            "normal_acceleration" | "tangential_acceleration" | "coriolis" | "relative_acceleration"
+        ):
             return names[2:3]
         case "pole" | "circle_of_poles":
             return names[:1]
@@ -77,8 +81,11 @@ def needs_of(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
     """What the quantity of an ask needs."""
     needs = NOTHING
     for call in calls(tree):
-        rates = {term.rate for body, point in chains_of(call, motion, quantities)
-                 for term in motion.frames.chain(body, point)}
+        rates = {
+            term.rate
+            for body, point in chains_of(call, motion, quantities)
+            for term in motion.frames.chain(body, point)
+        }
         rates |= {omega_of(body) for body in turning_bodies(call) if body != GROUND}
         rates &= set(motion.rates)
         changes = rates if call.function in ACCELERATIONS else set()
@@ -91,7 +98,9 @@ def steps_needed(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[
     changes = followed(motion, set(needs.changes))
     rates = set(needs.rates)
     for step in changes:
-        rates |= set(step.unknowns) | {rate for index in step.relations for rate in speaking_of(motion, index)}
+        rates |= set(step.unknowns) | {
+            rate for index in step.relations for rate in speaking_of(motion, index)
+        }
     return followed(motion, rates), changes
 
 
@@ -104,11 +113,17 @@ def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
     for step in reversed(motion.plan.steps):
         if wanted & set(step.unknowns):
             chosen.append(step)
-            wanted |= {rate for index in step.relations for rate in motion.frames.relations[index].unknowns()}
+            wanted |= {
+                rate
+                for index in step.relations
+                for rate in motion.frames.relations[index].unknowns()
+            }
     missing = wanted - {rate for step in chosen for rate in step.unknowns}
     if missing:
-        raise MechanismError(f"the plan does not give {', '.join(sorted(missing))}, which the answers need: "
-                             "solve the template anew")
+        raise MechanismError(
+            f"the plan does not give {', '.join(sorted(missing))}, which the answers need: "
+            "solve the template anew"
+        )
     return tuple(reversed(chosen))
 
 

@@ -38,7 +38,11 @@ def stated_quantity(quantity: Quantity) -> str:
         return with_unit(quantity.closed_form or quantity.decimal(DIGITS), quantity.unit)
     if quantity.exact is None or quantity.latex is None or len(quantity.exact) > LONGEST:
         return decimal
-    exact = quantity.latex.removeprefix(r"\frac{180}{\pi}\,") if quantity.unit == "deg" else quantity.latex
+    exact = (
+        quantity.latex.removeprefix(r"\frac{180}{\pi}\,")
+        if quantity.unit == "deg"
+        else quantity.latex
+    )
     return rf"{exact} \approx {decimal}"
 
 
@@ -51,7 +55,11 @@ def with_unit(number: str, unit: str) -> str:
 
 def short(number: Any) -> str:
     """A number in SI to four significant digits, without unit."""
-    return f"{number:.{DIGITS}g}" if isinstance(number, float) else in_unit("", number, read_unit("1")).decimal(DIGITS)
+    return (
+        f"{number:.{DIGITS}g}"
+        if isinstance(number, float)
+        else in_unit("", number, read_unit("1")).decimal(DIGITS)
+    )
 
 
 def bracketed(text: str) -> str:

@@ -36,7 +36,11 @@ def mechanism_picture(case: Case) -> Picture:
 
 def stage_pictures(step: Step, stage: Stage) -> Iterator[Pictures]:
     """The pictures of a step; none where nothing moves in it."""
-    moving = [equation for equation in stage.equations if any(is_seen(part.value) for part in equation.parts)]
+    moving = [
+        equation
+        for equation in stage.equations
+        if any(is_seen(part.value) for part in equation.parts)
+    ]
     if not moving:
         yield from picture_of_rotation(step, stage)
         return
@@ -65,7 +69,11 @@ def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[
             term = term_of(rate, case)
             value = floats(term.coefficient() * values[rate])
             if is_seen(value):
-                arrows.append(PointArrow(speed(term, case, level), floats(case.motion.points[term.point]), value))
+                arrows.append(
+                    PointArrow(
+                        speed(term, case, level), floats(case.motion.points[term.point]), value
+                    )
+                )
     if found or arrows:
         mechanism = drawable_mechanism(case.motion.frames.mechanism)
         scene = with_vectors(mechanism, case.template.figure, arrows, found)
@@ -79,7 +87,9 @@ def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
         centre = roll.circle.centre
         velocity = floats(case.motion.velocity(centre, roll.body))
         if is_seen(velocity):
-            ray = PointArrow(f"v_{{{case.naming.point(centre)}}}", floats(case.motion.points[centre]), velocity)
+            ray = PointArrow(
+                f"v_{{{case.naming.point(centre)}}}", floats(case.motion.points[centre]), velocity
+            )
             yield Pictures((picture_of_pole(roll.body, (ray,), case),))
         return
     found = turnings(step.unknowns, case, stage.level)
@@ -98,7 +108,10 @@ def rolling(step: Step, case: Case) -> Roll | None:
 def answer_pictures(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
     """The mechanism with the velocities, and with the accelerations, of the points that the asks name."""
     pictures = []
-    for function, key in (("velocity", "picture_points"), ("acceleration", "picture_points_acceleration")):
+    for function, key in (
+        ("velocity", "picture_points"),
+        ("acceleration", "picture_points_acceleration"),
+    ):
         arrows = {arrow.at: arrow for ask in asked for arrow in asked_arrows(ask, function, case)}
         if arrows:
             mechanism = drawable_mechanism(case.motion.frames.mechanism)
@@ -126,19 +139,28 @@ def vectors_picture(equations: Sequence[VectorEquation], stage: Stage) -> Pictur
     """The mechanism with all vectors of the step at their points, and the rotations that the step gives."""
     case = stage.case
     mechanism = drawable_mechanism(case.motion.frames.mechanism)
-    arrows = {(arrow.symbol, arrow.at): arrow for equation in equations
-              for arrow in point_arrows(equation.parts, equation, case)}
+    arrows = {
+        (arrow.symbol, arrow.at): arrow
+        for equation in equations
+        for arrow in point_arrows(equation.parts, equation, case)
+    }
     rates = dict.fromkeys(rate for equation in equations for rate in equation.unknowns)
-    scene = with_vectors(mechanism, case.template.figure, tuple(arrows.values()), turnings(rates, case, stage.level))
+    scene = with_vectors(
+        mechanism, case.template.figure, tuple(arrows.values()), turnings(rates, case, stage.level)
+    )
     return Picture(scene, phrase(f"picture_{stage.level}", case.language))
 
 
-def point_arrows(parts: Iterable[Part], equation: VectorEquation, case: Case) -> Iterator[PointArrow]:
+def point_arrows(
+    parts: Iterable[Part], equation: VectorEquation, case: Case
+) -> Iterator[PointArrow]:
     """The parts that do not vanish, each at its point."""
     for part in parts:
         if is_seen(part.value):
             at = floats(case.motion.points[part.point])
-            yield PointArrow(letters_of(equation, part, case), at, floats(part.value), part.unknown is None)
+            yield PointArrow(
+                letters_of(equation, part, case), at, floats(part.value), part.unknown is None
+            )
 
 
 def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
@@ -156,10 +178,18 @@ def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, .
 def polygon_picture(equation: VectorEquation, stage: Stage) -> Picture:
     """The polygon of a vector equation, to a scale that its caption tells."""
     case = stage.case
-    left, right = ([Arrow(letters_of(equation, part, case), floats(part.value), part.unknown is None)
-                    for part in side if is_seen(part.value)] for side in (equation.left, equation.right))
+    left, right = (
+        [
+            Arrow(letters_of(equation, part, case), floats(part.value), part.unknown is None)
+            for part in side
+            if is_seen(part.value)
+        ]
+        for side in (equation.left, equation.right)
+    )
     scene = polygon(left, right)
-    return Picture(scene, phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}"))
+    return Picture(
+        scene, phrase(f"polygon_{stage.level}", case.language, scale=f"{1 / scene.scale:.3g}")
+    )
 
 
 def picture_of_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:

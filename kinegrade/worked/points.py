@@ -16,7 +16,16 @@ from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_
 from kinegrade.worked.case import Case
 from kinegrade.worked.deduced import UNITS
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.numbers import absolute_value, angle_text, bearing, bracketed, double, length, short, stated
+from kinegrade.worked.numbers import (
+    absolute_value,
+    angle_text,
+    bearing,
+    bracketed,
+    double,
+    length,
+    short,
+    stated,
+)
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.scalars import turning_value
 from kinegrade.worked.senses import direction_words
@@ -80,17 +89,28 @@ class Findings:
             for chain in (relation.left, relation.right):
                 self.facts.setdefault(key_of(chain, equation.level), fact_of(whole, equation, case))
         for chain in (relation.left, relation.right):
-            first = [part for part in equation.parts if chain and part.term is chain[0]
-                     and part.role in ("absolute", "transport")]
+            first = [
+                part
+                for part in equation.parts
+                if chain and part.term is chain[0] and part.role in ("absolute", "transport")
+            ]
             if first:
-                self.facts.setdefault(key_of(chain[:1], equation.level), fact_of(first, equation, case))
+                self.facts.setdefault(
+                    key_of(chain[:1], equation.level), fact_of(first, equation, case)
+                )
 
 
 def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact:
     """The vector of one point whose parts stand in an equation."""
-    pieces = tuple(Piece(letters_of(equation, part, case), sense_of(part, case), part.value) for part in parts)
+    pieces = tuple(
+        Piece(letters_of(equation, part, case), sense_of(part, case), part.value) for part in parts
+    )
     transport = f"{letter(equation)}_{{{subscript(equation, parts[0], case)}}}"
-    symbol = transport if parts[0].role == "transport" else point_symbol(parts[0].point, equation.level, case)
+    symbol = (
+        transport
+        if parts[0].role == "transport"
+        else point_symbol(parts[0].point, equation.level, case)
+    )
     return Fact(symbol, total(part.value for part in parts), False, pieces)
 
 
@@ -120,7 +140,9 @@ def vector_of(chain: Chain, motion: Motion, level: Level) -> Vector:
     return total(term.acceleration(motion.rates, motion.changes) for term in chain)
 
 
-def find_point(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+def find_point(
+    chain: Chain, name: str, case: Case, level: Level, findings: Findings
+) -> Iterator[Block]:
     """How the vector of a chain is found, if that has not been told; `name` is its symbol."""
     if key_of(chain, level) in findings.facts or not chain:
         return
@@ -130,7 +152,12 @@ def find_point(chain: Chain, name: str, case: Case, level: Level, findings: Find
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif len(chain) == 1 and level == "velocity":
         yield from single(last, name, case)
-        fact = Fact(name, value, False, (Piece(name, value if last.kind == "rotation" else last.coefficient(), value),))
+        fact = Fact(
+            name,
+            value,
+            False,
+            (Piece(name, value if last.kind == "rotation" else last.coefficient(), value),),
+        )
     elif len(chain) == 1 and last.kind == "arc":
         fact = yield from circling(last, name, case)
     elif last.kind == "rotation":
@@ -152,9 +179,18 @@ def single(term: Term, name: str, case: Case) -> Iterator[Block]:
     size = length(value, case.arithmetic)
     omega = case.naming.omega(body)
     bars = omega if double(case.motion.rates[term.rate]) >= 0 else absolute_value(omega)
-    yield Prose(phrase(f"known_point{place_of(term, case)}", case.language, point=point, base=base,
-                       body=case.naming.body(body)))
-    yield Display((rf"{name} &= {base}{point}\cdot {bars} = {stated(size, 'm/s')}{way(value, case)}",))
+    yield Prose(
+        phrase(
+            f"known_point{place_of(term, case)}",
+            case.language,
+            point=point,
+            base=base,
+            body=case.naming.body(body),
+        )
+    )
+    yield Display(
+        (rf"{name} &= {base}{point}\cdot {bars} = {stated(size, 'm/s')}{way(value, case)}",)
+    )
 
 
 def place_of(term: Term, case: Case) -> str:
@@ -168,13 +204,20 @@ def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
     """The acceleration of a point on a fixed circle: the normal part by its speed, the tangential one as told."""
     point, centre = case.naming.point(term.point), case.naming.point(term.base)
     yield Prose(phrase("known_circle", case.language, point=point, centre=centre))
-    normal, tangential = term.normal(case.motion.rates), term.coefficient() * case.motion.changes[term.rate]
+    normal, tangential = (
+        term.normal(case.motion.rates),
+        term.coefficient() * case.motion.changes[term.rate],
+    )
     speed = short(length(term.velocity(case.motion.rates), case.arithmetic))
     radius = length(term.vector, case.arithmetic)
     symbols = tuple(rf"{name}^{{\mathrm{{{part}}}}}" for part in "nt")
-    yield Display((rf"{symbols[0]} &= \frac{{v_{{{point}}}^{{2}}}}{{{centre}{point}}} = "
-                   rf"\frac{{{speed}^{{2}}}}{{{short(radius)}}} = "
-                   f"{stated(length(normal, case.arithmetic), 'm/s^2')}",))
+    yield Display(
+        (
+            rf"{symbols[0]} &= \frac{{v_{{{point}}}^{{2}}}}{{{centre}{point}}} = "
+            rf"\frac{{{speed}^{{2}}}}{{{short(radius)}}} = "
+            f"{stated(length(normal, case.arithmetic), 'm/s^2')}",
+        )
+    )
     pieces = Piece(symbols[0], normal, normal), Piece(symbols[1], term.coefficient(), tangential)
     return Fact(name, normal + tangential, False, pieces)
 
@@ -187,21 +230,36 @@ def way(vector: Vector, case: Case) -> str:
     return rf"\quad\text{{({words})}}"
 
 
-def carried(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+def carried(
+    chain: Chain, name: str, case: Case, level: Level, findings: Findings
+) -> Iterator[Block]:
     """The components of a point's vector by its base point: rotation about it added to the base point's own."""
     last, before = chain[-1], chain[:-1]
     base_name = point_symbol(last.base, level, case)
     yield from find_point(before, base_name, case, level, findings)
     point, base = case.naming.point(last.point), case.naming.point(last.base)
     key = f"{'known_base' if before else 'known_point'}{place_of(last, case)}"
-    yield Prose(phrase(key, case.language, point=point, base=base,
-                       body=case.naming.body(last.rate.removeprefix("omega "))))
+    yield Prose(
+        phrase(
+            key,
+            case.language,
+            point=point,
+            base=base,
+            body=case.naming.body(last.rate.removeprefix("omega ")),
+        )
+    )
     start = (base_name if before else "", vector_of(before, case.motion, level))
-    yield Display(tuple(f"{component(name, axis)} &= {carried_component(axis, start, last, case, level)}"
-                        for axis in "xy"))
+    yield Display(
+        tuple(
+            f"{component(name, axis)} &= {carried_component(axis, start, last, case, level)}"
+            for axis in "xy"
+        )
+    )
 
 
-def carried_component(axis: str, start: tuple[str, Vector], term: Term, case: Case, level: Level) -> str:
+def carried_component(
+    axis: str, start: tuple[str, Vector], term: Term, case: Case, level: Level
+) -> str:
     """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and value.
 
     `start` is the vector of the base point with its symbol, "" where it is fixed. What does not turn adds nothing.
@@ -210,11 +268,16 @@ def carried_component(axis: str, start: tuple[str, Vector], term: Term, case: Ca
     along = 0 if axis == "x" else 1
     summands = [Summand("+", component(base_name, axis), short(base[along]))] if base_name else []
     summands += turning_summands(axis, term, case, level)
-    added = term.velocity(case.motion.rates) if level == "velocity" else term.acceleration(case.motion.rates,
-                                                                                           case.motion.changes)
+    added = (
+        term.velocity(case.motion.rates)
+        if level == "velocity"
+        else term.acceleration(case.motion.rates, case.motion.changes)
+    )
     result = stated(base[along] + added[along], UNITS[level, False])
     texts = (sum_of(summands, "symbol"), sum_of([one for one in summands if one.counts], "number"))
-    return " = ".join([*(text for text in dict.fromkeys(texts) if not NUMBER.fullmatch(text)), result])
+    return " = ".join(
+        [*(text for text in dict.fromkeys(texts) if not NUMBER.fullmatch(text)), result]
+    )
 
 
 @dataclass(frozen=True)
@@ -237,13 +300,23 @@ def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterato
     point, base = case.naming.point(term.point), case.naming.point(term.base)
     body = term.rate.removeprefix("omega ")
     rate, change = case.motion.rates[term.rate], case.motion.changes[term.rate]
-    letters, value = (case.naming.omega(body), rate) if level == "velocity" else (case.naming.alpha(body), change)
+    letters, value = (
+        (case.naming.omega(body), rate)
+        if level == "velocity"
+        else (case.naming.alpha(body), change)
+    )
     if double(value):
-        yield Summand(sign, f"{letters}({other}_{{{point}}}-{other}_{{{base}}})",
-                      rf"{bracketed(short(value))}\cdot {bracketed(short(term.vector[across]))}")
+        yield Summand(
+            sign,
+            f"{letters}({other}_{{{point}}}-{other}_{{{base}}})",
+            rf"{bracketed(short(value))}\cdot {bracketed(short(term.vector[across]))}",
+        )
     if level == "acceleration" and double(rate):
-        yield Summand("-", f"{case.naming.omega(body)}^{{2}}({axis}_{{{point}}}-{axis}_{{{base}}})",
-                      rf"{bracketed(short(rate))}^{{2}}\cdot {bracketed(short(term.vector[along]))}")
+        yield Summand(
+            "-",
+            f"{case.naming.omega(body)}^{{2}}({axis}_{{{point}}}-{axis}_{{{base}}})",
+            rf"{bracketed(short(rate))}^{{2}}\cdot {bracketed(short(term.vector[along]))}",
+        )
 
 
 def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
@@ -259,21 +332,33 @@ def component(name: str, axis: str) -> str:
     while depth:
         depth += {"{": 1, "}": -1}.get(rest[end], 0)
         end += 1
-    return f"{head}_{{{rest[:end - 1]},{axis}}}{rest[end:]}"
+    return f"{head}_{{{rest[: end - 1]},{axis}}}{rest[end:]}"
 
 
-def composed(chain: Chain, name: str, case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+def composed(
+    chain: Chain, name: str, case: Case, level: Level, findings: Findings
+) -> Iterator[Block]:
     """The components of a point that moves within a moving body: transport, relative and Coriolis parts added."""
     last, before = chain[-1], chain[:-1]
     head = "v" if level == "velocity" else "a"
     number = findings.numbers.get(last.rate, "")
     transport = rf"{head}_{{\mathrm{{e}}{number}}}"
     yield from find_point(before, transport, case, level, findings)
-    yield Prose(phrase("known_relative", case.language, point=case.naming.point(last.point),
-                       frame=case.naming.body(last.frame)))
-    parts = [(transport, vector_of(before, case.motion, level)),
-             *((part_symbol(part, head, number), part.value)
-               for part in term_parts(last, case.motion, tuple(case.motion.rates), level))]
+    yield Prose(
+        phrase(
+            "known_relative",
+            case.language,
+            point=case.naming.point(last.point),
+            frame=case.naming.body(last.frame),
+        )
+    )
+    parts = [
+        (transport, vector_of(before, case.motion, level)),
+        *(
+            (part_symbol(part, head, number), part.value)
+            for part in term_parts(last, case.motion, tuple(case.motion.rates), level)
+        ),
+    ]
     yield Display(tuple(sum_line(axis, name, parts, level) for axis in "xy"))
 
 
@@ -283,17 +368,23 @@ def part_symbol(part: Part, head: str, number: str = "") -> str:
     return rf"{head}_{{\mathrm{{{'C' if part.role == 'coriolis' else 'r'}}}{number}}}{upper}"
 
 
-def sum_line(axis: str, name: str, parts: list[tuple[str, Vector]], level: Level, sign: str = "+") -> str:
+def sum_line(
+    axis: str, name: str, parts: list[tuple[str, Vector]], level: Level, sign: str = "+"
+) -> str:
     """One component of a sum of vectors, or of what remains of the first without the others."""
     along = 0 if axis == "x" else 1
-    summands = [Summand(sign if place else "+", component(symbol, axis), short(value[along]))
-                for place, (symbol, value) in enumerate(parts)]
+    summands = [
+        Summand(sign if place else "+", component(symbol, axis), short(value[along]))
+        for place, (symbol, value) in enumerate(parts)
+    ]
     summands[1:] = [replace(one, number=bracketed(one.number)) for one in summands[1:]]
     rest = total(value for _, value in parts[1:])[along]
     result = stated(parts[0][1][along] + (rest if sign == "+" else -rest), UNITS[level, False])
     numbers = sum_of([one for one in summands if one.counts], "number")
     written = [] if NUMBER.fullmatch(numbers) else [numbers]
-    return f"{component(name, axis)} &= " + " = ".join([sum_of(summands, "symbol"), *written, result])
+    return f"{component(name, axis)} &= " + " = ".join(
+        [sum_of(summands, "symbol"), *written, result]
+    )
 
 
 def relative_rotation(body: str, of: str, case: Case, level: Level) -> Any:

@@ -22,8 +22,14 @@ def pole_name(body: str, case: Case) -> str:
         if named and Call("pole", (Name(body),)) in calls(ask.quantity):
             return named[1]
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
-    bodies = sorted({call.arguments[0].name for ask in case.template.asks.values() for call in calls(ask.quantity)
-                     if call.function == "pole" and isinstance(call.arguments[0], Name)})
+    bodies = sorted(
+        {
+            call.arguments[0].name
+            for ask in case.template.asks.values()
+            for call in calls(ask.quantity)
+            if call.function == "pole" and isinstance(call.arguments[0], Name)
+        }
+    )
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
 
 
@@ -53,6 +59,7 @@ def pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -
     moved = rf"{short(at[along])} {sign} \frac{{{short(velocity[across])}}}{{{short(rate)}}} = "
     numbers = moved if double(velocity[across]) else ""
     speed = component(point_symbol(base, "velocity", case), other)
-    return (rf"{axis}_{{{letter}}} &= {axis}_{{{point}}} {sign} \frac{{{speed}}}"
-            rf"{{{case.naming.omega(body)}}} = {numbers}{stated(pole[along], 'm')}")
-
+    return (
+        rf"{axis}_{{{letter}}} &= {axis}_{{{point}}} {sign} \frac{{{speed}}}"
+        rf"{{{case.naming.omega(body)}}} = {numbers}{stated(pole[along], 'm')}"
+    )

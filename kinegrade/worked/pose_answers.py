@@ -74,7 +74,9 @@ def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[
     return pose_answers(solution, (ask_name,), language)
 
 
-def pose_answers(solution: Solution, ask_names: Iterable[str], language: Language) -> tuple[Block, ...]:
+def pose_answers(
+    solution: Solution, ask_names: Iterable[str], language: Language
+) -> tuple[Block, ...]:
     """The workings of several such answers, one after the other; a length that two of them need is found once."""
     blocks: tuple[Block, ...] = ()
     found: frozenset[Expression] = frozenset()
@@ -87,12 +89,22 @@ def pose_answers(solution: Solution, ask_names: Iterable[str], language: Languag
     return blocks
 
 
-def one_answer(solution: Solution, name: str, language: Language,
-               found: frozenset[Expression]) -> tuple[tuple[Block, ...], frozenset[Expression]]:
+def one_answer(
+    solution: Solution, name: str, language: Language, found: frozenset[Expression]
+) -> tuple[tuple[Block, ...], frozenset[Expression]]:
     """The working of one answer where the lengths `found` are known, and the lengths known after it."""
-    ask, answer, instance = solution.template.asks[name], solution.answers[name], instance_of(solution)
+    ask, answer, instance = (
+        solution.template.asks[name],
+        solution.answers[name],
+        instance_of(solution),
+    )
     inner: list[Step] = []
-    tree = unnested(ask.quantity, inner, len(instance.steps) - len(solution.template.points), set(instance.values))
+    tree = unnested(
+        ask.quantity,
+        inner,
+        len(instance.steps) - len(solution.template.points),
+        set(instance.values),
+    )
     symbol = ask.symbol if isinstance(tree, Call) else ""
     start = Working(with_steps(instance, inner), pose_words(language), symbol, found)
     final, working = start.reduced(tree)
@@ -107,7 +119,9 @@ def joined(blocks: tuple[Block, ...], more: tuple[Block, ...]) -> tuple[Block, .
     return blocks + more
 
 
-def last_line(symbol: str, tree: Expression, answer: Quantity, instance: Instance) -> tuple[str, ...]:
+def last_line(
+    symbol: str, tree: Expression, answer: Quantity, instance: Instance
+) -> tuple[str, ...]:
     """symbol = formula = numbers = the answer."""
     worked = instance.worked_out(symbol, tree, answer.measure.degrees)
     if answer.at_infinity:
@@ -118,9 +132,13 @@ def last_line(symbol: str, tree: Expression, answer: Quantity, instance: Instanc
 def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tuple[Part, ...]:
     """The answer, a length in centimetres or millimetres also in metres, and an angle in radians also in degrees."""
     told, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
-    if answer.is_zero or not (unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)):
+    if answer.is_zero or not (
+        unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)
+    ):
         return told
-    other = result(instance.quantity(answer.number * unit.factor, DEGREE if unit.text == "rad" else METRE))[0]
+    other = result(
+        instance.quantity(answer.number * unit.factor, DEGREE if unit.text == "rad" else METRE)
+    )[0]
     return (other, *told) if other[0] == "=" else (*told[:-1], other, (r"\approx", told[-1][1]))
 
 
@@ -139,7 +157,9 @@ class Working:
 
     def told(self, sentence: str, lines: tuple[str, ...]) -> Working:
         """With a sentence and equations more."""
-        blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + ((Display(lines),) if lines else ())
+        blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + (
+            (Display(lines),) if lines else ()
+        )
         return replace(self, blocks=self.blocks + blocks)
 
     def pair(self, vector: Expression) -> Pair:
@@ -203,7 +223,9 @@ class Working:
         size = length_of(direction, self.instance.axes)
         axis = {AXIS_X: "x", AXIS_Y: "y"}.get(self.pair(vector))
         words = self.words.component if axis is None else self.words.axis_component
-        sentence = words.format(vector=self.phrase(vector), direction=self.phrase(direction), axis=axis)
+        sentence = words.format(
+            vector=self.phrase(vector), direction=self.phrase(direction), axis=axis
+        )
         product = dot(self.pair(vector), self.pair(direction))
         lines, working = self.sized(size) if product != ZERO else ((), self)
         return over(product, size), working.told(sentence, lines)
@@ -241,22 +263,38 @@ class Working:
             return self.angle_from_axis(first, second)
         start, lines, instance = self.lettered("u", first)
         end, more, instance = replace(self, instance=instance).lettered("v", second)
-        sentence = self.words.angle.format(first=self.phrase(first, "u"), second=self.phrase(second, "v"))
+        sentence = self.words.angle.format(
+            first=self.phrase(first, "u"), second=self.phrase(second, "v")
+        )
         label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
-        return replace(self, instance=instance).settled(label, sentence, lines + more, (start, end), AREA)
+        return replace(self, instance=instance).settled(
+            label, sentence, lines + more, (start, end), AREA
+        )
 
     def angle_from_axis(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
         """The angle from an axis: cosine and sine are coordinates of the other vector."""
         start, end = self.pair(first), self.pair(second)
         axis = "x" if start == AXIS_X else "y"
-        simple = isinstance(second, Operation) and isinstance(second.left, Name) and isinstance(second.right, Name)
+        simple = (
+            isinstance(second, Operation)
+            and isinstance(second.left, Name)
+            and isinstance(second.right, Name)
+        )
         other = self.instance.symbolic(second) if simple else r"\boldsymbol{v}"
         told = self.phrase(second, "" if simple or self.symbol else "v")
         sentence = self.words.angle_from_axis.format(first=self.phrase(first), second=told)
-        return self.settled(self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE)
+        return self.settled(
+            self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE
+        )
 
-    def settled(self, label: str, sentence: str, lines: tuple[str, ...], vectors: tuple[Pair, Pair],
-                unit: Unit) -> tuple[Expression, Working]:
+    def settled(
+        self,
+        label: str,
+        sentence: str,
+        lines: tuple[str, ...],
+        vectors: tuple[Pair, Pair],
+        unit: Unit,
+    ) -> tuple[Expression, Working]:
         """The angle from a vector to another, of which the products have the given unit."""
         cosine, sine = dot(*vectors), cross(*vectors)
         lines += self.instance.proportion(operated(r"\cos", label), cosine, unit)
@@ -265,16 +303,22 @@ class Working:
         if signs[0] and signs[1]:
             lines += self.tangent(label, cosine, sine)
         name = self.instance.free("angle")
-        instance = self.instance.named(name, label, self.instance.value(Call("atan2", (sine, cosine))))
+        instance = self.instance.named(
+            name, label, self.instance.value(Call("atan2", (sine, cosine)))
+        )
         working = replace(self, instance=instance).told(sentence, lines)
         return Name(name), working.told(self.words.quadrants[signs], ())
 
     def tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
         """The tangent of an angle, from its sine and cosine up to their common factor."""
         names = self.instance.free("sine"), self.instance.free("cosine")
-        instance = self.instance.named(names[0], operated(r"\sin", label), self.instance.value(sine))
+        instance = self.instance.named(
+            names[0], operated(r"\sin", label), self.instance.value(sine)
+        )
         instance = instance.named(names[1], operated(r"\cos", label), self.instance.value(cosine))
-        return instance.equation(operated(r"\tan", label), over(Name(names[0]), Name(names[1])), PURE)
+        return instance.equation(
+            operated(r"\tan", label), over(Name(names[0]), Name(names[1])), PURE
+        )
 
     def between(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
         """The angle between two vectors, by its cosine."""
@@ -284,9 +328,14 @@ class Working:
         label = self.symbol or r"\angle(\boldsymbol{u}, \boldsymbol{v})"
         letters = ("", "") if self.symbol else ("u", "v")
         lines, working = self.sized(*sizes)
-        lines += self.instance.equation(operated(r"\cos", label), over(product, times(*sizes)), PURE)
-        sentence = self.words.between.format(first=self.phrase(first, letters[0]),
-                                             second=self.phrase(second, letters[1]))
+        lines += self.instance.equation(
+            operated(r"\cos", label), over(product, times(*sizes)), PURE
+        )
+        sentence = self.words.between.format(
+            first=self.phrase(first, letters[0]), second=self.phrase(second, letters[1])
+        )
         name = self.instance.free("angle")
-        instance = self.instance.named(name, label, self.instance.value(Call("atan2", (area, product))))
+        instance = self.instance.named(
+            name, label, self.instance.value(Call("atan2", (area, product)))
+        )
         return Name(name), replace(working, instance=instance).told(sentence, lines)

@@ -29,12 +29,12 @@ class PoseWords:
 
 ENGLISH = PoseWords(
     component="The component of {vector} in the direction of {direction} is their scalar product over the length of "
-              "the latter:",
+    "the latter:",
     axis_component="The ${axis}$ component of the unit vector in the direction of {direction}:",
     angle="The angle is counted counter-clockwise from {first} to {second}. Its cosine and its sine are proportional "
-          "to the scalar product and the vector product of the two:",
+    "to the scalar product and the vector product of the two:",
     angle_from_axis="The angle is counted counter-clockwise from {first} to {second}. Its cosine and its sine are "
-                    "proportional to the coordinates of this vector:",
+    "proportional to the coordinates of this vector:",
     between="The angle between {first} and {second} follows from their scalar product:",
     x_axis="the $x$ axis",
     y_axis="the $y$ axis",
@@ -43,9 +43,18 @@ ENGLISH = PoseWords(
     called="{vector} (called $\\boldsymbol{{{letter}}}$)",
     quadrants={
         (1, 1): "Cosine and sine are positive: the angle lies between $0^\\circ$ and $90^\\circ$.",
-        (-1, 1): "The cosine is negative, the sine positive: the angle lies between $90^\\circ$ and $180^\\circ$.",
-        (-1, -1): "Cosine and sine are negative: the angle lies between $-180^\\circ$ and $-90^\\circ$.",
-        (1, -1): "The cosine is positive, the sine negative: the angle lies between $-90^\\circ$ and $0^\\circ$.",
+        (
+            -1,
+            1,
+        ): "The cosine is negative, the sine positive: the angle lies between $90^\\circ$ and $180^\\circ$.",
+        (
+            -1,
+            -1,
+        ): "Cosine and sine are negative: the angle lies between $-180^\\circ$ and $-90^\\circ$.",
+        (
+            1,
+            -1,
+        ): "The cosine is positive, the sine negative: the angle lies between $-90^\\circ$ and $0^\\circ$.",
         (1, 0): "The sine is zero, the cosine positive: the angle is zero.",
         (-1, 0): "The sine is zero, the cosine negative: the angle is $180^\\circ$.",
         (0, 1): "The cosine is zero, the sine positive: the angle is $90^\\circ$.",

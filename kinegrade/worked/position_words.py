@@ -57,9 +57,9 @@ ENGLISH = PositionWords(
     listing=", ",
     coincides="${point}$ coincides with ${other}$:",
     polar="${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction ${angle}$, "
-          "counted counter-clockwise from the $x$ axis:",
+    "counted counter-clockwise from the $x$ axis:",
     polar_against="${point}$ lies at the distance ${radius}$ from ${centre}$, opposite to the direction ${angle}$, "
-                  "which is counted counter-clockwise from the $x$ axis:",
+    "which is counted counter-clockwise from the $x$ axis:",
     beside={
         0: "${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction of $x$:",
         1: "${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction of $y$:",
@@ -73,11 +73,11 @@ ENGLISH = PositionWords(
     along="${point}$ lies at the distance ${distance}$ from ${start}$ in the direction of the vector {vector}:",
     foot="${point}$ is the foot of the perpendicular from ${from_}$ to {line}.",
     foot_reached="Its distance ${share}$ from ${start}$, negative against this direction, is the projection of "
-                 "{vector} on the line:",
+    "{vector} on the line:",
     lines_meet="${point}$ is the point in which {first} and {second} meet:",
     along_first="its distance from ${start}$ along the first of them is ${share}$, negative against its direction:",
     quadratic="with ${share}$ for its distance from ${start}$ along the line, negative against the line's direction, "
-              "the equation of the circle becomes a quadratic one:",
+    "the equation of the circle becomes a quadratic one:",
     line_meets_circle="${point}$ is the {side} of the points in which {line} meets {circle}:",
     circles_meet="${point}$ lies on {first} and on {second}, {side}.",
     sides={"right": "right one", "left": "left one", "upper": "upper one", "lower": "lower one"},
@@ -91,10 +91,10 @@ ENGLISH = PositionWords(
     y_axis="the $y$ axis",
     circle="the circle about ${centre}$ of radius ${radius}$",
     triangle="In the triangle ${first}{second}{point}$ all sides are known; the law of cosines gives its angle "
-             "at ${first}$:",
+    "at ${first}$:",
     circles_without_triangle="Both circles give one equation each:",
     reached_along="From ${first}$ the point ${point}$ is seen in the direction of ${first}{second}$ turned through "
-                  "this angle {sense}:",
+    "this angle {sense}:",
     lengths_and_directions="Lengths and directions, angles counted counter-clockwise from the $x$ axis:",
 )
 CHINESE = PositionWords(
@@ -105,9 +105,9 @@ CHINESE = PositionWords(
     listing="、",
     coincides="点 ${point}$ 与点 ${other}$ 重合：",
     polar="点 ${point}$ 到 ${centre}$ 的距离为 ${radius}$，由 $x$ 轴正向逆时针转到 ${centre}{point}$ 的角为 "
-          "${angle}$：",
+    "${angle}$：",
     polar_against="点 ${point}$ 到 ${centre}$ 的距离为 ${radius}$，由 $x$ 轴正向逆时针转到 ${point}{centre}$ 的角为 "
-                  "${angle}$：",
+    "${angle}$：",
     beside={
         0: "点 ${point}$ 由 ${centre}$ 沿 $x$ 轴正向量取 ${radius}$ 得到：",
         1: "点 ${point}$ 由 ${centre}$ 沿 $y$ 轴正向量取 ${radius}$ 得到：",
@@ -126,7 +126,12 @@ CHINESE = PositionWords(
     quadratic="由 ${start}$ 沿该直线到该点的距离记为 ${share}$（反向为负），代入圆的方程得二次方程：",
     line_meets_circle="点 ${point}$ 为{line}与{circle}的两交点中{side}：",
     circles_meet="点 ${point}$ 既在{first}上，又在{second}上，且{side}。",
-    sides={"right": "靠右的一个", "left": "靠左的一个", "upper": "靠上的一个", "lower": "靠下的一个"},
+    sides={
+        "right": "靠右的一个",
+        "left": "靠左的一个",
+        "upper": "靠上的一个",
+        "lower": "靠下的一个",
+    },
     on_the_left="位于由 ${first}$ 指向 ${second}$ 的直线的左侧",
     on_the_right="位于由 ${first}$ 指向 ${second}$ 的直线的右侧",
     level_line="过 ${point}$ 且平行于 $x$ 轴的直线",
@@ -141,7 +146,10 @@ CHINESE = PositionWords(
     reached_along="将 ${first}{second}$ 的方向{sense}转过该角，即为由 ${first}$ 到 ${point}$ 的方向：",
     lengths_and_directions="各段的长度和方向（角度由 $x$ 轴正向逆时针量取）：",
 )
-SENSES: Mapping[Language, tuple[str, str]] = {"en": ("counter-clockwise", "clockwise"), "zh": ("逆时针", "顺时针")}
+SENSES: Mapping[Language, tuple[str, str]] = {
+    "en": ("counter-clockwise", "clockwise"),
+    "zh": ("逆时针", "顺时针"),
+}
 
 
 def position_words(language: Language) -> PositionWords:

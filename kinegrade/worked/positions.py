@@ -37,8 +37,9 @@ def named_lengths(instance: Instance, language: Language) -> tuple[Block, ...]:
     return (Prose(position_words(language).lengths), Display(lines)) if lines else ()
 
 
-def lengths_and_directions(solution: Solution, pairs: Iterable[tuple[str, str]],
-                           language: Language) -> tuple[Block, ...]:
+def lengths_and_directions(
+    solution: Solution, pairs: Iterable[tuple[str, str]], language: Language
+) -> tuple[Block, ...]:
     """The distance of each pair of points in metres, and the direction from the first to the second.
 
     Directions are counted counter-clockwise from the x axis, in degrees. Points that coincide have no direction.
@@ -47,10 +48,14 @@ def lengths_and_directions(solution: Solution, pairs: Iterable[tuple[str, str]],
     lines: tuple[str, ...] = ()
     for first, second in pairs:
         distance = Call("distance", (Name(first), Name(second)))
-        lines += instance.equation(instance.symbolic(distance), length_formula(first, second, instance))
+        lines += instance.equation(
+            instance.symbolic(distance), length_formula(first, second, instance)
+        )
         if instance.sign(distance):
             direction = Call("direction", (Name(first), Name(second)))
-            lines += instance.equation(instance.symbolic(direction), direction_formula(first, second, instance), DEGREE)
+            lines += instance.equation(
+                instance.symbolic(direction), direction_formula(first, second, instance), DEGREE
+            )
     return (Prose(position_words(language).lengths_and_directions), Display(lines)) if lines else ()
 
 
@@ -68,17 +73,28 @@ def length_formula(first: str, second: str, instance: Instance) -> Expression:
 def built_radius(centre: str, tree: Expression) -> Expression | None:
     """The distance from a named centre at which a construction places its point; None where it does not."""
     match tree:
-        case Call(function="polar" | "circle", arguments=(Name(name), radius, *_)) if name == centre:
+        case Call(function="polar" | "circle", arguments=(Name(name), radius, *_)) if (
+            name == centre
+        ):
             return radius
         case Call(function="meet", arguments=(first, second, *_)):
-            return built_radius(centre, first) if is_circle(first, centre) else \
-                built_radius(centre, second) if is_circle(second, centre) else None
+            return (
+                built_radius(centre, first)
+                if is_circle(first, centre)
+                else built_radius(centre, second)
+                if is_circle(second, centre)
+                else None
+            )
     return None
 
 
 def is_circle(shape: Expression, centre: str) -> bool:
     """Whether a shape is a circle about a named centre."""
-    return isinstance(shape, Call) and shape.function == "circle" and shape.arguments[0] == Name(centre)
+    return (
+        isinstance(shape, Call)
+        and shape.function == "circle"
+        and shape.arguments[0] == Name(centre)
+    )
 
 
 def direction_formula(first: str, second: str, instance: Instance) -> Expression:

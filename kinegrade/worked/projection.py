@@ -56,7 +56,10 @@ class Projection:
     def row(self) -> dict[str, float]:
         """The coefficients of the unknown rates when everything stands on the left."""
         axis = Vector(cos(radians(self.axis)), sin(radians(self.axis)))
-        return {rate: axis.dot(floats(self.equation.coefficient(rate))) for rate in self.equation.unknowns}
+        return {
+            rate: axis.dot(floats(self.equation.coefficient(rate)))
+            for rate in self.equation.unknowns
+        }
 
     def involves(self, rate: str) -> bool:
         """Whether a rate is left in the projection."""
@@ -72,8 +75,9 @@ class Deduction:
     unknowns: tuple[str, ...]
 
 
-def deductions(equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[str]
-               ) -> Iterator[Deduction]:
+def deductions(
+    equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[str]
+) -> Iterator[Deduction]:
     """How the vector equations and scalar relations of a step give its unknown rates, one deduction after the other.
 
     An unknown that only one equation holds is first projected out of it; what the equations share is solved
@@ -82,8 +86,11 @@ def deductions(equations: Sequence[VectorEquation], scalars: Sequence[Relation],
     own = {index: private(index, equations, scalars) for index in range(len(equations))}
     shared = [rate for rate in unknowns if not any(rate in rates for rates in own.values())]
     if shared:
-        core = [projection for index, equation in enumerate(equations)
-                for projection in core_projections(equation, own[index])]
+        core = [
+            projection
+            for index, equation in enumerate(equations)
+            for projection in core_projections(equation, own[index])
+        ]
         yield Deduction(enough(core, scalars, shared), tuple(scalars), tuple(shared))
     for index, equation in enumerate(equations):
         for rate in own[index]:
@@ -91,12 +98,21 @@ def deductions(equations: Sequence[VectorEquation], scalars: Sequence[Relation],
             yield Deduction((toward(equation, rate, others),), (), (rate,))
 
 
-def private(index: int, equations: Sequence[VectorEquation], scalars: Sequence[Relation]) -> list[str]:
+def private(
+    index: int, equations: Sequence[VectorEquation], scalars: Sequence[Relation]
+) -> list[str]:
     """The unknowns that only the equation at `index` holds; the rotation of a body comes last."""
-    elsewhere = {rate for other, equation in enumerate(equations) if other != index for rate in equation.unknowns}
+    elsewhere = {
+        rate
+        for other, equation in enumerate(equations)
+        if other != index
+        for rate in equation.unknowns
+    }
     elsewhere |= {rate for scalar in scalars for rate, _ in scalar.turning}
-    return sorted((rate for rate in equations[index].unknowns if rate not in elsewhere),
-                  key=lambda rate: rate.startswith("omega"))
+    return sorted(
+        (rate for rate in equations[index].unknowns if rate not in elsewhere),
+        key=lambda rate: rate.startswith("omega"),
+    )
 
 
 def core_projections(equation: VectorEquation, own: Sequence[str]) -> Iterator[Projection]:
@@ -109,10 +125,14 @@ def core_projections(equation: VectorEquation, own: Sequence[str]) -> Iterator[P
         yield normal_to(equation, shared[1]) if len(shared) > 1 else along(equation, shared[0])
 
 
-def enough(core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[str]) -> tuple[Projection, ...]:
+def enough(
+    core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[str]
+) -> tuple[Projection, ...]:
     """As many of the projections as are needed beside the scalar relations."""
     needed = max(len(shared) - len(scalars), 0)
-    telling = [projection for projection in core if any(projection.involves(rate) for rate in shared)]
+    telling = [
+        projection for projection in core if any(projection.involves(rate) for rate in shared)
+    ]
     return tuple(telling[:needed])
 
 

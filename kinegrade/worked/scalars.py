@@ -42,7 +42,11 @@ def stated_relation(relation: Relation, case: Case, level: Level) -> Statement:
         body, other = case.naming.body(source.body), body_or_ground(source.of, case)
         reason = phrase(f"parallel_{level}", case.language, body=body, other=other)
         title = phrase("title_parallel", case.language, body=body, other=other)
-        return Statement(title, reason, f"{turning(source.body, case, level)} &= {turning(source.of, case, level)}")
+        return Statement(
+            title,
+            reason,
+            f"{turning(source.body, case, level)} &= {turning(source.of, case, level)}",
+        )
     return imposed(relation, case, level)
 
 
@@ -55,7 +59,11 @@ def scalar_step(relation: Relation, unknown: str, case: Case, level: Level) -> I
         yield Display((statement.line,))
     elif isinstance(relation.source, (Parallel, Sleeve)):
         value = (case.motion.rates if level == "velocity" else case.motion.changes)[unknown]
-        yield Display((f"{statement.line} = {stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}",))
+        yield Display(
+            (
+                f"{statement.line} = {stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}",
+            )
+        )
     else:
         yield Display((statement.line, *solved_for(relation, unknown, case, level), result))
 
@@ -71,8 +79,11 @@ def rate_result(rate: str, case: Case, level: Level) -> str:
         return rotation_result(rate, case, level, "")
     term = term_of(rate, case)
     value = along_direction(term, case, level) * sense_told(term, case)
-    sense = (sense_of_rotation(value, case) if term.kind == "arc"
-             else sense_along(double(value), positive_sense(term, case), None, case))
+    sense = (
+        sense_of_rotation(value, case)
+        if term.kind == "arc"
+        else sense_along(double(value), positive_sense(term, case), None, case)
+    )
     return f"{speed(term, case, level)} &= {stated(value, UNITS[level, False])}{sense}"
 
 
@@ -126,13 +137,20 @@ def rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> Stateme
     body, other = case.naming.body(roll.body), track_of(roll, case)
     kind = "rotation_absolute" if roll.of == GROUND else "rotation_relative"
     relative = phrase(kind, case.language, body=body, other=other)
-    reason = phrase("no_slip", case.language, centre=case.naming.point(roll.circle.centre), relative=relative,
-                    positive=positive_words(term, case, level)).replace("  ", " ")
+    reason = phrase(
+        "no_slip",
+        case.language,
+        centre=case.naming.point(roll.circle.centre),
+        relative=relative,
+        positive=positive_words(term, case, level),
+    ).replace("  ", " ")
     if roll.of == GROUND and level == "velocity":
         reason = f"{phrase('pole_contact', case.language, body=body)} {reason}"
     sign = "-" if slip_sign(roll, relation, case) > 0 else ""
-    line = (rf"{speed(term, case, level)} &= {sign}{radius(roll, case)}\,"
-            f"{relative_turning(roll.body, roll.of, case, level)}")
+    line = (
+        rf"{speed(term, case, level)} &= {sign}{radius(roll, case)}\,"
+        f"{relative_turning(roll.body, roll.of, case, level)}"
+    )
     return Statement(phrase("title_roll", case.language, body=body, other=other), reason, line)
 
 
@@ -141,21 +159,30 @@ def positive_words(term: Term, case: Case, level: Level) -> str:
     if term.frame != GROUND:
         return ""
     centre = case.naming.point(term.base)
-    words = phrase("around", case.language, centre=centre) if term.kind == "arc" else \
-        direction_words(positive_sense(term, case), case)
+    words = (
+        phrase("around", case.language, centre=centre)
+        if term.kind == "arc"
+        else direction_words(positive_sense(term, case), case)
+    )
     return phrase("positive_way", case.language, symbol=f"${speed(term, case, level)}$", way=words)
 
 
 def slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
     """The sign of the rotation's factor where the centre's speed as told has the factor one."""
-    factor = double(next(factor for rate, factor in relation.turning if rate == omega_of(roll.body)))
+    factor = double(
+        next(factor for rate, factor in relation.turning if rate == omega_of(roll.body))
+    )
     return factor * sense_told(term_of(relation.turning[0][0], case), case)
 
 
 def radius(roll: Roll, case: Case) -> str:
     """The radius of the rolling circle in symbols."""
     sentence = case.template.joints[case.motion.frames.mechanism.joints.index(roll)]
-    text = formula(sentence.circle.arguments[1], case) if sentence.circle else short(roll.circle.radius)
+    text = (
+        formula(sentence.circle.arguments[1], case)
+        if sentence.circle
+        else short(roll.circle.radius)
+    )
     return f"({text})" if " + " in text or " - " in text else text
 
 
@@ -187,13 +214,22 @@ def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
     """Equal pitch speeds seen from the carrier, of opposite senses for external gears."""
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     sentence = case.template.joints[case.motion.frames.mechanism.joints.index(mesh)]
-    own = formula(sentence.circle.arguments[1], case) if sentence.circle else short(mesh.circle.radius)
+    own = (
+        formula(sentence.circle.arguments[1], case)
+        if sentence.circle
+        else short(mesh.circle.radius)
+    )
     others = formula(sentence.on.arguments[1], case) if sentence.on else short(mesh.on.radius)
     sign = "" if mesh.inside else "-"
-    line = (rf"{own}\,{relative_turning(mesh.body, mesh.carrier, case, level)} &= "
-            rf"{sign}{others}\,{relative_turning(mesh.of, mesh.carrier, case, level)}")
-    return Statement(phrase("title_mesh", case.language, body=body, other=other),
-                     phrase("mesh", case.language, carrier=body_or_ground(mesh.carrier, case)), line)
+    line = (
+        rf"{own}\,{relative_turning(mesh.body, mesh.carrier, case, level)} &= "
+        rf"{sign}{others}\,{relative_turning(mesh.of, mesh.carrier, case, level)}"
+    )
+    return Statement(
+        phrase("title_mesh", case.language, body=body, other=other),
+        phrase("mesh", case.language, carrier=body_or_ground(mesh.carrier, case)),
+        line,
+    )
 
 
 def imposed(relation: Relation, case: Case, level: Level) -> Statement:
@@ -204,15 +240,22 @@ def imposed(relation: Relation, case: Case, level: Level) -> Statement:
         value = driver.velocity if level == "velocity" else driver.acceleration
         left = turning(driver.body, case, level)
         left += f" - {turning(driver.of, case, level)}" if driver.of != GROUND else ""
-        line = f"{left} &= {expressed(driver, left, case, level)}{stated(value, UNITS[level, True])}"
+        line = (
+            f"{left} &= {expressed(driver, left, case, level)}{stated(value, UNITS[level, True])}"
+        )
         return Statement(title, given(driver, case, level), line + sense_of_rotation(value, case))
     if isinstance(driver, (Component, Circulation)):
         value = driver.velocity if level == "velocity" else driver.acceleration
         speed_symbol = driven_speed(driver, case, level)
         line = f"{speed_symbol} &= {expressed(driver, speed_symbol, case, level)}"
-        way = (sense_of_rotation(value, case) if isinstance(driver, Circulation)
-               else sense_along(double(value), driver.direction, None, case))
-        return Statement(title, given(driver, case, level), f"{line}{stated(value, UNITS[level, False])}{way}")
+        way = (
+            sense_of_rotation(value, case)
+            if isinstance(driver, Circulation)
+            else sense_along(double(value), driver.direction, None, case)
+        )
+        return Statement(
+            title, given(driver, case, level), f"{line}{stated(value, UNITS[level, False])}{way}"
+        )
     raise TypeError("a relation of rates comes from a joint or a driver")
 
 
@@ -221,7 +264,9 @@ def driven_speed(driver: Component | Circulation, case: Case, level: Level) -> s
     head = "v" if level == "velocity" else "a"
     relative = isinstance(driver, Component) and driver.of != GROUND
     lower = r"\mathrm{r}" if relative else case.naming.point(driver.point)
-    return f"{head}_{{{lower}}}" + (r"^{\mathrm{t}}" if head == "a" and isinstance(driver, Circulation) else "")
+    return f"{head}_{{{lower}}}" + (
+        r"^{\mathrm{t}}" if head == "a" and isinstance(driver, Circulation) else ""
+    )
 
 
 def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
@@ -245,8 +290,14 @@ def given(driver: Driver, case: Case, level: Level) -> str:
         key = f"given_rotation{relative}"
     elif isinstance(driver, Component):
         key = f"given_point{relative}"
-        parts |= {"point": case.naming.point(driver.point), "way": direction_words(driver.direction, case)}
+        parts |= {
+            "point": case.naming.point(driver.point),
+            "way": direction_words(driver.direction, case),
+        }
     else:
         key = "given_circle"
-        parts |= {"point": case.naming.point(driver.point), "centre": case.naming.point(driver.centre)}
+        parts |= {
+            "point": case.naming.point(driver.point),
+            "centre": case.naming.point(driver.centre),
+        }
     return phrase(f"{key}_{level}", case.language, **parts)

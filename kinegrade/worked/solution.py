@@ -23,7 +23,12 @@ from kinegrade.worked.kinds import kinds
 from kinegrade.worked.methods import method_blocks, method_title
 from kinegrade.worked.needs import NOTHING, Needs, needs_of, steps_needed
 from kinegrade.worked.phrases import phrase
-from kinegrade.worked.pictures import answer_pictures, given_pictures, mechanism_picture, stage_pictures
+from kinegrade.worked.pictures import (
+    answer_pictures,
+    given_pictures,
+    mechanism_picture,
+    stage_pictures,
+)
 from kinegrade.worked.points import Findings
 from kinegrade.worked.pose_answers import is_positional, pose_answers
 from kinegrade.worked.positions import positions
@@ -32,14 +37,19 @@ from kinegrade.worked.steps import stage_of, step_blocks
 from kinegrade.worked.wording import title
 
 
-def worked_solution(solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
-                    ) -> WorkedSolution:
+def worked_solution(
+    solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
+) -> WorkedSolution:
     """The worked solution for the asks named, by the method where several serve (else the template's, else the
     base point)."""
     case = Case(solution, language, method or solution.template.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    return WorkedSolution(tuple(Prose(capitalised(block.text)) if isinstance(block, Prose) else block
-                                for block in blocks(case, asked)))
+    return WorkedSolution(
+        tuple(
+            Prose(capitalised(block.text)) if isinstance(block, Prose) else block
+            for block in blocks(case, asked)
+        )
+    )
 
 
 def blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
@@ -59,7 +69,9 @@ def blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
         yield Heading(phrase("accelerations", case.language), 1)
         yield from level_chapter(accelerations, case, "acceleration", findings)
     yield Heading(phrase("answers", case.language), 1)
-    yield from pose_answers(case.solution, (ask.name for ask in asked if is_positional(ask)), case.language)
+    yield from pose_answers(
+        case.solution, (ask.name for ask in asked if is_positional(ask)), case.language
+    )
     for ask in asked:
         if not is_positional(ask):
             yield from answer_blocks(ask, case, findings)
@@ -84,7 +96,9 @@ def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     yield from positions(case.solution, tuple(case.template.points), case.language)
 
 
-def level_chapter(steps: Sequence[Step], case: Case, level: Level, findings: Findings) -> Iterator[Block]:
+def level_chapter(
+    steps: Sequence[Step], case: Case, level: Level, findings: Findings
+) -> Iterator[Block]:
     """The steps of velocities, or of accelerations, numbered; what is given comes first and counts as one."""
     imposed = [step for step in steps if is_given(step, case)]
     known: set[str] = {rate for step in imposed for rate in step.unknowns}

@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_whole, together, vector_equation
+from kinegrade.mechanics.vector_equation import (
+    Level,
+    Part,
+    VectorEquation,
+    is_whole,
+    together,
+    vector_equation,
+)
 from kinegrade.worked.case import Case
 from kinegrade.worked.deduced import UNITS, Stage, deduced
 from kinegrade.worked.document import Block, Display, Prose, Term, TermTable
@@ -15,14 +22,25 @@ from kinegrade.worked.phrases import phrase
 from kinegrade.worked.points import Fact, Findings, component, find_point, key_of, point_symbol, way
 from kinegrade.worked.projection import deductions
 from kinegrade.worked.scalars import body_or_ground, scalar_step, stated_relation
-from kinegrade.worked.vectors import direction, letters_of, magnitude, magnitude_formula, subscript, vanishes
+from kinegrade.worked.vectors import (
+    direction,
+    letters_of,
+    magnitude,
+    magnitude_formula,
+    subscript,
+    vanishes,
+)
 from kinegrade.worked.wording import introduction, meanings, scalars_of
 
 
 def stage_of(step: Step, case: Case, level: Level, known: Collection[str]) -> Stage:
     """The vector equations of a step, at the stage where the rates `known` are known."""
     relations = (case.motion.frames.relations[index] for index in step.relations)
-    equations = [vector_equation(relation, case.motion, known, level) for relation in relations if relation.is_vector]
+    equations = [
+        vector_equation(relation, case.motion, known, level)
+        for relation in relations
+        if relation.is_vector
+    ]
     return Stage(together(equations), level, case)
 
 
@@ -58,7 +76,11 @@ def found_before(equation: VectorEquation, case: Case, findings: Findings) -> It
         if not part.together:
             continue
         carried = part.role == "transport"
-        letters = letters_of(equation, part, case) if carried else point_symbol(part.point, equation.level, case)
+        letters = (
+            letters_of(equation, part, case)
+            if carried
+            else point_symbol(part.point, equation.level, case)
+        )
         yield from find_point(part.together, letters, case, equation.level, findings)
         fact = findings.facts[key_of(part.together, equation.level)]
         if fact.by_components and all(map(double, fact.value)):
@@ -71,17 +93,30 @@ def size_line(fact: Fact, level: Level, case: Case) -> str:
     x, y = (component(fact.symbol, axis) for axis in "xy")
     numbers = "+".join(f"{bracketed(short(number))}^{{2}}" for number in fact.value)
     size = stated(length(fact.value, case.arithmetic), UNITS[level, False])
-    return (rf"{fact.symbol} &= \sqrt{{{x}^{{2}}+{y}^{{2}}}} = \sqrt{{{numbers}}} = "
-            f"{size}{way(fact.value, case)}")
+    return (
+        rf"{fact.symbol} &= \sqrt{{{x}^{{2}}+{y}^{{2}}}} = \sqrt{{{numbers}}} = "
+        f"{size}{way(fact.value, case)}"
+    )
 
 
 def contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """Why the centre of a circle is the moving point where the circle touches a straight face."""
     for relative in equation.compositions:
         sentence = case.joint(relative.term) if relative.term else None
-        if sentence and sentence.kind == "contact" and relative.part == "" and equation.level == "velocity":
-            yield Prose(phrase("contact_face", case.language, point=case.naming.point(relative.point),
-                               frame=body_or_ground(relative.frame, case)))
+        if (
+            sentence
+            and sentence.kind == "contact"
+            and relative.part == ""
+            and equation.level == "velocity"
+        ):
+            yield Prose(
+                phrase(
+                    "contact_face",
+                    case.language,
+                    point=case.naming.point(relative.point),
+                    frame=body_or_ground(relative.frame, case),
+                )
+            )
 
 
 def same_path(equation: VectorEquation) -> bool:
@@ -92,10 +127,15 @@ def same_path(equation: VectorEquation) -> bool:
 def agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """The known motion of the point that both sides speak of."""
     yield Prose(introduction(equation, case))
-    known = next(side for side in (equation.left, equation.right) if not any(part.unknown for part in side))
+    known = next(
+        side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
+    )
     unit = UNITS[equation.level, False]
-    lines = [f"{letters_of(equation, part, case)} &= {equals(magnitude_formula(equation, part, case))}"
-             f"{stated(length(part.value, case.arithmetic), unit)}{way(part.value, case)}" for part in known]
+    lines = [
+        f"{letters_of(equation, part, case)} &= {equals(magnitude_formula(equation, part, case))}"
+        f"{stated(length(part.value, case.arithmetic), unit)}{way(part.value, case)}"
+        for part in known
+    ]
     yield Display(tuple(lines))
 
 
@@ -113,8 +153,14 @@ def table(equation: VectorEquation, case: Case) -> TermTable:
         if not shown:
             terms.append(Term("=" if terms else "", "0", "", ""))
         for part in shown:
-            terms.append(Term(sign, letters_of(equation, part, case, bold=True),  # type: ignore[arg-type]
-                              magnitude(equation, part, case), direction(equation, part, case)))
+            terms.append(
+                Term(
+                    sign,  # type: ignore[arg-type]
+                    letters_of(equation, part, case, bold=True),
+                    magnitude(equation, part, case),
+                    direction(equation, part, case),
+                )
+            )
             sign = "+"
     return TermTable(tuple(terms))
 
@@ -123,21 +169,37 @@ def remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """Of what a composition's vectors consist, which parts vanish, and which points are meant by primed letters."""
     listed = list(meanings(equation, case))
     if listed:
-        yield Prose(phrase("here", case.language, equations=phrase("comma", case.language).join(listed)))
-    shifted = {part.term.rate.removeprefix("omega ") for part in equation.parts
-               if part.coincident and part.term} & translating(case.motion.frames.mechanism)
+        yield Prose(
+            phrase("here", case.language, equations=phrase("comma", case.language).join(listed))
+        )
+    shifted = {
+        part.term.rate.removeprefix("omega ")
+        for part in equation.parts
+        if part.coincident and part.term
+    } & translating(case.motion.frames.mechanism)
     for name in sorted(shifted):
-        yield Prose(phrase(f"shifted_{equation.level}", case.language, frame=case.naming.body(name)))
-    zeros = [f"${letters_of(equation, part, case)}=0$" for part in equation.parts
-             if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))]
+        yield Prose(
+            phrase(f"shifted_{equation.level}", case.language, frame=case.naming.body(name))
+        )
+    zeros = [
+        f"${letters_of(equation, part, case)}=0$"
+        for part in equation.parts
+        if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))
+    ]
     if zeros:
         joined = phrase("comma", case.language).join(dict.fromkeys(zeros))
         yield Prose(phrase("zero_parts", case.language, zeros=joined))
     marked = next((part for part in equation.parts if part.coincident), None)
     if marked is not None and marked.term is not None and not shifted:
-        yield Prose(phrase("coincident", case.language, mark=mark_of(equation, marked, case),
-                           point=case.naming.point(marked.point),
-                           frame=case.naming.body(marked.term.rate.removeprefix("omega "))))
+        yield Prose(
+            phrase(
+                "coincident",
+                case.language,
+                mark=mark_of(equation, marked, case),
+                point=case.naming.point(marked.point),
+                frame=case.naming.body(marked.term.rate.removeprefix("omega ")),
+            )
+        )
 
 
 def mark_of(equation: VectorEquation, part: Part, case: Case) -> str:

@@ -17,7 +17,11 @@ def sense_told(term: Term, case: Case) -> int:
     A driver may impose a point's motion in the direction opposite to the joint's.
     """
     for relation in case.motion.frames.relations:
-        if isinstance(relation.source, Component) and relation.along is not None and imposes(relation, term):
+        if (
+            isinstance(relation.source, Component)
+            and relation.along is not None
+            and imposes(relation, term)
+        ):
             return 1 if double(relation.along.dot(term.coefficient())) > 0 else -1
     return 1
 

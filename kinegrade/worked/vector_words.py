@@ -20,7 +20,11 @@ def vector_words(vector: Expression, instance: Instance, words: PositionWords) -
     """A vector in a sentence."""
     if isinstance(vector, Call) and vector.function == "turned":
         return words.turned.format(vector=vector_words(vector.arguments[0], instance, words))
-    if isinstance(vector, Operation) and vector.sign == "*" and instance.axes.is_vector(vector.left):
+    if (
+        isinstance(vector, Operation)
+        and vector.sign == "*"
+        and instance.axes.is_vector(vector.left)
+    ):
         factor = instance.symbolic(vector.right)
         if factor.startswith(r"\frac"):
             return rf"${factor}\,{instance.symbolic(vector.left)}$"
@@ -40,6 +44,9 @@ def is_plain(vector: Expression, instance: Instance) -> bool:
             return True
         case Operation(sign="*" | "/" | "-", left=left, right=right):
             scalar, other = (left, right) if instance.axes.is_vector(right) else (right, left)
-            return not instance.axes.is_vector(scalar) and (vector.sign != "-" or is_negated(vector)) \
+            return (
+                not instance.axes.is_vector(scalar)
+                and (vector.sign != "-" or is_negated(vector))
                 and is_plain(other, instance)
+            )
     return False

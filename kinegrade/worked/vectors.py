@@ -28,7 +28,9 @@ def subscript(equation: VectorEquation, part: Part, case: Case) -> str:
         return ROLES[part.role] + number_of(equation, part)
     if part.role == "absolute" and is_composed(equation, part):
         return r"\mathrm{a}"
-    point = primed(case.naming.point(part.point)) if part.coincident else case.naming.point(part.point)
+    point = (
+        primed(case.naming.point(part.point)) if part.coincident else case.naming.point(part.point)
+    )
     if part.role == "rotation":
         return point + case.naming.point(part.base)
     return point + axis_of(part)
@@ -47,7 +49,11 @@ def axis_of(part: Part) -> str:
 
 def is_composed(equation: VectorEquation, part: Part) -> bool:
     """Whether a part is the absolute motion of the only composition: alone on its side, the other one opposite."""
-    side, other = (equation.left, equation.right) if part in equation.left else (equation.right, equation.left)
+    side, other = (
+        (equation.left, equation.right)
+        if part in equation.left
+        else (equation.right, equation.left)
+    )
     whole = {(one.role, one.point) for one in side} == {("absolute", part.point)}
     return whole and equation.among == 1 and any(one in other for one in equation.compositions)
 
@@ -68,7 +74,12 @@ def letters_of(equation: VectorEquation, part: Part, case: Case, *, bold: bool =
 def symbol(equation: VectorEquation, part: Part, case: Case) -> str:
     """The symbol of a part in equations: the algebraic value of an unknown one, the size of a known one."""
     letters = letters_of(equation, part, case)
-    known = part.unknown is None and part.role == "absolute" and part.part != "n" and not is_composed(equation, part)
+    known = (
+        part.unknown is None
+        and part.role == "absolute"
+        and part.part != "n"
+        and not is_composed(equation, part)
+    )
     term = part.term or path_of(part.together, case)
     negative = known and term is not None and is_told_negative(term, case, equation.level)
     return absolute_value(letters) if negative else letters
@@ -100,8 +111,11 @@ def magnitude_formula(equation: VectorEquation, part: Part, case: Case) -> str:
         return ""
     if part.role == "coriolis":
         relative = rf"v_{{\mathrm{{r}}{number_of(equation, part)}}}"
-        return "2" + absolute(case.naming.omega(term.frame), omega_value(case, term.frame)) + absolute(
-            relative, signed_speed(case, term))
+        return (
+            "2"
+            + absolute(case.naming.omega(term.frame), omega_value(case, term.frame))
+            + absolute(relative, signed_speed(case, term))
+        )
     if term.kind == "sliding":
         return ""
     if term.kind == "arc":
@@ -140,7 +154,11 @@ def signed_speed(case: Case, term: Term) -> float:
 def direction(equation: VectorEquation, part: Part, case: Case) -> str:
     """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its positive sense."""
     angle = angle_text(bearing(heading(part)))
-    how = rf"\perp v_{{\mathrm{{r}}{number_of(equation, part)}}}" if part.role == "coriolis" else lie(part, case)
+    how = (
+        rf"\perp v_{{\mathrm{{r}}{number_of(equation, part)}}}"
+        if part.role == "coriolis"
+        else lie(part, case)
+    )
     return f"${how}$, ${angle}$" if how else f"${angle}$"
 
 

@@ -36,28 +36,45 @@ def equation_title(equation: VectorEquation, case: Case) -> str:
     """The title of a step of one vector equation: by its method."""
     compositions = equation.compositions
     if len(compositions) > 1:
-        return phrase("title_composed_twice", case.language, point=case.naming.point(compositions[0].point))
+        return phrase(
+            "title_composed_twice", case.language, point=case.naming.point(compositions[0].point)
+        )
     if compositions:
-        return phrase("title_composed", case.language, point=case.naming.point(compositions[0].point),
-                      frame=case.naming.body(compositions[0].frame))
+        return phrase(
+            "title_composed",
+            case.language,
+            point=case.naming.point(compositions[0].point),
+            frame=case.naming.body(compositions[0].frame),
+        )
     rotation = next((part for part in equation.parts if part.role == "rotation"), None)
     if rotation is None:
-        return phrase("title_fixed", case.language, point=case.naming.point(equation.parts[0].point))
-    bases = phrase("and", case.language).join(f"${case.naming.point(term.base)}$" for term in rotations(equation))
+        return phrase(
+            "title_fixed", case.language, point=case.naming.point(equation.parts[0].point)
+        )
+    bases = phrase("and", case.language).join(
+        f"${case.naming.point(term.base)}$" for term in rotations(equation)
+    )
     key = "title_base" if len(rotations(equation)) == 1 else "title_bases"
     return phrase(key, case.language, body=bodies_turning(equation, case), base=bases)
 
 
 def rotations(equation: VectorEquation) -> tuple[Term, ...]:
     """The rotations about base points in an equation, in order."""
-    found = {part.term.rate: part.term for part in equation.parts if part.role == "rotation" and part.term}
+    found = {
+        part.term.rate: part.term
+        for part in equation.parts
+        if part.role == "rotation" and part.term
+    }
     return tuple(found.values())
 
 
 def bodies_turning(equation: VectorEquation, case: Case) -> str:
     """The bodies that turn about base points in an equation, in prose."""
-    names = dict.fromkeys(part.term.rate.removeprefix("omega ") for part in equation.parts
-                          if part.role == "rotation" and part.term)
+    names = dict.fromkeys(
+        part.term.rate.removeprefix("omega ")
+        for part in equation.parts
+        if part.role == "rotation" and part.term
+    )
     return phrase("and", case.language).join(case.naming.body(name) for name in names)
 
 
@@ -66,30 +83,69 @@ def introduction(equation: VectorEquation, case: Case) -> str:
     compositions = equation.compositions
     if len(compositions) == 1:
         relative = compositions[0]
-        return phrase(f"composed_{equation.level}", case.language, point=case.naming.point(relative.point),
-                      frame=case.naming.body(relative.frame), of=owner(equation, case))
+        return phrase(
+            f"composed_{equation.level}",
+            case.language,
+            point=case.naming.point(relative.point),
+            frame=case.naming.body(relative.frame),
+            of=owner(equation, case),
+        )
     if compositions:
         return twice_composed(equation, compositions, case)
     turning = rotations(equation)
     if not turning:
-        return phrase("equal_motion", case.language, point=case.naming.point(equation.parts[0].point))
+        return phrase(
+            "equal_motion", case.language, point=case.naming.point(equation.parts[0].point)
+        )
     if len(turning) > 1:
-        legs = (phrase("leg", case.language, point=case.naming.point(term.point), base=case.naming.point(term.base),
-                       body=case.naming.body(term.rate.removeprefix("omega "))) for term in turning)
-        return phrase(f"base_chain_{equation.level}", case.language, legs=phrase("legs", case.language).join(legs))
-    return phrase(f"base_equation_{equation.level}", case.language, body=bodies_turning(equation, case),
-                  point=case.naming.point(turning[0].point), base=case.naming.point(turning[0].base))
+        return chained_bases(equation, turning, case)
+    return phrase(
+        f"base_equation_{equation.level}",
+        case.language,
+        body=bodies_turning(equation, case),
+        point=case.naming.point(turning[0].point),
+        base=case.naming.point(turning[0].base),
+    )
+
+
+def chained_bases(equation: VectorEquation, turning: Sequence[Term], case: Case) -> str:
+    """The sentence for a point that is reached through several turning bodies, leg by leg."""
+    legs = (
+        phrase(
+            "leg",
+            case.language,
+            point=case.naming.point(term.point),
+            base=case.naming.point(term.base),
+            body=case.naming.body(term.rate.removeprefix("omega ")),
+        )
+        for term in turning
+    )
+    joined = phrase("legs", case.language).join(legs)
+    return phrase(f"base_chain_{equation.level}", case.language, legs=joined)
 
 
 def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case: Case) -> str:
     """The sentence for a point seen from two moving frames, or for a point of one that slides in another."""
     names = [case.naming.body(part.frame) for part in compositions]
     points = [case.naming.point(part.point) for part in compositions]
-    if any(part in equation.left for part in compositions) and any(part in equation.right for part in compositions):
-        return phrase(f"composed_twice_{equation.level}", case.language, point=points[0],
-                      frames=phrase("and", case.language).join(names))
-    return phrase(f"composed_on_{equation.level}", case.language, first=points[0], frame=names[0], second=points[1],
-                  primed=primed(points[1]), other=names[1])
+    if any(part in equation.left for part in compositions) and any(
+        part in equation.right for part in compositions
+    ):
+        return phrase(
+            f"composed_twice_{equation.level}",
+            case.language,
+            point=points[0],
+            frames=phrase("and", case.language).join(names),
+        )
+    return phrase(
+        f"composed_on_{equation.level}",
+        case.language,
+        first=points[0],
+        frame=names[0],
+        second=points[1],
+        primed=primed(points[1]),
+        other=names[1],
+    )
 
 
 def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
@@ -97,12 +153,18 @@ def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
     if len(equation.compositions) != 1:
         return
     relative = equation.compositions[0]
-    own, other = (equation.left, equation.right) if relative in equation.left else (equation.right, equation.left)
+    own, other = (
+        (equation.left, equation.right)
+        if relative in equation.left
+        else (equation.right, equation.left)
+    )
     transport = [part for part in own if part.role not in ("relative", "coriolis")]
     number = number_of(equation, relative)
     for role, parts in (("a", other), ("e", transport)):
         seen = [letters_of(equation, part, case, bold=True) for part in parts if not vanishes(part)]
-        if not parts or not all(part.role == "transport" or is_composed(equation, part) for part in parts):
+        if not parts or not all(
+            part.role == "transport" or is_composed(equation, part) for part in parts
+        ):
             yield rf"$\boldsymbol{{{letter(equation)}}}_{{\mathrm{{{role}}}{number}}}={'+'.join(seen) or '0'}$"
 
 

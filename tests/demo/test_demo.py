@@ -58,7 +58,9 @@ class Demo:
 
 def kinegrade(*arguments: object) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "kinegrade", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False)
+    return subprocess.run(
+        command, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False
+    )
 
 
 def lines_of(path: Path) -> Lines:
@@ -70,8 +72,9 @@ def lines_of(path: Path) -> Lines:
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
     folder = tmp_path_factory.mktemp("demo")
     exam, marks = folder / "EXAM", folder / "MARKS"
-    generated = kinegrade("generate", BANK, ROSTER, "-o", exam, "--seed", "demo", "--force",
-                          "--no-solutions")
+    generated = kinegrade(
+        "generate", BANK, ROSTER, "-o", exam, "--seed", "demo", "--force", "--no-solutions"
+    )
     return Demo(exam, marks, generated, kinegrade("grade", exam, ANSWERS, "-o", marks, "--force"))
 
 
@@ -87,7 +90,9 @@ def counted(demo: Demo) -> Typed:
     roster = {line["student"] for line in lines_of(ROSTER)}
     rows = {row.student: row for row in class_rows(demo.exam) if row.student in roster}
     return {
-        (student, column): answer for student, row in rows.items() for column, answer in row.answers.items()
+        (student, column): answer
+        for student, row in rows.items()
+        for column, answer in row.answers.items()
     }
 
 
@@ -96,12 +101,16 @@ def test_every_paper_is_typeset_without_complaint(demo: Demo) -> None:
     assert "complaint" not in demo.generated.stderr
     papers = sorted((demo.exam / "papers").iterdir())
     assert len(papers) == len(lines_of(ROSTER)) == 60
-    assert all(paper.read_bytes().startswith(b"%PDF") for paper in (*papers, demo.exam / "papers.pdf"))
+    assert all(
+        paper.read_bytes().startswith(b"%PDF") for paper in (*papers, demo.exam / "papers.pdf")
+    )
 
 
 def test_the_shipped_answers_are_those_of_this_exam(demo: Demo, tmp_path: Path) -> None:
     write_answers(demo.exam, tmp_path / "answers.csv")
-    assert (tmp_path / "answers.csv").read_bytes() == ANSWERS.read_bytes(), "run `make demo-answers`"
+    assert (tmp_path / "answers.csv").read_bytes() == ANSWERS.read_bytes(), (
+        "run `make demo-answers`"
+    )
 
 
 def test_grading_ends_with_complaints_and_says_them_all(demo: Demo) -> None:
@@ -118,16 +127,26 @@ def line_numbers(student: str) -> list[str]:
 def test_the_complaints_are_those_planted_and_no_others(demo: Demo) -> None:
     eaten = ZEROS_EATEN.lstrip("0")
     first, _ = line_numbers(TWICE)
-    planted = Counter([
-        ("", REMARKS, ""),
-        *(("", "", student) for student in (ABSENT, ZEROS_EATEN)),
-        (first, "", "a whole row"),
-        *((*line_numbers(student), "student", "a whole row") for student in (eaten, STRANGER[0])),
-        *((*line_numbers(student), REMARKS, note) for student, note in NOTES.items()),
-        *((*line_numbers(student), column, text) for (student, column), text in ODD_CELLS.items()),
-    ])
+    planted = Counter(
+        [
+            ("", REMARKS, ""),
+            *(("", "", student) for student in (ABSENT, ZEROS_EATEN)),
+            (first, "", "a whole row"),
+            *(
+                (*line_numbers(student), "student", "a whole row")
+                for student in (eaten, STRANGER[0])
+            ),
+            *((*line_numbers(student), REMARKS, note) for student, note in NOTES.items()),
+            *(
+                (*line_numbers(student), column, text)
+                for (student, column), text in ODD_CELLS.items()
+            ),
+        ]
+    )
     found = lines_of(demo.marks / "complaints.csv")
-    assert Counter((each["line"], each["column"], shown(each["content"])) for each in found) == planted
+    assert (
+        Counter((each["line"], each["column"], shown(each["content"])) for each in found) == planted
+    )
 
 
 def shown(content: str) -> str:
@@ -135,15 +154,27 @@ def shown(content: str) -> str:
     return "a whole row" if content.count(",") > 10 else content.removeprefix("'")
 
 
-@pytest.mark.parametrize(("line", "problem", "done"), [
-    (TWICE, "another row for this student", "counts; this row is kept here only"),
-    (STRANGER[0], f'no student "{STRANGER[0]}" in the exam', "not graded"),
-    (ZEROS_EATEN.lstrip("0"), "no student", f'probably "{ZEROS_EATEN}": correct the file and grade again'),
-])
-def test_a_row_that_is_not_graded_is_kept_whole(demo: Demo, line: str, problem: str, done: str) -> None:
+@pytest.mark.parametrize(
+    ("line", "problem", "done"),
+    [
+        (TWICE, "another row for this student", "counts; this row is kept here only"),
+        (STRANGER[0], f'no student "{STRANGER[0]}" in the exam', "not graded"),
+        (
+            ZEROS_EATEN.lstrip("0"),
+            "no student",
+            f'probably "{ZEROS_EATEN}": correct the file and grade again',
+        ),
+    ],
+)
+def test_a_row_that_is_not_graded_is_kept_whole(
+    demo: Demo, line: str, problem: str, done: str
+) -> None:
     number = line_numbers(line)[0]
-    [complaint] = [each for each in lines_of(demo.marks / "complaints.csv")
-                   if each["line"] == number and "," in each["content"]]
+    [complaint] = [
+        each
+        for each in lines_of(demo.marks / "complaints.csv")
+        if each["line"] == number and "," in each["content"]
+    ]
     assert problem in complaint["problem"]
     assert done in complaint["done"]
     typed = ANSWERS.read_text(encoding="utf-8").splitlines()[int(number) - 1]
@@ -153,12 +184,18 @@ def test_a_row_that_is_not_graded_is_kept_whole(demo: Demo, line: str, problem: 
 def test_who_handed_in_something_has_the_same_grade_in_moodle(demo: Demo) -> None:
     roster, grades = lines_of(ROSTER), lines_of(demo.marks / "grades.csv")
     assert [(each["student"], each["name"]) for each in grades] == [
-        (each["student"], each["name"]) for each in roster]
-    handed_in = {line["student"] for line in lines_of(demo.marks / "marks.csv") if line["verdict"] != "blank"}
+        (each["student"], each["name"]) for each in roster
+    ]
+    handed_in = {
+        line["student"] for line in lines_of(demo.marks / "marks.csv") if line["verdict"] != "blank"
+    }
     assert {ABSENT, ZEROS_EATEN} == {each["student"] for each in grades} - handed_in
     moodle = lines_of(demo.marks / "moodle.csv")
     assert [(each["ID number"], each["Full name"], each["Grade"]) for each in moodle] == [
-        (each["student"], each["name"], each["total"]) for each in grades if each["student"] in handed_in]
+        (each["student"], each["name"], each["total"])
+        for each in grades
+        if each["student"] in handed_in
+    ]
 
 
 def test_totals_are_sums_of_the_marks_within_what_there_is(demo: Demo) -> None:
@@ -166,7 +203,13 @@ def test_totals_are_sums_of_the_marks_within_what_there_is(demo: Demo) -> None:
     for line in lines_of(demo.marks / "marks.csv"):
         points[line["student"]] += Decimal(line["points"])  # type: ignore[assignment]
     for grade in lines_of(demo.marks / "grades.csv"):
-        assert 0 <= Decimal(grade["total"]) == points[grade["student"]] <= Decimal(grade["out_of"]) == OUT_OF
+        assert (
+            0
+            <= Decimal(grade["total"])
+            == points[grade["student"]]
+            <= Decimal(grade["out_of"])
+            == OUT_OF
+        )
 
 
 def test_grades_spread_as_in_a_class(demo: Demo) -> None:
@@ -202,8 +245,12 @@ def test_blanks_and_unreadable_cells_are_told_apart(verdicts: Verdicts, counted:
     blanks = [place for place, answer in counted.items() if answer.slip == "blank"]
     assert {verdicts[place]["verdict"] for place in blanks} == {"blank"}
     assert {verdicts[place]["verdict"] for place in UNREADABLE} == {"unreadable"}
-    assert {place for place, line in verdicts.items() if line["verdict"] == "unreadable"} == set(UNREADABLE)
-    assert {place for place, line in verdicts.items() if line["verdict"] == "wrong unit"} == set(WRONG_UNIT)
+    assert {place for place, line in verdicts.items() if line["verdict"] == "unreadable"} == set(
+        UNREADABLE
+    )
+    assert {place for place, line in verdicts.items() if line["verdict"] == "wrong unit"} == set(
+        WRONG_UNIT
+    )
 
 
 def test_two_digits_are_right_just_when_they_are_near_enough(
@@ -241,11 +288,18 @@ def bytes_of(folder: Path) -> dict[str, bytes]:
 def test_the_chinese_papers_put_the_same_questions(demo: Demo, tmp_path: Path) -> None:
     roster = tmp_path / "five.csv"
     roster.write_text("".join(first_lines(ROSTER, 6)), encoding="utf-8")
-    run = kinegrade("generate", BANK, roster, "-o", tmp_path / "EXAM", "--seed", "demo", "--lang", "zh")
+    run = kinegrade(
+        "generate", BANK, roster, "-o", tmp_path / "EXAM", "--seed", "demo", "--lang", "zh"
+    )
     assert run.returncode == 0, run.stderr
     assert len(list((tmp_path / "EXAM" / "papers").iterdir())) == 5
-    assert json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))["language"] == "zh"
-    assert first_lines(tmp_path / "EXAM" / "key.jsonl", 5) == first_lines(demo.exam / "key.jsonl", 5)
+    assert (
+        json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))["language"]
+        == "zh"
+    )
+    assert first_lines(tmp_path / "EXAM" / "key.jsonl", 5) == first_lines(
+        demo.exam / "key.jsonl", 5
+    )
 
 
 def first_lines(path: Path, count: int) -> Iterable[str]:

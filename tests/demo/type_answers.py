@@ -24,7 +24,9 @@ from typing import TypeVar
 
 SEED = "class of the demonstration"
 REMARKS = "remarks"
-FULL_WIDTH = str.maketrans({**{str(digit): chr(0xFF10 + digit) for digit in range(10)}, ".": "．", "-": "－"})
+FULL_WIDTH = str.maketrans(
+    {**{str(digit): chr(0xFF10 + digit) for digit in range(10)}, ".": "．", "-": "－"}
+)
 DEGREES = Decimal("57.29577951308232")
 
 ABSENT = "0241334"
@@ -106,7 +108,10 @@ SPELLINGS: Weighted[Callable[[Decimal, str], str]] = {
     # three digits: with four, "1,234" raises a doubt about thousands, and DOUBTFUL plants the only one
     "decimal comma": (10, lambda value, unit: significant(value, 3).replace(".", ",")),
     "no leading zero": (5, lambda value, unit: without_zero(significant(value, 4))),
-    "comma, no leading zero": (4, lambda value, unit: without_zero(significant(value, 3)).replace(".", ",")),
+    "comma, no leading zero": (
+        4,
+        lambda value, unit: without_zero(significant(value, 3)).replace(".", ","),
+    ),
     "unit": (6, lambda value, unit: f"{significant(value, 4)} {unit}"),
     "unit as printed": (4, lambda value, unit: significant(value, 4) + unit.replace("^2", "²")),
     "full width": (3, lambda value, unit: significant(value, 4).translate(FULL_WIDTH)),
@@ -128,7 +133,9 @@ OWN_SPELLING_SHARE = 0.6  # most people keep to one way of typing
 
 def read_keys(exam: Path) -> dict[str, dict[str, Key]]:
     """What is right, by student and column."""
-    papers = [json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()]
+    papers = [
+        json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()
+    ]
     return {
         paper["student"]: {
             f"{question['question']}.{name}": Key(Decimal(ask["decimal"]), ask["unit"])
@@ -163,7 +170,9 @@ def typed(student: str, column: str, key: Key) -> Answer:
         return Answer("", slip, "blank")
     if slip == "two digits":
         return Answer(significant(value, 2), slip, "two digits")
-    spelling, spell = one_of(SPELLINGS, own.random() if cell.random() < OWN_SPELLING_SHARE else cell.random())
+    spelling, spell = one_of(
+        SPELLINGS, own.random() if cell.random() < OWN_SPELLING_SHARE else cell.random()
+    )
     return Answer(spell(value, key.unit), slip, spelling)
 
 
@@ -173,7 +182,11 @@ def slipped(key: Key, cell: Random, skill: float) -> tuple[str, Decimal]:
         return "right", key.value
     if cell.random() < skill:
         return ("two digits" if cell.random() < TWO_DIGITS_SHARE else "right"), key.value
-    known = {name: entry for name, entry in SLIPS.items() if name != "degrees" or key.unit.startswith("rad")}
+    known = {
+        name: entry
+        for name, entry in SLIPS.items()
+        if name != "degrees" or key.unit.startswith("rad")
+    }
     slip, change = one_of(known, cell.random())
     return slip, change(key.value)
 
@@ -193,7 +206,9 @@ def class_rows(exam: Path) -> Iterator[Row]:
 def handed_in(row: Row, keys: Mapping[str, Key]) -> Iterator[Row]:
     """What comes in from one student: a row, two, or none."""
     if row.student == TWICE:
-        first = {column: typed(f"{TWICE}, first attempt", column, key) for column, key in keys.items()}
+        first = {
+            column: typed(f"{TWICE}, first attempt", column, key) for column, key in keys.items()
+        }
         yield replace(row, answers=first, planted="first attempt")
     if row.student == ZEROS_EATEN:
         yield replace(row, student=ZEROS_EATEN.lstrip("0"), planted="zeros eaten")
@@ -212,10 +227,13 @@ def write_answers(exam: Path, output: Path) -> None:
     rows = list(class_rows(exam))
     columns = list(rows[0].answers)
     lines = (
-        [row.student, row.name, *(row.answers[column].text for column in columns), row.note] for row in rows
+        [row.student, row.name, *(row.answers[column].text for column in columns), row.note]
+        for row in rows
     )
     with output.open("w", encoding="utf-8", newline="") as sheet:
-        csv.writer(sheet, lineterminator="\n").writerows([["student", "name", *columns, REMARKS], *lines])
+        csv.writer(sheet, lineterminator="\n").writerows(
+            [["student", "name", *columns, REMARKS], *lines]
+        )
 
 
 if __name__ == "__main__":

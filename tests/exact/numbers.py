@@ -17,8 +17,13 @@ Recipe = Any
 def towers() -> st.SearchStrategy[Recipe]:
     """Recipes of numbers: a rational, or two recipes under + - * /, or the root of a recipe's size."""
     leaves = st.one_of(rationals, st.sampled_from([2, 3, 5, 6]).map(lambda n: ("sqrt", fmpq(n))))
-    return st.recursive(leaves, lambda inner: st.one_of(
-        st.tuples(st.sampled_from("+-*/"), inner, inner), st.tuples(st.just("sqrt"), inner)), max_leaves=4)
+    return st.recursive(
+        leaves,
+        lambda inner: st.one_of(
+            st.tuples(st.sampled_from("+-*/"), inner, inner), st.tuples(st.just("sqrt"), inner)
+        ),
+        max_leaves=4,
+    )
 
 
 def build(recipe: Recipe, field: Any) -> tuple[Any, Any]:
@@ -29,12 +34,20 @@ def build(recipe: Recipe, field: Any) -> tuple[Any, Any]:
         if recipe[0] == "sqrt":
             number, decimal = build(recipe[1], field)
             number, decimal = (-number, -decimal) if field.sign(number) < 0 else (number, decimal)
-            return (number, decimal) if len(field.roots) > 3 else (field.sqrt(number), sqrt(max(decimal, 0)))
+            return (
+                (number, decimal)
+                if len(field.roots) > 3
+                else (field.sqrt(number), sqrt(max(decimal, 0)))
+            )
         (a, x), (b, y) = build(recipe[1], field), build(recipe[2], field)
         if recipe[0] == "/" and b == 0:
             return a, x
-        return {"+": (lambda: (a + b, x + y)), "-": (lambda: (a - b, x - y)), "*": (lambda: (a * b, x * y)),
-                "/": (lambda: (a / b, x / y))}[recipe[0]]()
+        return {
+            "+": (lambda: (a + b, x + y)),
+            "-": (lambda: (a - b, x - y)),
+            "*": (lambda: (a * b, x * y)),
+            "/": (lambda: (a / b, x / y)),
+        }[recipe[0]]()
 
 
 def digits(number: Any) -> Any:

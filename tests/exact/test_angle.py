@@ -18,7 +18,11 @@ from kinegrade.expression import elementary, evaluate, read
 from tests.exact.numbers import digits
 
 Q = fmpq
-NICE = sorted({15 * n for n in range(-12, 25)} | {18 * n for n in range(-10, 11)} | {22.5 * n for n in range(-8, 9)})
+NICE = sorted(
+    {15 * n for n in range(-12, 25)}
+    | {18 * n for n in range(-10, 11)}
+    | {22.5 * n for n in range(-8, 9)}
+)
 slopes = st.builds(fmpq, st.integers(-6, 6), st.integers(1, 4))
 
 
@@ -40,9 +44,15 @@ def test_nice_angles_have_exact_sines_and_cosines_and_are_named_again(value: flo
     assert Q(-1) < named.half_turns <= 1
 
 
-@given(slopes, slopes, st.sampled_from([Q(1), Q(2), Q(-1), Q(1, 2), Q(-3, 2), Q(3)]), st.sampled_from([0, 15, 90, 150]))
-def test_sums_multiples_and_halves_of_arctangents_point_where_mpmath_says(a: Any, b: Any, factor: Any,
-                                                                          nice: int) -> None:
+@given(
+    slopes,
+    slopes,
+    st.sampled_from([Q(1), Q(2), Q(-1), Q(1, 2), Q(-3, 2), Q(3)]),
+    st.sampled_from([0, 15, 90, 150]),
+)
+def test_sums_multiples_and_halves_of_arctangents_point_where_mpmath_says(
+    a: Any, b: Any, factor: Any, nice: int
+) -> None:
     field = Field()
     angle = field.arctangent(a, Q(1)) * factor + field.arctangent(b, Q(-1)) - degrees(nice)
     try:
@@ -50,15 +60,26 @@ def test_sums_multiples_and_halves_of_arctangents_point_where_mpmath_says(a: Any
     except Inexact:
         return
     with mp.workdps(60):
-        value = (atan2(digits(a), 1) * digits(factor) + (atan2(digits(b), -1) if b != 0 else pi) - nice * pi / 180)
+        value = (
+            atan2(digits(a), 1) * digits(factor)
+            + (atan2(digits(b), -1) if b != 0 else pi)
+            - nice * pi / 180
+        )
         assert abs(digits(x) - cos(value)) < mpf(10) ** -45
         assert abs(digits(y) - sin(value)) < mpf(10) ** -45
     with ctx.workprec(200):
         assert abs(float(angle.ball()) - float(value)) < 1e-12
 
 
-@given(slopes, slopes, st.sampled_from([Q(1), Q(2), Q(1, 3), Q(-1, 2)]), st.sampled_from([0, 15, 90, -150]))
-def test_the_text_of_an_angle_reads_back_as_the_same_angle(a: Any, b: Any, factor: Any, nice: int) -> None:
+@given(
+    slopes,
+    slopes,
+    st.sampled_from([Q(1), Q(2), Q(1, 3), Q(-1, 2)]),
+    st.sampled_from([0, 15, 90, -150]),
+)
+def test_the_text_of_an_angle_reads_back_as_the_same_angle(
+    a: Any, b: Any, factor: Any, nice: int
+) -> None:
     field, balls = Field(), Balls(256)
     angle = field.arctangent(a, Q(-1)) * factor - field.arctangent(b, Q(1)) + degrees(nice)
     with balls.context():
@@ -71,17 +92,24 @@ def test_the_text_of_an_angle_reads_back_as_the_same_angle(a: Any, b: Any, facto
             assert latex.count("(") == latex.count(")")
 
 
-@pytest.mark.parametrize(("angle", "radians", "in_degrees"), [
-    (Angle(Q(1, 3)), "pi/3", "60"),
-    (Angle(Q(-5, 12)), "-5*pi/12", "-75"),
-    (Angle(Q(0)), "0", "0"),
-    (Angle(Q(2)), "2*pi", "360"),
-    (Angle(Q(0), ((Q(1), (Q(3), Q(1))),)), "atan(1/3)", "180*atan(1/3)/pi"),
-    (Angle(Q(0), ((Q(2), (Q(1), Q(2))),)), "2*atan(2)", "180*2*atan(2)/pi"),
-    (Angle(Q(1, 2), ((Q(-1), (Q(4), Q(3))),)), "-atan(3/4) + pi/2", "180*(-atan(3/4) + pi/2)/pi"),
-    (Angle(Q(0), ((Q(1), (Q(-4), Q(3))),)), "atan(-3/4) + pi", "180*(atan(-3/4) + pi)/pi"),
-    (Angle(Q(0), ((Q(1), (Q(-4), Q(-3))),)), "atan(3/4) - pi", "180*(atan(3/4) - pi)/pi"),
-])
+@pytest.mark.parametrize(
+    ("angle", "radians", "in_degrees"),
+    [
+        (Angle(Q(1, 3)), "pi/3", "60"),
+        (Angle(Q(-5, 12)), "-5*pi/12", "-75"),
+        (Angle(Q(0)), "0", "0"),
+        (Angle(Q(2)), "2*pi", "360"),
+        (Angle(Q(0), ((Q(1), (Q(3), Q(1))),)), "atan(1/3)", "180*atan(1/3)/pi"),
+        (Angle(Q(0), ((Q(2), (Q(1), Q(2))),)), "2*atan(2)", "180*2*atan(2)/pi"),
+        (
+            Angle(Q(1, 2), ((Q(-1), (Q(4), Q(3))),)),
+            "-atan(3/4) + pi/2",
+            "180*(-atan(3/4) + pi/2)/pi",
+        ),
+        (Angle(Q(0), ((Q(1), (Q(-4), Q(3))),)), "atan(-3/4) + pi", "180*(atan(-3/4) + pi)/pi"),
+        (Angle(Q(0), ((Q(1), (Q(-4), Q(-3))),)), "atan(3/4) - pi", "180*(atan(3/4) - pi)/pi"),
+    ],
+)
 def test_angles_print_as_in_a_book(angle: Angle, radians: str, in_degrees: str) -> None:
     assert angle_text(angle, degrees=False) == radians
     assert angle_text(angle, degrees=True) == in_degrees
@@ -106,14 +134,20 @@ def test_a_quarter_turn_less_an_angle_swaps_sine_and_cosine() -> None:
     assert field.cos(angle / 2) ** 2 == Q(9, 10)
 
 
-@pytest.mark.parametrize(("make", "reason"), [
-    (lambda f: f.cos(f.turns(Q(37, 180))), "the cosine of 37 degrees"),
-    (lambda f: f.turns(Q(1)) * f.turns(Q(1)), "an angle times an irrational number"),
-    (lambda f: f.turns(Q(1)) * f.sqrt(Q(2)), "an angle times an irrational number"),
-    (lambda f: f.arctangent(Q(1), Q(3)) / f.turns(Q(1)), "the ratio of two angles"),
-    (lambda f: Q(1) / f.turns(Q(1)), "a number over an angle"),
-    (lambda f: f.cos(f.arctangent(Q(1), Q(3)) / 3), "a fraction of an angle that has no small field"),
-])
+@pytest.mark.parametrize(
+    ("make", "reason"),
+    [
+        (lambda f: f.cos(f.turns(Q(37, 180))), "the cosine of 37 degrees"),
+        (lambda f: f.turns(Q(1)) * f.turns(Q(1)), "an angle times an irrational number"),
+        (lambda f: f.turns(Q(1)) * f.sqrt(Q(2)), "an angle times an irrational number"),
+        (lambda f: f.arctangent(Q(1), Q(3)) / f.turns(Q(1)), "the ratio of two angles"),
+        (lambda f: Q(1) / f.turns(Q(1)), "a number over an angle"),
+        (
+            lambda f: f.cos(f.arctangent(Q(1), Q(3)) / 3),
+            "a fraction of an angle that has no small field",
+        ),
+    ],
+)
 def test_what_has_no_small_field_is_left_to_balls(make: Any, reason: str) -> None:
     with pytest.raises(Inexact, match=reason):
         make(Field())

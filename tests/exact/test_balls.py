@@ -26,7 +26,10 @@ def holds(ball: Any, decimal: Any) -> bool:
     """Whether the ball, widened by the last of the 60 digits, holds the decimal, and is narrow."""
     with mp.workdps(60):
         gap = abs(digits(ball) - decimal) - digits(arb(ball.rad()))
-        return bool(gap < mpf(10) ** -55 * max(1, abs(decimal)) and ball.rad() < arb("1e-55") * (1 + abs(ball)))
+        return bool(
+            gap < mpf(10) ** -55 * max(1, abs(decimal))
+            and ball.rad() < arb("1e-55") * (1 + abs(ball))
+        )
 
 
 @given(rationals)
@@ -49,13 +52,17 @@ def test_a_ball_of_an_exact_number_holds_it(recipe: Any) -> None:
 
 
 @given(st.data())
-def test_answers_of_templates_are_certified_to_thirty_digits_whatever_the_values(data: st.DataObject) -> None:
+def test_answers_of_templates_are_certified_to_thirty_digits_whatever_the_values(
+    data: st.DataObject,
+) -> None:
     template = shipped(data.draw(st.sampled_from(template_names())))
     values = data.draw(st.one_of(drawn_values(template), arbitrary_values(template)))
     solution = solve_template(template, values)
     for answer in solution.answers.values():
         if not answer.is_exact:
-            assert answer.number.rad() <= abs(answer.number) * arb("1e-30") or answer.number.rad() < arb("1e-30")
+            assert answer.number.rad() <= abs(answer.number) * arb(
+                "1e-30"
+            ) or answer.number.rad() < arb("1e-30")
 
 
 @given(st.data())
@@ -64,8 +71,10 @@ def test_answers_by_balls_hold_the_exact_answers(data: st.DataObject) -> None:
     values = data.draw(drawn_values(template))
     exact = solve_template(template, values)
     # an angle that is no nice one but equal to it to forty digits leaves no exact field
-    nudged = {name: f"{text} + 1e-45" if template.parameters[name].unit.degrees else text
-              for name, text in values.items()}
+    nudged = {
+        name: f"{text} + 1e-45" if template.parameters[name].unit.degrees else text
+        for name, text in values.items()
+    }
     certified = solve_template(template, nudged)
     for name, answer in certified.answers.items():
         near, true = mpf(answer.decimal(25)), mpf(exact[name].decimal(25))
@@ -95,7 +104,9 @@ def test_roots_and_directions_at_their_borders() -> None:
 
 def test_linear_equations_in_balls() -> None:
     with BALLS.context():
-        x, y = BALLS.solve([[2, 1], [1, 3], [3, 4]], [3, 5, 8])  # the third is the sum of the others
+        x, y = BALLS.solve(
+            [[2, 1], [1, 3], [3, 4]], [3, 5, 8]
+        )  # the third is the sum of the others
         assert x.overlaps(arb(Q(4, 5)))
         assert y.overlaps(arb(Q(7, 5)))
         with pytest.raises(Singular, match="do not determine"):

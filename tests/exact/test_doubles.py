@@ -26,14 +26,23 @@ def test_functions_agree_with_those_of_arrays(number: float) -> None:
     assert one.fork() is one
 
 
-@pytest.mark.parametrize(("rows", "right"), [
-    ([[2.0, 1.0], [1.0, 3.0]], [5.0, 10.0]), ([[1e-8]], [2.0]), ([[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], [1.0, 2.0, 6.0]),
-])
+@pytest.mark.parametrize(
+    ("rows", "right"),
+    [
+        ([[2.0, 1.0], [1.0, 3.0]], [5.0, 10.0]),
+        ([[1e-8]], [2.0]),
+        ([[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], [1.0, 2.0, 6.0]),
+    ],
+)
 def test_unknowns_agree_with_those_of_arrays(rows: list[list[Any]], right: list[Any]) -> None:
-    assert Doubles().solve(rows, right) == pytest.approx([float(each) for each in Floats().solve(rows, right)])
+    assert Doubles().solve(rows, right) == pytest.approx(
+        [float(each) for each in Floats().solve(rows, right)]
+    )
 
 
-@pytest.mark.parametrize("rows", [[[1.0, 2.0], [2.0, 4.0]], [[1.0, 2.0]], [[math.nan, 1.0], [1.0, 0.0]], [[0.0]]])
+@pytest.mark.parametrize(
+    "rows", [[[1.0, 2.0], [2.0, 4.0]], [[1.0, 2.0]], [[math.nan, 1.0], [1.0, 0.0]], [[0.0]]]
+)
 def test_what_does_not_determine_every_unknown_is_refused(rows: list[list[Any]]) -> None:
     with pytest.raises(Singular, match="the equations do not determine every unknown"):
         Doubles().solve(rows, [1.0] * len(rows))

@@ -106,27 +106,43 @@ def test_whole_powers_are_repeated_products(recipe: Any, exponent: int) -> None:
 @given(rationals, rationals, st.sampled_from([2, 3, 5, 6]), st.sampled_from([2, 3, 7]))
 def test_sympy_agrees(a: Any, b: Any, first: int, second: int) -> None:
     field = Field()
-    number = (a + field.sqrt(Q(first))) * (b + field.sqrt(Q(second))) / (1 + field.sqrt(Q(first * second)))
-    peer = ((sympy.Rational(int(a.p), int(a.q)) + sympy.sqrt(first))
-            * (sympy.Rational(int(b.p), int(b.q)) + sympy.sqrt(second)) / (1 + sympy.sqrt(first * second)))
+    number = (
+        (a + field.sqrt(Q(first)))
+        * (b + field.sqrt(Q(second)))
+        / (1 + field.sqrt(Q(first * second)))
+    )
+    peer = (
+        (sympy.Rational(int(a.p), int(a.q)) + sympy.sqrt(first))
+        * (sympy.Rational(int(b.p), int(b.q)) + sympy.sqrt(second))
+        / (1 + sympy.sqrt(first * second))
+    )
     assert abs(sympy.N(sympy.sympify(exact_text(number)) - peer, 50)) < sympy.Float("1e-40")
 
 
-@pytest.mark.parametrize(("given", "text"), [
-    (lambda f: f.sqrt(Q(12)), "2*sqrt(3)"),
-    (lambda f: 2 / f.sqrt(Q(3)), "2*sqrt(3)/3"),
-    (lambda f: f.sqrt(Q(9, 4)), "3/2"),
-    (lambda f: f.sqrt(Q(2)) * f.sqrt(Q(8)), "4"),
-    (lambda f: f.sqrt(Q(2)) * f.sqrt(Q(3)) - f.sqrt(Q(6)), "0"),
-    (lambda f: f.sqrt(3 + 2 * f.sqrt(Q(2))), "1 + sqrt(2)"),  # (1 + sqrt 2)^2 = 3 + 2 sqrt 2
-    (lambda f: f.sqrt(5 - 2 * f.sqrt(Q(6))), "sqrt(3) - sqrt(2)"),  # (sqrt 3 - sqrt 2)^2 = 5 - 2 sqrt 6
-    (lambda f: f.sqrt(2 + f.sqrt(Q(3))), "sqrt(2)/2 + sqrt(6)/2"),  # twice cos 15 degrees
-    (lambda f: 1 / (1 + f.sqrt(Q(2)) + f.sqrt(Q(3))), "1/2 + sqrt(2)/4 - sqrt(6)/4"),
-    (lambda f: f.cos(f.turns(Q(5, 12))), "sqrt(6)/4 - sqrt(2)/4"),  # cos 75 degrees
-    (lambda f: f.sin(f.turns(Q(1, 10))), "sqrt(5)/4 - 1/4"),  # sin 18 degrees
-    (lambda f: f.sqrt(4 - f.sin(f.turns(Q(5, 12))) ** 2), "sqrt(14 - sqrt(3))/2"),  # the rod's reach at 75 degrees
-    (lambda f: f.sqrt(Q(0)), "0"),
-])
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        (lambda f: f.sqrt(Q(12)), "2*sqrt(3)"),
+        (lambda f: 2 / f.sqrt(Q(3)), "2*sqrt(3)/3"),
+        (lambda f: f.sqrt(Q(9, 4)), "3/2"),
+        (lambda f: f.sqrt(Q(2)) * f.sqrt(Q(8)), "4"),
+        (lambda f: f.sqrt(Q(2)) * f.sqrt(Q(3)) - f.sqrt(Q(6)), "0"),
+        (lambda f: f.sqrt(3 + 2 * f.sqrt(Q(2))), "1 + sqrt(2)"),  # (1 + sqrt 2)^2 = 3 + 2 sqrt 2
+        (
+            lambda f: f.sqrt(5 - 2 * f.sqrt(Q(6))),
+            "sqrt(3) - sqrt(2)",
+        ),  # (sqrt 3 - sqrt 2)^2 = 5 - 2 sqrt 6
+        (lambda f: f.sqrt(2 + f.sqrt(Q(3))), "sqrt(2)/2 + sqrt(6)/2"),  # twice cos 15 degrees
+        (lambda f: 1 / (1 + f.sqrt(Q(2)) + f.sqrt(Q(3))), "1/2 + sqrt(2)/4 - sqrt(6)/4"),
+        (lambda f: f.cos(f.turns(Q(5, 12))), "sqrt(6)/4 - sqrt(2)/4"),  # cos 75 degrees
+        (lambda f: f.sin(f.turns(Q(1, 10))), "sqrt(5)/4 - 1/4"),  # sin 18 degrees
+        (
+            lambda f: f.sqrt(4 - f.sin(f.turns(Q(5, 12))) ** 2),
+            "sqrt(14 - sqrt(3))/2",
+        ),  # the rod's reach at 75 degrees
+        (lambda f: f.sqrt(Q(0)), "0"),
+    ],
+)
 def test_known_numbers_print_as_in_a_book(given: Any, text: str) -> None:
     assert exact_text(given(Field())) == text
 
@@ -179,7 +195,10 @@ def test_numbers_lie_as_low_in_the_tower_as_they_can() -> None:
 
 
 def test_squares_are_drawn_out_of_the_radicand() -> None:
-    assert split_square(2**4 * 3**3 * 1009**2) == (4 * 3, 3 * 1009**2)  # only squares of small primes are looked for
+    assert split_square(2**4 * 3**3 * 1009**2) == (
+        4 * 3,
+        3 * 1009**2,
+    )  # only squares of small primes are looked for
     assert split_square(1009**2) == (1009, 1)
     factor, radicand = primitive(Q(50, 27))  # sqrt(50/27) = 5/9 sqrt 6
     assert factor**2 * radicand == Q(50, 27)

@@ -21,7 +21,9 @@ FIGURES = st.integers(1, 10)
 
 def same(found: object, expected: list[float]) -> bool:
     """Whether all are equal, down to the last bit."""
-    return [float(number).hex() for number in np.asarray(found).tolist()] == [number.hex() for number in expected]
+    return [float(number).hex() for number in np.asarray(found).tolist()] == [
+        number.hex() for number in expected
+    ]
 
 
 @given(NUMBERS, FIGURES)
@@ -34,9 +36,17 @@ def test_numbers_are_written_as_alone(numbers: list[float], figures: int) -> Non
 
 
 def test_ties_and_powers_of_ten_are_written_as_alone() -> None:
-    ties = [sign * (number + 0.5) * 10.0**power for number in range(100, 1000, 7) for power in range(-14, 15)
-            for sign in (1, -1)]
-    tens = [float(np.nextafter(10.0**power, side)) for power in range(-11, 20) for side in (0.0, 10.0**power, 1e30)]
+    ties = [
+        sign * (number + 0.5) * 10.0**power
+        for number in range(100, 1000, 7)
+        for power in range(-14, 15)
+        for sign in (1, -1)
+    ]
+    tens = [
+        float(np.nextafter(10.0**power, side))
+        for power in range(-11, 20)
+        for side in (0.0, 10.0**power, 1e30)
+    ]
     tens += [99.95, 999.5, 9.995, 0.9995, 1e-12, 9.9999e-13]
     array = np.array(ties + tens)
     for figures in (3, 4, 10):
@@ -49,12 +59,17 @@ def test_sines_roots_and_angles_are_those_of_single_doubles(sparing: bool) -> No
     source = random.Random(7)
     array = np.array([source.uniform(-7, 7) for _ in range(2000)] + [0.0, pi, pi / 2, pi / 6])
     other = array[::-1].copy()
-    alone, together = Sparing(3) if sparing else Rounded(3), RoundedArrays(3, len(array), sparing=sparing)
+    alone, together = (
+        Sparing(3) if sparing else Rounded(3),
+        RoundedArrays(3, len(array), sparing=sparing),
+    )
     singles = list(zip(array.tolist(), other.tolist(), strict=True))
     assert same(together.cos(array), [alone.cos(angle) for angle, _ in singles])
     assert same(together.sin(array), [alone.sin(angle) for angle, _ in singles])
     assert same(together.arctangent(array, other), [alone.arctangent(y, x) for y, x in singles])
-    assert same(together.sqrt(array * array), [alone.sqrt(number * number) for number, _ in singles])
+    assert same(
+        together.sqrt(array * array), [alone.sqrt(number * number) for number, _ in singles]
+    )
 
 
 def test_lengths_along_an_axis_settle_everybody() -> None:
@@ -68,15 +83,22 @@ def test_lengths_along_an_axis_settle_everybody() -> None:
 @given(st.integers(2, 4), st.integers(0, 1), st.integers(0, 10**6))
 def test_equations_are_solved_as_alone(count: int, surplus: int, seed: int) -> None:
     source, size = random.Random(seed), 6
-    rows = [[np.array([source.choice((0.0, 1.0, -1.0, source.uniform(-5, 5))) for _ in range(size)])
-             for _ in range(count)] for _ in range(count + surplus)]
+    rows = [
+        [
+            np.array([source.choice((0.0, 1.0, -1.0, source.uniform(-5, 5))) for _ in range(size)])
+            for _ in range(count)
+        ]
+        for _ in range(count + surplus)
+    ]
     right = [np.array([source.uniform(-5, 5) for _ in range(size)]) for _ in rows]
     together = RoundedArrays(3, size)
     found = together.solve(rows, right)
     for place in range(size):
         try:
-            alone = Rounded(3).solve([[float(entry[place]) for entry in row] for row in rows],
-                                     [float(side[place]) for side in right])
+            alone = Rounded(3).solve(
+                [[float(entry[place]) for entry in row] for row in rows],
+                [float(side[place]) for side in right],
+            )
         except Singular:
             assert together.unsettled[place]
             continue
@@ -104,9 +126,16 @@ def test_roots_below_zero_are_unsettled() -> None:
 
 def test_what_is_the_same_in_all_is_a_single_double() -> None:
     arithmetic = RoundedArrays(3, 2)
-    assert (arithmetic.written(1.2345), arithmetic.cos(pi / 6), arithmetic.sqrt(12.0)) == (1.23, 0.866, 3.46)
-    assert (arithmetic.number(fmpq(1, 8)), arithmetic.is_zero(1e-13), RoundedArrays(3, 2, sparing=True).sqrt(3.0)) == (
-        0.125, True, 3**0.5)
+    assert (arithmetic.written(1.2345), arithmetic.cos(pi / 6), arithmetic.sqrt(12.0)) == (
+        1.23,
+        0.866,
+        3.46,
+    )
+    assert (
+        arithmetic.number(fmpq(1, 8)),
+        arithmetic.is_zero(1e-13),
+        RoundedArrays(3, 2, sparing=True).sqrt(3.0),
+    ) == (0.125, True, 3**0.5)
 
 
 def test_a_division_by_zero_is_refused() -> None:

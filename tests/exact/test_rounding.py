@@ -18,7 +18,9 @@ NUMBERS = st.floats(1e-6, 1e6) | st.floats(-1e6, -1e-6)
 
 
 @given(NUMBERS, st.integers(2, 8))
-def test_a_written_number_has_so_many_figures_and_is_the_nearest_of_those(number: float, figures: int) -> None:
+def test_a_written_number_has_so_many_figures_and_is_the_nearest_of_those(
+    number: float, figures: int
+) -> None:
     written = Rounded(figures).written(number)
     assert written == float(f"{number:.{figures - 1}e}")
     assert Rounded(figures).written(written) == written
@@ -50,11 +52,16 @@ def test_the_root_of_a_negative_number_is_refused() -> None:
 
 def test_every_unknown_that_is_solved_for_is_written_down() -> None:
     assert THREE.solve([[3.0]], [2.0]) == [0.667]
-    assert THREE.solve([[0.0, 2.0], [7.0, 1.0]], [1.0, 1.0]) == [0.0714, 0.5]  # 1/14, with 1/2 as the calculator has it
+    assert THREE.solve([[0.0, 2.0], [7.0, 1.0]], [1.0, 1.0]) == [
+        0.0714,
+        0.5,
+    ]  # 1/14, with 1/2 as the calculator has it
 
 
 def test_surplus_equations_are_left_alone_although_rounding_makes_them_disagree() -> None:
-    assert THREE.solve([[1.0], [2.0], [1.0]], [0.333, 0.667, 0.334]) == [0.334]  # the one with most weight is used
+    assert THREE.solve([[1.0], [2.0], [1.0]], [0.333, 0.667, 0.334]) == [
+        0.334
+    ]  # the one with most weight is used
     THREE.require_zero(0.001)
 
 

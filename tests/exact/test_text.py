@@ -39,25 +39,40 @@ def test_latex_is_balanced_and_holds_the_same_digits(recipe: Any) -> None:
     assert sorted(re.findall(r"\d+", latex)) == sorted(re.findall(r"\d+", exact_text(number)))
 
 
-@pytest.mark.parametrize(("number", "plain", "latex"), [
-    (lambda f: 2 / f.sqrt(Q(3)), "2*sqrt(3)/3", r"\frac{2 \sqrt{3}}{3}"),
-    (lambda f: Q(-3, 2) + f.sqrt(Q(2)), "sqrt(2) - 3/2", r"\sqrt{2} - \frac{3}{2}"),
-    (lambda f: -f.sqrt(Q(5)), "-sqrt(5)", r"-\sqrt{5}"),
-    (lambda f: f.sqrt(382 - 9 * f.sqrt(Q(3))) / 20, "sqrt(382 - 9*sqrt(3))/20",
-     r"\frac{\sqrt{382 - 9 \sqrt{3}}}{20}"),
-    (lambda f: f.sqrt(1 + f.sqrt(Q(2))) * f.sqrt(Q(2)), "sqrt(2)*sqrt(1 + sqrt(2))", r"\sqrt{2} \sqrt{1 + \sqrt{2}}"),
-    (lambda f: Q(7), "7", "7"),
-    (lambda f: Q(-7, 3), "-7/3", r"-\frac{7}{3}"),
-])
+@pytest.mark.parametrize(
+    ("number", "plain", "latex"),
+    [
+        (lambda f: 2 / f.sqrt(Q(3)), "2*sqrt(3)/3", r"\frac{2 \sqrt{3}}{3}"),
+        (lambda f: Q(-3, 2) + f.sqrt(Q(2)), "sqrt(2) - 3/2", r"\sqrt{2} - \frac{3}{2}"),
+        (lambda f: -f.sqrt(Q(5)), "-sqrt(5)", r"-\sqrt{5}"),
+        (
+            lambda f: f.sqrt(382 - 9 * f.sqrt(Q(3))) / 20,
+            "sqrt(382 - 9*sqrt(3))/20",
+            r"\frac{\sqrt{382 - 9 \sqrt{3}}}{20}",
+        ),
+        (
+            lambda f: f.sqrt(1 + f.sqrt(Q(2))) * f.sqrt(Q(2)),
+            "sqrt(2)*sqrt(1 + sqrt(2))",
+            r"\sqrt{2} \sqrt{1 + \sqrt{2}}",
+        ),
+        (lambda f: Q(7), "7", "7"),
+        (lambda f: Q(-7, 3), "-7/3", r"-\frac{7}{3}"),
+    ],
+)
 def test_numbers_print_as_in_a_book(number: Any, plain: str, latex: str) -> None:
     assert exact_text(number(Field())) == plain
     assert exact_text(number(Field()), LATEX) == latex
 
 
-@pytest.mark.parametrize(("half_turns", "text", "latex"), [
-    (Q(0), "0", "0"), (Q(1), "pi", r"\pi"), (Q(-1, 2), "-pi/2", r"-\frac{\pi}{2}"),
-                                                           (Q(7, 6), "7*pi/6", r"\frac{7 \pi}{6}"),
-])
+@pytest.mark.parametrize(
+    ("half_turns", "text", "latex"),
+    [
+        (Q(0), "0", "0"),
+        (Q(1), "pi", r"\pi"),
+        (Q(-1, 2), "-pi/2", r"-\frac{\pi}{2}"),
+        (Q(7, 6), "7*pi/6", r"\frac{7 \pi}{6}"),
+    ],
+)
 def test_multiples_of_pi_print_as_in_a_book(half_turns: Any, text: str, latex: str) -> None:
     assert (pi_text(half_turns), pi_text(half_turns, LATEX)) == (text, latex)
 
@@ -67,17 +82,24 @@ def test_decimals_of_exact_numbers_are_those_of_mpmath(recipe: Any, count: int) 
     number = build(recipe, Field())[0]
     with mp.workdps(60):
         exact = digits(number)
-        assert abs(mpf(decimal_text(number, count)) - exact) <= abs(exact) * mpf(10) ** (1 - count) / 2 + mpf(10) ** -55
+        assert (
+            abs(mpf(decimal_text(number, count)) - exact)
+            <= abs(exact) * mpf(10) ** (1 - count) / 2 + mpf(10) ** -55
+        )
 
 
 @given(rationals, st.integers(1, 30))
 def test_decimals_of_rationals_are_rounded_half_to_even(number: Any, count: int) -> None:
     context = Context(prec=count, rounding=ROUND_HALF_EVEN)
-    assert Decimal(decimal_text(number, count)) == context.divide(Decimal(int(number.p)), Decimal(int(number.q)))
+    assert Decimal(decimal_text(number, count)) == context.divide(
+        Decimal(int(number.p)), Decimal(int(number.q))
+    )
 
 
 @given(rationals, st.integers(0, 25), st.integers(3, 30))
-def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(number: Any, wide: int, count: int) -> None:
+def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(
+    number: Any, wide: int, count: int
+) -> None:
     assume(abs(number) > Q(2, 10**wide))
     with ctx.workprec(300):
         ball = arb(number, arb(10) ** -wide)
@@ -86,12 +108,26 @@ def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(number: Any, wi
     assert decimal_text(ball, count) == decimal_text(number, held[-1] if held else 1)
 
 
-@pytest.mark.parametrize(("number", "count", "text"), [
-    (Q(2, 3), 5, "0.66667"), (Q(-2, 3), 1, "-0.7"), (Q(5, 2), 1, "2"), (Q(7, 2), 1, "4"), (Q(25, 1000), 1, "0.02"),
-    (Q(1, 8), 3, "0.125"), (Q(0), 7, "0"), (Q(99999, 1000), 3, "100"), (Q(123456), 3, "123000"),
-    (Q(1, 10**7), 4, "0.0000001"), (Q(1, 10**8), 4, "1e-8"), (Q(123, 10**10), 3, "1.23e-8"),
-    (Q(10) ** 20, 3, "100000000000000000000"), (Q(10) ** 21, 3, "1e21"), (Q(314, 100) * Q(10) ** 30, 3, "3.14e30"),
-])
+@pytest.mark.parametrize(
+    ("number", "count", "text"),
+    [
+        (Q(2, 3), 5, "0.66667"),
+        (Q(-2, 3), 1, "-0.7"),
+        (Q(5, 2), 1, "2"),
+        (Q(7, 2), 1, "4"),
+        (Q(25, 1000), 1, "0.02"),
+        (Q(1, 8), 3, "0.125"),
+        (Q(0), 7, "0"),
+        (Q(99999, 1000), 3, "100"),
+        (Q(123456), 3, "123000"),
+        (Q(1, 10**7), 4, "0.0000001"),
+        (Q(1, 10**8), 4, "1e-8"),
+        (Q(123, 10**10), 3, "1.23e-8"),
+        (Q(10) ** 20, 3, "100000000000000000000"),
+        (Q(10) ** 21, 3, "1e21"),
+        (Q(314, 100) * Q(10) ** 30, 3, "3.14e30"),
+    ],
+)
 def test_rationals_print_like_this(number: Any, count: int, text: str) -> None:
     assert decimal_text(number, count) == text
 

@@ -30,7 +30,11 @@ constant angular velocity $\omega = 8\,\mathrm{rad/s}$; $\varphi = 60^\circ$.
     rows=(
         AnswerRow("v_B", "speed of the slider $B$", "m/s", "", Fraction(4)),
         AnswerRow(
-            r"\omega_{AB}", "angular velocity of $AB$", "rad/s", "counter-clockwise positive", Fraction(3)
+            r"\omega_{AB}",
+            "angular velocity of $AB$",
+            "rad/s",
+            "counter-clockwise positive",
+            Fraction(3),
         ),
     ),
     source="Example 3",
@@ -76,7 +80,9 @@ KEY_ENTRY = KeyEntry(
         KeyParameter("k", None, "1.73205", "1"),
     ),
     answers=(
-        KeyAnswer("v_B", r"\frac{2\sqrt{3}}{3}", "1.15470", "m/s", "[1.14315, 1.16625]", Fraction(4)),
+        KeyAnswer(
+            "v_B", r"\frac{2\sqrt{3}}{3}", "1.15470", "m/s", "[1.14315, 1.16625]", Fraction(4)
+        ),
         KeyAnswer(r"\omega_{AB}", None, "-0.957427", "rad/s", "[-0.967, -0.948]", Fraction(5, 2)),
     ),
 )

@@ -33,7 +33,9 @@ def faults(folder: Path, text: str) -> list[str]:
     with pytest.raises(BankError) as caught:
         bank(folder, text)
     where = f"{folder / 'bank.toml'}: "
-    assert all(problem.startswith(where) and "\n" not in problem for problem in caught.value.problems)
+    assert all(
+        problem.startswith(where) and "\n" not in problem for problem in caught.value.problems
+    )
     return [problem.removeprefix(where) for problem in caught.value.problems]
 
 
@@ -44,8 +46,17 @@ def tolerances(folder: Path, text: str) -> list[Tolerance]:
 def test_the_least_a_bank_must_say(tmp_path: Path) -> None:
     found = bank(tmp_path, HEAD + QUESTION)
     (question,) = found.questions
-    assert (found.title.en, found.title.zh, found.course.zh, found.date) == ("Midterm", "Midterm", "力学", "")
-    assert (question.identifier, question.template.name, question.domains) == ("q1", "slider-crank", {})
+    assert (found.title.en, found.title.zh, found.course.zh, found.date) == (
+        "Midterm",
+        "Midterm",
+        "力学",
+        "",
+    )
+    assert (question.identifier, question.template.name, question.domains) == (
+        "q1",
+        "slider-crank",
+        {},
+    )
     assert [ask.name for ask in question.asks] == list(question.template.asked())
     assert question.points == sum(question.template.asks[ask.name].points for ask in question.asks)
     assert found.text == HEAD + QUESTION
@@ -54,44 +65,70 @@ def test_the_least_a_bank_must_say(tmp_path: Path) -> None:
 def test_asks_and_domains_of_the_bank_replace_the_templates(tmp_path: Path) -> None:
     text = HEAD + QUESTION + 'asks = { a_B = 2.5, v_B = 1 }\ndraw = { k = ["sqrt(3)", 2] }'
     (question,) = bank(tmp_path, text).questions
-    assert [(ask.name, ask.points) for ask in question.asks] == [("a_B", Fraction(5, 2)), ("v_B", Fraction(1))]
+    assert [(ask.name, ask.points) for ask in question.asks] == [
+        ("a_B", Fraction(5, 2)),
+        ("v_B", Fraction(1)),
+    ]
     assert question.points == Fraction(7, 2)
     assert question.domains == {"k": ("sqrt(3)", "2")}
 
 
-@pytest.mark.parametrize(("written", "tolerance"), [
-    ('{ relative = "1 %" }', (Fraction(1, 100), 0)),
-    ('{ relative = "0.5%" }', (Fraction(1, 200), 0)),
-    ("{ relative = 0.01 }", (Fraction(1, 100), 0)),
-    ("{ absolute = 0.002 }", (0, Fraction(1, 500))),
-    ('{ relative = "2 %", absolute = 1 }', (Fraction(1, 50), 1)),
-    ("{ relative = 0.999999999 }", (Fraction(999999999, 10**9), 0)),
-])
-def test_tolerances_are_read_exactly(tmp_path: Path, written: str, tolerance: tuple[Fraction, Fraction]) -> None:
+@pytest.mark.parametrize(
+    ("written", "tolerance"),
+    [
+        ('{ relative = "1 %" }', (Fraction(1, 100), 0)),
+        ('{ relative = "0.5%" }', (Fraction(1, 200), 0)),
+        ("{ relative = 0.01 }", (Fraction(1, 100), 0)),
+        ("{ absolute = 0.002 }", (0, Fraction(1, 500))),
+        ('{ relative = "2 %", absolute = 1 }', (Fraction(1, 50), 1)),
+        ("{ relative = 0.999999999 }", (Fraction(999999999, 10**9), 0)),
+    ],
+)
+def test_tolerances_are_read_exactly(
+    tmp_path: Path, written: str, tolerance: tuple[Fraction, Fraction]
+) -> None:
     found = tolerances(tmp_path, f"{HEAD}tolerance = {written}\n{QUESTION}")
     assert set(found) == {Tolerance(Fraction(tolerance[0]), Fraction(tolerance[1]))}
 
 
-@pytest.mark.parametrize(("written", "relative", "figures"), [
-    ("{ figures = 3 }", 0, 3), ('{ figures = 2, relative = "2 %" }', Fraction(1, 50), 2), ("{ figures = 6 }", 0, 6),
-])
-def test_significant_figures_may_be_asked_for(tmp_path: Path, written: str, relative: Fraction, figures: int) -> None:
+@pytest.mark.parametrize(
+    ("written", "relative", "figures"),
+    [
+        ("{ figures = 3 }", 0, 3),
+        ('{ figures = 2, relative = "2 %" }', Fraction(1, 50), 2),
+        ("{ figures = 6 }", 0, 6),
+    ],
+)
+def test_significant_figures_may_be_asked_for(
+    tmp_path: Path, written: str, relative: Fraction, figures: int
+) -> None:
     found = tolerances(tmp_path, HEAD + QUESTION + f"tolerance = {written}\n" + QUESTION)
     assert Tolerance(Fraction(relative), Fraction(0), figures) in found
     assert found[-1].figures is None
 
 
 def test_the_nearest_tolerance_holds(tmp_path: Path) -> None:
-    text = (HEAD + 'tolerance = { relative = "3 %" }\n' + QUESTION + QUESTION + 'tolerance = { absolute = 0.1 }\n'
-            'asks = { v_B = 1, a_B = { points = 2, tolerance = { relative = "5 %" } } }')
+    text = (
+        HEAD
+        + 'tolerance = { relative = "3 %" }\n'
+        + QUESTION
+        + QUESTION
+        + "tolerance = { absolute = 0.1 }\n"
+        'asks = { v_B = 1, a_B = { points = 2, tolerance = { relative = "5 %" } } }'
+    )
     found = tolerances(tmp_path, text)
     assert set(found[:-2]) == {Tolerance(Fraction(3, 100), Fraction(0))}
-    assert found[-2:] == [Tolerance(Fraction(0), Fraction(1, 10)), Tolerance(Fraction(1, 20), Fraction(0))]
+    assert found[-2:] == [
+        Tolerance(Fraction(0), Fraction(1, 10)),
+        Tolerance(Fraction(1, 20), Fraction(0)),
+    ]
     assert tolerances(tmp_path, HEAD + QUESTION)[0] == Tolerance(Fraction(1, 100), Fraction(0))
 
 
 def test_points_left_out_are_the_templates(tmp_path: Path) -> None:
-    (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = { v_B = { tolerance = { relative = "2 %" } } }').questions
+    (question,) = bank(
+        tmp_path, HEAD + QUESTION + 'asks = { v_B = { tolerance = { relative = "2 %" } } }'
+    ).questions
     assert question.points == question.template.asks["v_B"].points > 0
 
 
@@ -102,10 +139,19 @@ def test_a_template_file_may_lie_beside_the_bank(tmp_path: Path) -> None:
     assert question.template.text == crank_text()
 
 
-@pytest.mark.parametrize("name", [
-    "../../x.toml", "/etc/x.toml", "sub/x.toml", "..\\\\x.toml", "C:x.toml", "x\\u0000.toml", "x\\n.toml",
-    "a" * 300 + ".toml",
-])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "../../x.toml",
+        "/etc/x.toml",
+        "sub/x.toml",
+        "..\\\\x.toml",
+        "C:x.toml",
+        "x\\u0000.toml",
+        "x\\n.toml",
+        "a" * 300 + ".toml",
+    ],
+)
 def test_a_template_file_lies_nowhere_else(tmp_path: Path, name: str) -> None:
     (fault,) = faults(tmp_path, HEAD + f'[[questions]]\ntemplate = "{name}"')
     assert fault.startswith("questions[1].template: '")
@@ -113,13 +159,24 @@ def test_a_template_file_lies_nowhere_else(tmp_path: Path, name: str) -> None:
 
 
 def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path: Path) -> None:
-    (tmp_path / "crank.toml").write_text(crank_text(("{{ h.value }} above", "above")), encoding="utf-8")
-    found = faults(tmp_path, HEAD + '[[questions]]\ntemplate = "crank.toml"\n[[questions]]\ntemplate = "mine.toml"\n'
-                   '[[questions]]\ntemplate = "slidercrank"\n[[questions]]\ntemplate = "../slider-crank"')
-    assert found[0] == ("questions[1].template: crank.toml: statement.en: the parameter h is not given to the student: "
-                        "write {{ h }}")
-    assert found[1].startswith(f"questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file")
-    assert found[2].startswith('questions[3].template: no template "slidercrank": did you mean "slider-crank"?')
+    (tmp_path / "crank.toml").write_text(
+        crank_text(("{{ h.value }} above", "above")), encoding="utf-8"
+    )
+    found = faults(
+        tmp_path,
+        HEAD + '[[questions]]\ntemplate = "crank.toml"\n[[questions]]\ntemplate = "mine.toml"\n'
+        '[[questions]]\ntemplate = "slidercrank"\n[[questions]]\ntemplate = "../slider-crank"',
+    )
+    assert found[0] == (
+        "questions[1].template: crank.toml: statement.en: the parameter h is not given to the student: "
+        "write {{ h }}"
+    )
+    assert found[1].startswith(
+        f"questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file"
+    )
+    assert found[2].startswith(
+        'questions[3].template: no template "slidercrank": did you mean "slider-crank"?'
+    )
     assert found[3].startswith('questions[4].template: no template "../slider-crank": ')
 
 
@@ -130,7 +187,8 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
     assert len(bank(tmp_path, mine).questions) == 2
     (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
     assert faults(tmp_path, mine) == [
-        'questions[2].template: another template of this bank has the name "slider-crank": rename the file']
+        'questions[2].template: another template of this bank has the name "slider-crank": rename the file'
+    ]
 
 
 def test_a_bank_may_say_what_typesets_it(tmp_path: Path) -> None:
@@ -139,7 +197,9 @@ def test_a_bank_may_say_what_typesets_it(tmp_path: Path) -> None:
 
 
 def test_every_fault_is_told_at_once(tmp_path: Path) -> None:
-    found = faults(tmp_path, """
+    found = faults(
+        tmp_path,
+        """
 titel = "Midterm"
 shuffle = "yes"
 versions = 27
@@ -156,10 +216,11 @@ draw = { q = [1], k = [1, 1], r = ["x"], phi = "90 .. 0 step 15" }
 tolerance = { relative = "0 %" }
 points = 3
 number = 2
-""")
+""",
+    )
     assert found == [
         'unknown key "titel": did you mean "title"? (known here: course, credit, date, engine, questions, shuffle, '
-        'solutions, title, tolerance, versions)',
+        "solutions, title, tolerance, versions)",
         'tolerance: unknown key "size": known here: absolute, figures, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
         'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
@@ -186,52 +247,102 @@ number = 2
     ]
 
 
-@pytest.mark.parametrize(("line", "fault"), [
-    ("questions = 3", "questions: expected 1 to 50 tables [[questions]]"),
-    ("questions = []", "questions: expected 1 to 50 tables [[questions]]"),
-    ("[[questions]]\n" * 51, "questions: expected 1 to 50 tables [[questions]]"),
-    (QUESTION + "asks = 3", f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}"),
-    (QUESTION + "asks = {}", f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}"),
-    (QUESTION + 'asks = "position"', "questions[1].asks: slider-crank gives points to nothing of this: expected a "
-     "table of asks with their points, like { v_B = 3 }"),
-    (QUESTION + "points = 3", "questions[1].points: slider-crank asks 4 quantities: expected a point for each"),
-    (QUESTION + "points = 9.5", "questions[1].points: expected a whole number from 1 to 1000, not '9.5'"),
-    (QUESTION + 'family = "rolling"', f"questions[1]: {ONE_OF}"),
-    ("[[questions]]\ntag = 3", f"questions[1]: {ONE_OF}"),
-    (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
-    (QUESTION + "tolerance = 0.01",
-     'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'),
-    (QUESTION + "tolerance = { figures = 1 }",
-     "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '1'"),
-    (QUESTION + "tolerance = { figures = 3.0 }",
-     "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '3.0'"),
-    (QUESTION + "tolerance = {}",
-     "questions[1].tolerance: expected a tolerance above zero, the relative one below 100 %"),
-    (QUESTION + 'tolerance = { relative = "-1 %" }',
-     f"questions[1].tolerance.relative: {SHARE}, not '-1 %'"),
-    (QUESTION + "tolerance = { relative = 0.0123456789 }",
-     f"questions[1].tolerance.relative: {SHARE}, not '0.0123456789'"),
-    (QUESTION + "tolerance = { relative = nan }",
-     f"questions[1].tolerance.relative: {SHARE}, not 'nan'"),
-    (QUESTION + 'tolerance = { absolute = "1 %" }', f"questions[1].tolerance.absolute: {AMOUNT}, not '1 %'"),
-    (QUESTION + "asks = { v_B = true }", f"questions[1].asks.v_B.points: {AMOUNT}, not 'a bool'"),
-    (QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}", "a whole number of more than 60 digits: round it"),
-    (QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}", "a whole number of more than 60 digits: round it"),
-    (QUESTION + 'asks = { "v\\nB" = 1 }', 'questions[1].asks.v·B: slider-crank has no ask "v·B": did you mean "v_B"? '
-     "(known here: a_B, alpha_AB, omega_AB, v_B)"),
-])
+@pytest.mark.parametrize(
+    ("line", "fault"),
+    [
+        ("questions = 3", "questions: expected 1 to 50 tables [[questions]]"),
+        ("questions = []", "questions: expected 1 to 50 tables [[questions]]"),
+        ("[[questions]]\n" * 51, "questions: expected 1 to 50 tables [[questions]]"),
+        (
+            QUESTION + "asks = 3",
+            f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}",
+        ),
+        (
+            QUESTION + "asks = {}",
+            f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}",
+        ),
+        (
+            QUESTION + 'asks = "position"',
+            "questions[1].asks: slider-crank gives points to nothing of this: expected a "
+            "table of asks with their points, like { v_B = 3 }",
+        ),
+        (
+            QUESTION + "points = 3",
+            "questions[1].points: slider-crank asks 4 quantities: expected a point for each",
+        ),
+        (
+            QUESTION + "points = 9.5",
+            "questions[1].points: expected a whole number from 1 to 1000, not '9.5'",
+        ),
+        (QUESTION + 'family = "rolling"', f"questions[1]: {ONE_OF}"),
+        ("[[questions]]\ntag = 3", f"questions[1]: {ONE_OF}"),
+        (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
+        (
+            QUESTION + "tolerance = 0.01",
+            'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }',
+        ),
+        (
+            QUESTION + "tolerance = { figures = 1 }",
+            "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '1'",
+        ),
+        (
+            QUESTION + "tolerance = { figures = 3.0 }",
+            "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '3.0'",
+        ),
+        (
+            QUESTION + "tolerance = {}",
+            "questions[1].tolerance: expected a tolerance above zero, the relative one below 100 %",
+        ),
+        (
+            QUESTION + 'tolerance = { relative = "-1 %" }',
+            f"questions[1].tolerance.relative: {SHARE}, not '-1 %'",
+        ),
+        (
+            QUESTION + "tolerance = { relative = 0.0123456789 }",
+            f"questions[1].tolerance.relative: {SHARE}, not '0.0123456789'",
+        ),
+        (
+            QUESTION + "tolerance = { relative = nan }",
+            f"questions[1].tolerance.relative: {SHARE}, not 'nan'",
+        ),
+        (
+            QUESTION + 'tolerance = { absolute = "1 %" }',
+            f"questions[1].tolerance.absolute: {AMOUNT}, not '1 %'",
+        ),
+        (
+            QUESTION + "asks = { v_B = true }",
+            f"questions[1].asks.v_B.points: {AMOUNT}, not 'a bool'",
+        ),
+        (
+            QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}",
+            "a whole number of more than 60 digits: round it",
+        ),
+        (
+            QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}",
+            "a whole number of more than 60 digits: round it",
+        ),
+        (
+            QUESTION + 'asks = { "v\\nB" = 1 }',
+            'questions[1].asks.v·B: slider-crank has no ask "v·B": did you mean "v_B"? '
+            "(known here: a_B, alpha_AB, omega_AB, v_B)",
+        ),
+    ],
+)
 def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -> None:
     assert fault in faults(tmp_path, HEAD + line)
 
 
-@pytest.mark.parametrize(("content", "problem"), [
-    (b"\xff\xfe\x00", "not readable as TOML in UTF-8: "),
-    (b"title = ", "not readable as TOML in UTF-8: "),
-    (b"title = " + b"1" * 5000, "not readable as TOML in UTF-8: "),
-    (b"a = " + b"[" * 20000, "not readable as TOML in UTF-8: "),
-    (b"#" * (MAX_BYTES + 1), f"too large: at most {MAX_BYTES} bytes are read"),
-    (b"", "questions: expected 1 to 50 tables"),
-])
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        (b"\xff\xfe\x00", "not readable as TOML in UTF-8: "),
+        (b"title = ", "not readable as TOML in UTF-8: "),
+        (b"title = " + b"1" * 5000, "not readable as TOML in UTF-8: "),
+        (b"a = " + b"[" * 20000, "not readable as TOML in UTF-8: "),
+        (b"#" * (MAX_BYTES + 1), f"too large: at most {MAX_BYTES} bytes are read"),
+        (b"", "questions: expected 1 to 50 tables"),
+    ],
+)
 def test_what_is_no_bank_is_refused(tmp_path: Path, content: bytes, problem: str) -> None:
     file = tmp_path / "bank.toml"
     file.write_bytes(content)
@@ -241,8 +352,13 @@ def test_what_is_no_bank_is_refused(tmp_path: Path, content: bytes, problem: str
 
 
 def test_a_bank_that_is_not_there_is_refused(tmp_path: Path) -> None:
-    for file, reason in ((tmp_path / "none.toml", "No such file or directory"), (tmp_path, "Is a directory")):
-        with pytest.raises(BankError, match=f"cannot be read: {reason}: give the path of a bank file"):
+    for file, reason in (
+        (tmp_path / "none.toml", "No such file or directory"),
+        (tmp_path, "Is a directory"),
+    ):
+        with pytest.raises(
+            BankError, match=f"cannot be read: {reason}: give the path of a bank file"
+        ):
             read_bank(file)
 
 
@@ -254,7 +370,10 @@ def test_an_editor_may_have_put_a_byte_order_mark(tmp_path: Path) -> None:
 
 def test_a_part_of_what_a_template_asks_and_points_shared_out(tmp_path: Path) -> None:
     (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = "velocity"\npoints = 8').questions
-    assert {ask.name: ask.points for ask in question.asks} == {"v_B": 5, "omega_AB": 3}  # weighed 3 to 2
+    assert {ask.name: ask.points for ask in question.asks} == {
+        "v_B": 5,
+        "omega_AB": 3,
+    }  # weighed 3 to 2
     (question,) = bank(tmp_path, HEAD + QUESTION + 'asks = "acceleration"').questions
     assert {ask.name: ask.points for ask in question.asks} == {"alpha_AB": 2, "a_B": 3}
 
@@ -271,7 +390,9 @@ def test_shipped_banks_are_sound_and_found_by_name(name: str) -> None:
         assert sum(question.points for question in exam.questions) == POINTS[name]
 
 
-def test_a_bank_is_found_by_path_or_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bank_is_found_by_path_or_by_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "demo").mkdir()  # a folder in the way is no bank
     assert bank_path(Path("demo")) == shipped("banks") / "demo.toml"
@@ -287,23 +408,40 @@ def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
     credit = 'credit = { follow-through = "1/3", wrong-unit = "50 %", mistakes = { coriolis-halved = 0.25 } }\n'
     found = bank(tmp_path, HEAD + credit + "solutions = true\n" + QUESTION)
     assert found.credit.alone == {"follow-through": Fraction(1, 3), "wrong-unit": Fraction(1, 2)}
-    assert found.credit.record() == {"follow-through": "1/3", "wrong-unit": "1/2",
-                                     "mistakes": {"coriolis-halved": "1/4"}}
+    assert found.credit.record() == {
+        "follow-through": "1/3",
+        "wrong-unit": "1/2",
+        "mistakes": {"coriolis-halved": "1/4"},
+    }
     assert found.solutions
     plain = bank(tmp_path, HEAD + QUESTION)
     assert (plain.credit.record(), plain.solutions) == ({}, False)
 
 
-@pytest.mark.parametrize(("written", "fault"), [
-    ('"half"', 'credit: expected a table like { follow-through = "1/2" }'),
-    ('{ follow-trough = 1 }', 'credit: unknown key "follow-trough": did you mean "follow-through"?'),
-    ('{ wrong-unit = 2 }', 'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not \'2\''),
-    ('{ wrong-unit = "1/0" }', 'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
-                               "not '1/0'"),
-    ('{ mistakes = 1 }', 'credit.mistakes: expected a table like { coriolis-halved = "1/2" }'),
-    ('{ mistakes = { coriolis-halfed = 1 } }', 'credit.mistakes: unknown mistake "coriolis-halfed": did you mean '
-                                               '"coriolis-halved"?'),
-])
+@pytest.mark.parametrize(
+    ("written", "fault"),
+    [
+        ('"half"', 'credit: expected a table like { follow-through = "1/2" }'),
+        (
+            "{ follow-trough = 1 }",
+            'credit: unknown key "follow-trough": did you mean "follow-through"?',
+        ),
+        (
+            "{ wrong-unit = 2 }",
+            'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not \'2\'',
+        ),
+        (
+            '{ wrong-unit = "1/0" }',
+            'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
+            "not '1/0'",
+        ),
+        ("{ mistakes = 1 }", 'credit.mistakes: expected a table like { coriolis-halved = "1/2" }'),
+        (
+            "{ mistakes = { coriolis-halfed = 1 } }",
+            'credit.mistakes: unknown mistake "coriolis-halfed": did you mean "coriolis-halved"?',
+        ),
+    ],
+)
 def test_faults_of_credit_are_told(tmp_path: Path, written: str, fault: str) -> None:
     (found,) = faults(tmp_path, f"{HEAD}credit = {written}\n{QUESTION}")
     assert found.startswith(fault)

@@ -13,7 +13,9 @@ def test_the_runs_are_the_dark_modules(code: str) -> None:
     mark = code_mark(code)
     dark = {(run.x + step, run.y) for run in mark.runs for step in range(run.length)}
     matrix = segno.make(code, error="m", micro=False, mask=PATTERN).matrix
-    assert dark == {(x, y) for y, row in enumerate(matrix) for x, module in enumerate(row) if module}
+    assert dark == {
+        (x, y) for y, row in enumerate(matrix) for x, module in enumerate(row) if module
+    }
     assert mark.size == len(matrix)
 
 
@@ -23,5 +25,8 @@ def test_the_three_corners_are_marked_and_runs_do_not_touch() -> None:
     tops = [(run.x, run.length) for run in mark.runs if run.y == 0]
     assert tops[0] == (0, 7)
     assert tops[-1] == (14, 7)
-    assert all(one.x + one.length < other.x for one, other in zip(mark.runs, mark.runs[1:], strict=False)
-               if one.y == other.y)
+    assert all(
+        one.x + one.length < other.x
+        for one, other in zip(mark.runs, mark.runs[1:], strict=False)
+        if one.y == other.y
+    )

@@ -27,20 +27,33 @@ def press() -> FeedbackPress:
     return FeedbackPress()
 
 
-def sheet_of(folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
-             ) -> FeedbackSheet:
+def sheet_of(
+    folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
+) -> FeedbackSheet:
     exam, marks = mark_class(folder, {"7": cells})
-    (_, sheet), = feedback_sheets(marks, exam, wording, language)  # type: ignore[arg-type]
+    ((_, sheet),) = feedback_sheets(marks, exam, wording, language)  # type: ignore[arg-type]
     return sheet
 
 
 def text_of(pdf: bytes) -> str:
-    return " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages).replace("\u200b", "")
+    return " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages).replace(
+        "\u200b", ""
+    )
 
 
-def test_a_sheet_is_printed_with_what_was_typed_and_what_is_right(tmp_path: Path, press: FeedbackPress) -> None:
+def test_a_sheet_is_printed_with_what_was_typed_and_what_is_right(
+    tmp_path: Path, press: FeedbackPress
+) -> None:
     text = text_of(press.feedback(sheet_of(tmp_path, ("-1.732", '#read("/etc/passwd")', "$x$"))))
-    for part in ("Student 7", "−1.732", "√3 ≈ 1.73205", "0 / 9.5", "the sign is opposite", "$x$", "not readable"):
+    for part in (
+        "Student 7",
+        "−1.732",
+        "√3 ≈ 1.73205",
+        "0 / 9.5",
+        "the sign is opposite",
+        "$x$",
+        "not readable",
+    ):
         assert part.replace("−1.732", "-1.732") in text
     assert '#read("/etc/passwd")' in text
 
@@ -54,8 +67,16 @@ def test_a_long_answer_stays_inside_its_column(tmp_path: Path, press: FeedbackPr
 def test_a_number_and_its_unit_stand_on_one_line(tmp_path: Path, press: FeedbackPress) -> None:
     sheet = sheet_of(tmp_path, RIGHT)
     question = sheet.questions[0]
-    rows = [replace(question.rows[0], right=f"{exact} ≈ 5.57615\u202fm/s²")
-            for exact in ("√3", "4√2 − 4√34", "4√2 − 4√34/289", "4√2 − 4√34/289 + √2", "4√2 − 4√34/289 + 23√2/17")]
+    rows = [
+        replace(question.rows[0], right=f"{exact} ≈ 5.57615\u202fm/s²")
+        for exact in (
+            "√3",
+            "4√2 − 4√34",
+            "4√2 − 4√34/289",
+            "4√2 − 4√34/289 + √2",
+            "4√2 − 4√34/289 + 23√2/17",
+        )
+    ]
     text = text_of(press.feedback(replace(sheet, questions=(replace(question, rows=tuple(rows)),))))
     assert len(re.findall(r"≈ 5\.57615\s?m/s²", text.replace("\n", "|"))) == len(rows)
 
@@ -94,23 +115,37 @@ def test_the_words_come_from_the_templates_of_the_exam(small_class: Path) -> Non
 
 
 def test_a_template_that_cannot_be_read_any_more_costs_its_words_only(tmp_path: Path) -> None:
-    head = {"language": "zh", "questions": [{"question": "q1", "template": "gone"}, {"question": "q2"}]}
+    head = {
+        "language": "zh",
+        "questions": [{"question": "q1", "template": "gone"}, {"question": "q2"}],
+    }
     (tmp_path / "exam.json").write_text(json.dumps(head), encoding="utf-8")
     wording = exam_wording(tmp_path, "en")
     assert (wording.titles, wording.symbols) == ({}, {})
     assert exam_language(tmp_path) == "zh"
     (tmp_path / "exam.json").write_text("[]", encoding="utf-8")
-    with pytest.raises(ExamError, match=r"exam.json: cannot be read \(TypeError\) - expected an exam folder made by"):
+    with pytest.raises(
+        ExamError,
+        match=r"exam.json: cannot be read \(TypeError\) - expected an exam folder made by",
+    ):
         exam_wording(tmp_path, "en")
 
 
-def test_a_whole_class_gets_its_sheets(small_class: Path, tmp_path: Path, press: FeedbackPress) -> None:
+def test_a_whole_class_gets_its_sheets(
+    small_class: Path, tmp_path: Path, press: FeedbackPress
+) -> None:
     from kinegrade.grading.grade import grade
 
     exam = small_class / "EXAM"
     grade(exam, exam / "answers.csv", tmp_path / "MARKS")
-    count = write_feedback(exam, tmp_path / "MARKS", tmp_path / "OUT", exam_wording(exam, "en"), press.feedback,
-                           language="en")
+    count = write_feedback(
+        exam,
+        tmp_path / "MARKS",
+        tmp_path / "OUT",
+        exam_wording(exam, "en"),
+        press.feedback,
+        language="en",
+    )
     sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())
     assert (count, sheets) == (4, sorted(path.name for path in (exam / "papers").iterdir()))
     assert "no answer" in text_of((tmp_path / "OUT" / "sheets" / sheets[0]).read_bytes())

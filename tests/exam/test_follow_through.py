@@ -15,13 +15,21 @@ from kinegrade.exam.follow_through import KEPT, FollowThrough
 from kinegrade.problem.library import shipped
 from tests.small_class import STUDENTS, key_lines
 
-GIVEN = {"r": "1", "k": "sqrt(3)", "phi": "60", "omega": "1", "alpha": "0"}  # omega_AB = 1/3, a_B = -2 omega_AB^2
+GIVEN = {
+    "r": "1",
+    "k": "sqrt(3)",
+    "phi": "60",
+    "omega": "1",
+    "alpha": "0",
+}  # omega_AB = 1/3, a_B = -2 omega_AB^2
 
 
 def line(student: str, given: Mapping[str, str] = GIVEN) -> str:
     parameters = {name: {"exact": text, "value": 0.0, "unit": "1"} for name, text in given.items()}
-    return json.dumps({"student": student, "questions": [{"question": "q1", "parameters": parameters}]},
-                      ensure_ascii=False)
+    return json.dumps(
+        {"student": student, "questions": [{"question": "q1", "parameters": parameters}]},
+        ensure_ascii=False,
+    )
 
 
 def write(folder: Path, *lines: str, template: str = "slider-crank") -> FollowThrough:
@@ -29,7 +37,9 @@ def write(folder: Path, *lines: str, template: str = "slider-crank") -> FollowTh
     (folder / "templates").mkdir()
     text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
     (folder / "templates" / "slider-crank.toml").write_text(text, encoding="utf-8")
-    (folder / "exam.json").write_text(json.dumps({"questions": [{"question": "q1", "template": template}]}))
+    (folder / "exam.json").write_text(
+        json.dumps({"questions": [{"question": "q1", "template": template}]})
+    )
     (folder / "key.jsonl").write_bytes("\n".join(lines).encode())
     return FollowThrough(folder)
 
@@ -58,20 +68,34 @@ def test_what_follows_is_of_the_student_s_own_numbers(tmp_path: Path) -> None:
     assert list(follow.beginnings) == ["王伟", "0012", "=2"]
 
 
-@pytest.mark.parametrize(("own", "later"), [
-    ({}, "a_B"), ({"v_B": Fraction(5)}, "a_B"), ({"omega_AB": Fraction(1, 2)}, "v_B"),
-    ({"omega_AB": Fraction(0)}, "a_B"), ({"omega_XY": Fraction(1)}, "a_B"), ({"omega_AB": Fraction(1)}, "a_XY"),
-])
+@pytest.mark.parametrize(
+    ("own", "later"),
+    [
+        ({}, "a_B"),
+        ({"v_B": Fraction(5)}, "a_B"),
+        ({"omega_AB": Fraction(1, 2)}, "v_B"),
+        ({"omega_AB": Fraction(0)}, "a_B"),
+        ({"omega_XY": Fraction(1)}, "a_B"),
+        ({"omega_AB": Fraction(1)}, "a_XY"),
+    ],
+)
 def test_where_nothing_follows(tmp_path: Path, own: Mapping[str, Fraction], later: str) -> None:
     assert write(tmp_path, line("007"))("007", "q1", own, later) is None
 
 
-@pytest.mark.parametrize(("student", "content", "template"), [
-    ("008", line("007"), "slider-crank"), ("007", line("007", {"r": "1"}), "slider-crank"),
-    ("007", '{"student": "007", "questions": []}', "slider-crank"), ("007", '{"student": "007"}', "slider-crank"),
-    ("007", line("007"), "slider-clank"), ("007", line("007", {**GIVEN, "k": "1/10"}), "slider-crank"),
-    ("007", line("007", {**GIVEN, "k": "k"}), "slider-crank"), ("None", "[7]", "slider-crank"),
-])
+@pytest.mark.parametrize(
+    ("student", "content", "template"),
+    [
+        ("008", line("007"), "slider-crank"),
+        ("007", line("007", {"r": "1"}), "slider-crank"),
+        ("007", '{"student": "007", "questions": []}', "slider-crank"),
+        ("007", '{"student": "007"}', "slider-crank"),
+        ("007", line("007"), "slider-clank"),
+        ("007", line("007", {**GIVEN, "k": "1/10"}), "slider-crank"),
+        ("007", line("007", {**GIVEN, "k": "k"}), "slider-crank"),
+        ("None", "[7]", "slider-crank"),
+    ],
+)
 def test_what_is_not_there_any_more_costs_follow_through_only(
     tmp_path: Path, student: str, content: str, template: str
 ) -> None:
@@ -90,14 +114,22 @@ def test_only_lines_asked_about_are_read_and_few_are_kept(tmp_path: Path) -> Non
     assert len(follow.instances) == KEPT
     with pytest.raises(ExamError) as caught:
         a_B(follow, "broken")
-    assert str(caught.value).startswith(f"{tmp_path / 'key.jsonl'}: cannot be read (JSONDecodeError) - expected")
+    assert str(caught.value).startswith(
+        f"{tmp_path / 'key.jsonl'}: cannot be read (JSONDecodeError) - expected"
+    )
 
 
-@pytest.mark.parametrize(("name", "content", "reason"), [
-    ("key.jsonl", None, "FileNotFoundError"), ("key.jsonl", "broken", "JSONDecodeError"),
-    ("exam.json", None, "FileNotFoundError"), ("exam.json", "{", "JSONDecodeError"), ("exam.json", "{}", "KeyError"),
-    ("exam.json", '{"questions": 7}', "TypeError"),
-])
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        ("key.jsonl", None, "FileNotFoundError"),
+        ("key.jsonl", "broken", "JSONDecodeError"),
+        ("exam.json", None, "FileNotFoundError"),
+        ("exam.json", "{", "JSONDecodeError"),
+        ("exam.json", "{}", "KeyError"),
+        ("exam.json", '{"questions": 7}', "TypeError"),
+    ],
+)
 def test_an_exam_that_cannot_be_read_is_refused(
     tmp_path: Path, name: str, content: str | None, reason: str
 ) -> None:
@@ -107,8 +139,10 @@ def test_an_exam_that_cannot_be_read_is_refused(
         (tmp_path / name).write_text(content)
     with pytest.raises(ExamError) as caught:
         a_B(follow, "007")
-    assert str(caught.value) == (f"{tmp_path / name}: cannot be read ({reason}) - expected an exam folder made by "
-                                 "kinegrade generate - restore it as it was generated")
+    assert str(caught.value) == (
+        f"{tmp_path / name}: cannot be read ({reason}) - expected an exam folder made by "
+        "kinegrade generate - restore it as it was generated"
+    )
 
 
 def test_what_follows_does_not_depend_on_who_was_asked_about_before(tmp_path: Path) -> None:
@@ -121,5 +155,9 @@ def test_what_follows_does_not_depend_on_who_was_asked_about_before(tmp_path: Pa
 
 def test_the_order_of_the_plan(tmp_path: Path) -> None:
     follow = write(tmp_path, line("007"))
-    assert follow.in_plan_order("q1", ("a_B", "alpha_AB", "omega_AB")) == ("omega_AB", "a_B", "alpha_AB")
+    assert follow.in_plan_order("q1", ("a_B", "alpha_AB", "omega_AB")) == (
+        "omega_AB",
+        "a_B",
+        "alpha_AB",
+    )
     assert follow.in_plan_order("q9", ("a_B", "omega_AB")) == ("a_B", "omega_AB")

@@ -29,7 +29,10 @@ def write(folder: Path, name: str, *changes: tuple[str, str]) -> Path:
 
 def pages(file: Path) -> list[str]:
     """The text of each page, on one line."""
-    return [" ".join(page.extract_text().split()) for page in PdfReader(BytesIO(file.read_bytes())).pages]
+    return [
+        " ".join(page.extract_text().split())
+        for page in PdfReader(BytesIO(file.read_bytes())).pages
+    ]
 
 
 def gallery(folder: Path, *arguments: str | Path) -> tuple[int, str, list[str]]:
@@ -61,26 +64,35 @@ def test_templates_are_grouped_by_family_and_pages_numbered(tmp_path: Path) -> N
     assert (status, complaints) == (0, "")
     text = " ".join(sheets)
     families = sorted({family for name, family, _ in rows if name in few})
-    members = [name for family in families for name, own, _ in rows if own == family and name in few]
+    members = [
+        name for family in families for name, own, _ in rows if own == family and name in few
+    ]
     places = [re.search(rf"{name} +Asked", text) for name in members]
     starts = [place.start() for place in places if place is not None]
     assert len(starts) == len(few)
     assert starts == sorted(starts)
-    assert all(f"page {number} of {len(sheets)}" in page for number, page in enumerate(sheets, start=1))
+    assert all(
+        f"page {number} of {len(sheets)}" in page for number, page in enumerate(sheets, start=1)
+    )
 
 
 def test_the_draws_are_as_many_as_asked_for_and_the_same_every_time(tmp_path: Path) -> None:
     _, _, (one,) = gallery(tmp_path, "slider-crank", "--draws", "1")
     first = (tmp_path / "gallery.pdf").read_bytes()
     _, _, (five,) = gallery(tmp_path, "slider-crank", "--draws", "5")
-    assert (one.count("rad/s"), five.count("rad/s")) == (2, 10)  # angular velocity and acceleration of the crank
+    assert (one.count("rad/s"), five.count("rad/s")) == (
+        2,
+        10,
+    )  # angular velocity and acceleration of the crank
     gallery(tmp_path, "slider-crank", "slider-crank", "--draws", "1")
     assert (tmp_path / "gallery.pdf").read_bytes() == first
 
 
 def test_a_long_title_wraps_and_math_in_it_is_set(tmp_path: Path) -> None:
     words = " ".join(f"word{number}" for number in range(30))
-    path = write(tmp_path, "long", ('en = "Crank and slotted rocker"', f'en = "{words} $\\\\omega_1$"'))
+    path = write(
+        tmp_path, "long", ('en = "Crank and slotted rocker"', f'en = "{words} $\\\\omega_1$"')
+    )
     status, _, (page,) = gallery(tmp_path, path)
     assert status == 0
     assert words in page
@@ -100,25 +112,33 @@ def test_a_template_that_cannot_be_drawn_is_shown_with_the_reason(tmp_path: Path
 def test_a_template_that_cannot_be_read_or_printed_spoils_nothing(tmp_path: Path) -> None:
     files = (
         write(tmp_path, "unread", ("[bodies]", "[wheels]")),
-        write(tmp_path, "formula", ('en = "Crank and slotted rocker"', 'en = "Rocker $\\\\nosuch$"')),
+        write(
+            tmp_path, "formula", ('en = "Crank and slotted rocker"', 'en = "Rocker $\\\\nosuch$"')
+        ),
         write(tmp_path, "glyph", ('en = "Crank and slotted rocker"', 'en = "Rocker 😀"')),
         write(tmp_path, "key", ("tags = []", '"😀" = 1')),
     )
     status, complaints, (page,) = gallery(tmp_path, *files, "slider-crank")
     assert status == 1
     for reason in (
-        "unread.toml: unknown table or key 'wheels'", "formula, title: formula $\\nosuch$: unknown command",
-        "glyph: no font prints [U+1F600]", "key.toml: unknown table or key '[U+1F600]'",
+        "unread.toml: unknown table or key 'wheels'",
+        "formula, title: formula $\\nosuch$: unknown command",
+        "glyph: no font prints [U+1F600]",
+        "key.toml: unknown table or key '[U+1F600]'",
     ):
         assert f"complaint: {reason}" in complaints
         assert reason in page
-    assert page.index("Slider-crank mechanism") < page.index("Templates that cannot be read or printed")
+    assert page.index("Slider-crank mechanism") < page.index(
+        "Templates that cannot be read or printed"
+    )
 
 
 def test_nothing_to_show_is_a_refusal_and_writes_nothing(tmp_path: Path) -> None:
     result = kinegrade("gallery", "slider-krank", "-o", tmp_path / "gallery.pdf")
     assert result.exit_code == 2
-    assert result.stderr.startswith('error: no template "slider-krank": did you mean "slider-crank"?')
+    assert result.stderr.startswith(
+        'error: no template "slider-krank": did you mean "slider-crank"?'
+    )
     assert list(tmp_path.iterdir()) == []
 
 

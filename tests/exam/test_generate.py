@@ -31,8 +31,17 @@ from tests.small_class import (
 )
 
 FILES = ["007.pdf", "0012.pdf", "a%2Fb.pdf", "%3D2.pdf"]
-TOP = ["INSTRUCTOR-ONLY.txt", "answers.csv", "bank.toml", "exam.json", "key.jsonl", "key.pdf", "papers", "papers.pdf",
-       "templates"]
+TOP = [
+    "INSTRUCTOR-ONLY.txt",
+    "answers.csv",
+    "bank.toml",
+    "exam.json",
+    "key.jsonl",
+    "key.pdf",
+    "papers",
+    "papers.pdf",
+    "templates",
+]
 
 
 @pytest.fixture
@@ -66,13 +75,18 @@ def test_the_folder_holds_what_it_promises_and_nothing_else(exam: Path) -> None:
     assert sorted(entry.name for entry in exam.iterdir()) == TOP
     assert sorted(entry.name for entry in (exam / "papers").iterdir()) == sorted(FILES)
     assert sorted(entry.name for entry in (exam / "templates").iterdir()) == [
-        "bar-through-swivelling-sleeve.toml", "crank.toml", "slider-crank.toml"]
+        "bar-through-swivelling-sleeve.toml",
+        "crank.toml",
+        "slider-crank.toml",
+    ]
     assert "instructor only" in (exam / "INSTRUCTOR-ONLY.txt").read_text(encoding="utf-8")
 
 
 def test_the_sources_are_kept_as_they_were(small_class: Path, exam: Path) -> None:
     assert (exam / "bank.toml").read_bytes() == (small_class / "bank.toml").read_bytes()
-    assert (exam / "templates" / "crank.toml").read_bytes() == (small_class / "crank.toml").read_bytes()
+    assert (exam / "templates" / "crank.toml").read_bytes() == (
+        small_class / "crank.toml"
+    ).read_bytes()
 
 
 def test_a_shared_mechanism_is_kept_so_that_the_folder_stands_alone(folder: Path) -> None:
@@ -82,7 +96,11 @@ def test_a_shared_mechanism_is_kept_so_that_the_folder_stands_alone(folder: Path
     assert generate(folder).exit_code == 0
     templates = folder / "EXAM" / "templates"
     kept = sorted(path.relative_to(templates).as_posix() for path in templates.rglob("*.toml"))
-    assert kept == ["mechanisms/four-bar-with-coupler.toml", "pole-four-bar-coupler.toml", "pose-four-bar-coupler.toml"]
+    assert kept == [
+        "mechanisms/four-bar-with-coupler.toml",
+        "pole-four-bar-coupler.toml",
+        "pose-four-bar-coupler.toml",
+    ]
     assert all(load_template(name, templates) == load_template(name) for name in names)
 
 
@@ -91,28 +109,61 @@ def test_two_mechanisms_of_one_name_are_refused(folder: Path) -> None:
     text = (own / "pose-four-bar-coupler.toml").read_text(encoding="utf-8")
     shared = (own / "mechanisms" / "four-bar-with-coupler.toml").read_text(encoding="utf-8")
     (folder / "mechanisms").mkdir()
-    (folder / "mechanisms" / "four-bar-with-coupler.toml").write_text(shared + "# mine\n", encoding="utf-8")
+    (folder / "mechanisms" / "four-bar-with-coupler.toml").write_text(
+        shared + "# mine\n", encoding="utf-8"
+    )
     (folder / "mine.toml").write_text(text, encoding="utf-8")
-    entries = "".join(f'[[questions]]\ntemplate = "{name}"\n' for name in ("mine.toml", "pole-four-bar-coupler"))
+    entries = "".join(
+        f'[[questions]]\ntemplate = "{name}"\n' for name in ("mine.toml", "pole-four-bar-coupler")
+    )
     (folder / "bank.toml").write_text('title = "T"\ncourse = "C"\n' + entries, encoding="utf-8")
-    assert refused(folder) == ["error: bank: templates of this bank share two different mechanisms named "
-                               '"four-bar-with-coupler": rename one file']
+    assert refused(folder) == [
+        "error: bank: templates of this bank share two different mechanisms named "
+        '"four-bar-with-coupler": rename one file'
+    ]
 
 
 def test_exam_json_says_who_got_what(exam: Path) -> None:
     record = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
     assert list(record) == [
-        "format", "kinegrade", "warning", "title", "course", "date", "language", "seed", "questions", "students"]
-    assert (record["format"], record["title"], record["date"], record["seed"]) == (1, "Midterm", "2026-05-01", "spring")
-    assert [(entry["student"], entry["name"], entry["email"], entry["file"]) for entry in record["students"]] == [
-        ("007", "王伟", "wei@example.org", "papers/007.pdf"), ("0012", "O'Neil, Zoë", "", "papers/0012.pdf"),
-        ("a/b", "=HYPERLINK(1)", "", "papers/a%2Fb.pdf"), ("=2", "Ann", "", "papers/%3D2.pdf")]
+        "format",
+        "kinegrade",
+        "warning",
+        "title",
+        "course",
+        "date",
+        "language",
+        "seed",
+        "questions",
+        "students",
+    ]
+    assert (record["format"], record["title"], record["date"], record["seed"]) == (
+        1,
+        "Midterm",
+        "2026-05-01",
+        "spring",
+    )
+    assert [
+        (entry["student"], entry["name"], entry["email"], entry["file"])
+        for entry in record["students"]
+    ] == [
+        ("007", "王伟", "wei@example.org", "papers/007.pdf"),
+        ("0012", "O'Neil, Zoë", "", "papers/0012.pdf"),
+        ("a/b", "=HYPERLINK(1)", "", "papers/a%2Fb.pdf"),
+        ("=2", "Ann", "", "papers/%3D2.pdf"),
+    ]
     assert record["students"][0]["paper"] == "WJPK-SNPQ"
     q1, q2, q3 = record["questions"]
-    assert (q1["question"], q1["template"], q1["points"], q1["combinations"]) == ("q1", "slider-crank", 5.5, 21780)
+    assert (q1["question"], q1["template"], q1["points"], q1["combinations"]) == (
+        "q1",
+        "slider-crank",
+        5.5,
+        21780,
+    )
     assert q1["asks"] == [
         {"ask": "v_B", "unit": "m/s", "sign": "magnitude, not negative", "points": 3},
-        {"ask": "a_B", "unit": "m/s^2", "sign": "positive in the direction of $+x$", "points": 2.5}]
+        {"ask": "a_B", "unit": "m/s^2", "sign": "positive in the direction of $+x$", "points": 2.5},
+    ]
     assert (q2["combinations"], q3["points"]) == (9, 7)
 
 
@@ -124,13 +175,27 @@ def test_key_lines_have_the_promised_shape(exam: Path) -> None:
         assert len(line["questions"]) == 3
         for question in line["questions"]:
             assert list(question) == ["question", "template", "parameters", "asks"]
-            assert all(list(entry) == ["exact", "value", "unit"] for entry in question["parameters"].values())
+            assert all(
+                list(entry) == ["exact", "value", "unit"]
+                for entry in question["parameters"].values()
+            )
             for name, entry in question["asks"].items():
                 mistakes = [] if name == "v_x" else ["mistakes"]  # which is zero whatever one does
-                assert list(entry) == ["exact", "value", "unit", "decimal", "tolerance", "points", *mistakes]
+                assert list(entry) == [
+                    "exact",
+                    "value",
+                    "unit",
+                    "decimal",
+                    "tolerance",
+                    "points",
+                    *mistakes,
+                ]
                 assert list(entry["tolerance"]) == ["relative", "absolute"]
     assert asks_of(exam)["007", "q1.a_B"]["points"] == 2.5
-    assert asks_of(exam)["007", "q3.omega_AB"]["tolerance"] == {"relative": 0.005, "absolute": 0.001}
+    assert asks_of(exam)["007", "q3.omega_AB"]["tolerance"] == {
+        "relative": 0.005,
+        "absolute": 0.001,
+    }
     assert asks_of(exam)["007", "q2.v_y"]["tolerance"] == {"relative": 0, "absolute": 0.25}
 
 
@@ -138,7 +203,9 @@ def test_exact_texts_of_the_key_read_back_to_their_decimals(exam: Path) -> None:
     arithmetic = Balls(400)
     with arithmetic.context():
         for ask in asks_of(exam).values():
-            number = evaluate(read(ask["exact"]), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
+            number = evaluate(
+                read(ask["exact"]), {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic
+            )
             read_back, kept = Fraction(decimal_text(number, 40)), Fraction(ask["decimal"])
             assert abs(read_back - kept) <= abs(kept) / 10**35
             assert ask["value"] == float(kept)
@@ -156,11 +223,20 @@ def test_zero_answers_carry_an_absolute_tolerance(exam: Path) -> None:
 def test_grading_reads_the_exam(exam: Path) -> None:
     known = read_exam(exam)
     assert [examinee.student for examinee in known.examinees] == list(STUDENTS)
-    assert [ask.column for ask in known.asks] == ["q1.v_B", "q1.a_B", "q2.v_x", "q2.v_y", "q3.omega_AB", "q3.alpha_AB"]
+    assert [ask.column for ask in known.asks] == [
+        "q1.v_B",
+        "q1.a_B",
+        "q2.v_x",
+        "q2.v_y",
+        "q3.omega_AB",
+        "q3.alpha_AB",
+    ]
     for examinee in known.examinees:
         for column, key in examinee.keys.items():
             ask = asks_of(exam)[examinee.student, column]
-            relative, absolute = (Fraction(str(ask["tolerance"][name])) for name in ("relative", "absolute"))
+            relative, absolute = (
+                Fraction(str(ask["tolerance"][name])) for name in ("relative", "absolute")
+            )
             assert key.tolerance == max(relative * abs(key.value), absolute) > 0
 
 
@@ -168,7 +244,16 @@ def test_the_answer_sheet_is_blank_and_runs_nothing(exam: Path) -> None:
     rows = table(exam / "answers.csv")
     assert [row["student"] for row in rows] == list(STUDENTS)
     assert [row["name"] for row in rows] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)", "Ann"]
-    assert list(rows[0]) == ["student", "name", "q1.v_B", "q1.a_B", "q2.v_x", "q2.v_y", "q3.omega_AB", "q3.alpha_AB"]
+    assert list(rows[0]) == [
+        "student",
+        "name",
+        "q1.v_B",
+        "q1.a_B",
+        "q2.v_x",
+        "q2.v_y",
+        "q3.omega_AB",
+        "q3.alpha_AB",
+    ]
     assert all(value == "" for row in rows for name, value in row.items() if "." in name)
 
 
@@ -183,27 +268,37 @@ def test_papers_are_pdf_in_print_order_and_do_not_name_the_secret(exam: Path) ->
             assert not pdf.attachments
             assert "spring" not in str(dict(pdf.docinfo))
     with pikepdf.open(exam / "papers.pdf") as whole:
-        assert len(whole.pages) == sum(count + count % 2 for count in pages)  # each begins on a sheet of its own
+        assert len(whole.pages) == sum(
+            count + count % 2 for count in pages
+        )  # each begins on a sheet of its own
 
 
 def test_the_text_of_a_paper_does_not_hold_its_answers(exam: Path) -> None:
     answers = asks_of(exam)
     for student, name in zip(STUDENTS, FILES, strict=True):
-        text = "".join("".join(page.extract_text() for page in PdfReader(exam / "papers" / name).pages).split())
+        text = "".join(
+            "".join(page.extract_text() for page in PdfReader(exam / "papers" / name).pages).split()
+        )
         assert student in text
-        digits = [ask["decimal"].lstrip("-")[:6] for (who, _), ask in answers.items() if who == student]
+        digits = [
+            ask["decimal"].lstrip("-")[:6] for (who, _), ask in answers.items() if who == student
+        ]
         telling = [decimal for decimal in digits if len(decimal) == 6]
         assert telling
         assert not [decimal for decimal in telling if decimal in text]
 
 
-def test_the_same_seed_gives_the_same_bytes_another_seed_other_numbers(folder: Path, exam: Path) -> None:
+def test_the_same_seed_gives_the_same_bytes_another_seed_other_numbers(
+    folder: Path, exam: Path
+) -> None:
     assert generate(folder).exit_code == 0
     assert contents(folder / "EXAM") == contents(exam)
     assert generate(folder, "OTHER", "--seed", "autumn").exit_code == 0
     ours, others = key_lines(exam), key_lines(folder / "OTHER")
-    assert all(one["questions"] != other["questions"] and one["paper"] != other["paper"]
-               for one, other in zip(ours, others, strict=True))
+    assert all(
+        one["questions"] != other["questions"] and one["paper"] != other["paper"]
+        for one, other in zip(ours, others, strict=True)
+    )
 
 
 def test_chinese_papers_have_the_same_key(folder: Path, exam: Path) -> None:
@@ -215,7 +310,9 @@ def test_chinese_papers_have_the_same_key(folder: Path, exam: Path) -> None:
 
 def test_a_seed_is_made_and_printed_if_none_is_given(folder: Path) -> None:
     (folder / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
-    result = kinegrade("generate", folder / "bank.toml", folder / "roster.csv", "-o", folder / "EXAM")
+    result = kinegrade(
+        "generate", folder / "bank.toml", folder / "roster.csv", "-o", folder / "EXAM"
+    )
     assert result.exit_code == 0
     (seed,) = re.findall(r"^seed: ([0-9a-f]{16})$", result.stderr, re.MULTILINE)
     assert json.loads((folder / "EXAM" / "exam.json").read_text(encoding="utf-8"))["seed"] == seed
@@ -241,13 +338,16 @@ def test_an_existing_folder_is_kept_unless_it_is_kinegrades_own(folder: Path) ->
     assert "was not written by kinegrade" in generate(folder, "thesis", "--force").stderr
 
 
-@pytest.mark.parametrize(("roster", "fault"), [
-    ("student,name\n1,Ann\n1,Bob\n", 'student id "1" stands on lines 2 and 3'),
-    ("who,name\n1,Ann\n", 'no column "student"'),
-    ("student,name\n,Ann\n", 'no student id ("Ann")'),
-    ("student,name\n", "has no students"),
-    ("", "is empty"),
-])
+@pytest.mark.parametrize(
+    ("roster", "fault"),
+    [
+        ("student,name\n1,Ann\n1,Bob\n", 'student id "1" stands on lines 2 and 3'),
+        ("who,name\n1,Ann\n", 'no column "student"'),
+        ("student,name\n,Ann\n", 'no student id ("Ann")'),
+        ("student,name\n", "has no students"),
+        ("", "is empty"),
+    ],
+)
 def test_a_faulty_roster_is_refused(folder: Path, roster: str, fault: str) -> None:
     (folder / "roster.csv").write_text(roster, encoding="utf-8")
     (line,) = refused(folder)
@@ -256,21 +356,28 @@ def test_a_faulty_roster_is_refused(folder: Path, roster: str, fault: str) -> No
 
 
 def test_an_unknown_template_is_refused(folder: Path) -> None:
-    (folder / "bank.toml").write_text(BANK.replace('"slider-crank"', '"slider-crnk"'), encoding="utf-8")
+    (folder / "bank.toml").write_text(
+        BANK.replace('"slider-crank"', '"slider-crnk"'), encoding="utf-8"
+    )
     (line,) = refused(folder)
     assert 'questions[1].template: no template "slider-crnk": did you mean "slider-crank"?' in line
 
 
 def test_a_draw_that_fails_in_the_middle_leaves_nothing(folder: Path) -> None:
-    with_crank(folder, '[[questions]]\ntemplate = "slider-crank"\n[[questions]]\ntemplate = "crank.toml"\n')
+    with_crank(
+        folder, '[[questions]]\ntemplate = "slider-crank"\n[[questions]]\ntemplate = "crank.toml"\n'
+    )
     (line,) = refused(folder)  # two sound instances for four students
     assert line.startswith("error: q2 (crank): no acceptable instance for student a/b in 400 draws")
     assert line.endswith("widen the domains; 18 combinations are drawable")
 
 
 def test_a_page_that_cannot_be_typeset_leaves_nothing(folder: Path) -> None:
-    with_crank(folder, '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [2, 3, 4] }\n',
-               ("above $O$.", r"above $\nonsense{O}$."))
+    with_crank(
+        folder,
+        '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [2, 3, 4] }\n',
+        ("above $O$.", r"above $\nonsense{O}$."),
+    )
     (line,) = refused(folder)
     assert "q1, statement" in line
     assert "nonsense" in line
@@ -280,7 +387,10 @@ def test_a_name_that_no_font_prints_does_not_stop_an_exam(folder: Path) -> None:
     (folder / "roster.csv").write_text(ROSTER.replace("王伟", "😀 王"), encoding="utf-8")
     result = generate(folder)
     assert result.exit_code == 1
-    assert "complaint: 007: the name has characters that no font prints, they stand as code points" in result.stderr
+    assert (
+        "complaint: 007: the name has characters that no font prints, they stand as code points"
+        in result.stderr
+    )
     assert sorted(entry.name for entry in (folder / "EXAM" / "papers").iterdir()) == sorted(FILES)
 
 

@@ -35,7 +35,14 @@ NAMES = [
     "O'Brien, \"Zoë\" <a> --- `b' [c] |d|",
     "Łukasz Żółć, Ştefan Ğül",
 ]
-FAR_NAMES = ["Đặng Thị Hồng", "欧阳修远", "张喆 堃玥珺翀昇祎骉䶮", "Юлия", "Αγαπη", "\u202eabc\u200b"]
+FAR_NAMES = [
+    "Đặng Thị Hồng",
+    "欧阳修远",
+    "张喆 堃玥珺翀昇祎骉䶮",
+    "Юлия",
+    "Αγαπη",
+    "\u202eabc\u200b",
+]
 
 
 def pages_of(pdf: Path) -> list[str]:
@@ -43,7 +50,9 @@ def pages_of(pdf: Path) -> list[str]:
     return ["".join((page.extract_text() or "").split()) for page in PdfReader(pdf).pages]
 
 
-def printed(papers: Mapping[str, Paper], folder: Path, press: LatexPress | None = None) -> dict[str, list[str]]:
+def printed(
+    papers: Mapping[str, Paper], folder: Path, press: LatexPress | None = None
+) -> dict[str, list[str]]:
     (press or LatexPress()).papers(papers, folder)
     return {name: pages_of(folder / f"{name}.pdf") for name in papers}
 
@@ -53,25 +62,50 @@ def seen(text: str) -> str:
 
 
 @pytest.mark.parametrize("names", [NAMES, FAR_NAMES], ids=["pdflatex", "xelatex"])
-def test_names_are_printed_as_they_are_and_each_file_holds_one_student(names: list[str], tmp_path: Path) -> None:
-    papers = {f"s{index}": replace(ENGLISH, name=name, code=f"CODE-{index}") for index, name in enumerate(names)}
-    for index, ((page,), name) in enumerate(zip(printed(papers, tmp_path).values(), names, strict=True)):
+def test_names_are_printed_as_they_are_and_each_file_holds_one_student(
+    names: list[str], tmp_path: Path
+) -> None:
+    papers = {
+        f"s{index}": replace(ENGLISH, name=name, code=f"CODE-{index}")
+        for index, name in enumerate(names)
+    }
+    for index, ((page,), name) in enumerate(
+        zip(printed(papers, tmp_path).values(), names, strict=True)
+    ):
         assert seen(name) in page
         assert [other for other in range(len(names)) if f"CODE-{other}" in page] == [index]
 
 
 def test_plain_text_never_becomes_a_command(tmp_path: Path) -> None:
     code = r"\jobname#1%\x00" + "\0\n\\par"
-    hostile = replace(ENGLISH, course=code, title=code, date=code, student=code, name=code, code=code)
+    hostile = replace(
+        ENGLISH, course=code, title=code, date=code, student=code, name=code, code=code
+    )
     ((page,),) = printed({"s": hostile}, tmp_path).values()
-    assert page.count(seen(code.replace("\0", ""))) == 7  # student, course and code also run on the page
+    assert (
+        page.count(seen(code.replace("\0", ""))) == 7
+    )  # student, course and code also run on the page
 
 
 @pytest.mark.parametrize(
     ("paper", "expected"),
     [
-        (replace(ENGLISH, name="Zoë"), ["Midtermexamination", "7points", "A-0001", "page1of1", "clockwise"]),
-        (CHINESE, ["理论力学", "欧阳修远", "7分", "试卷编号A-0001", "第1页，共1页", "“图示瞬时”", "向右为正"]),
+        (
+            replace(ENGLISH, name="Zoë"),
+            ["Midtermexamination", "7points", "A-0001", "page1of1", "clockwise"],
+        ),
+        (
+            CHINESE,
+            [
+                "理论力学",
+                "欧阳修远",
+                "7分",
+                "试卷编号A-0001",
+                "第1页，共1页",
+                "“图示瞬时”",
+                "向右为正",
+            ],
+        ),
     ],
 )
 def test_the_page_says_everything_in_the_same_bytes_every_time(
@@ -107,10 +141,15 @@ def test_letter_paper_is_wider_than_a4(tmp_path: Path) -> None:
 
 def test_a_question_stays_on_one_page_unless_it_is_longer(tmp_path: Path) -> None:
     tall = replace(ENGLISH_QUESTION, rows=ENGLISH_QUESTION.rows[:1] * 11)
-    long = replace(ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120)))
+    long = replace(
+        ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120))
+    )
     questions = tuple(replace(tall, number=number) for number in (1, 2, 3))
     paper = replace(ENGLISH, name="Zoë")
-    papers = {"tall": replace(paper, questions=questions), "long": replace(paper, questions=(long,))}
+    papers = {
+        "tall": replace(paper, questions=questions),
+        "long": replace(paper, questions=(long,)),
+    }
     pages = printed(papers, tmp_path)
     assert [page.count("Youranswer") for page in pages["tall"]] == [1, 1, 1]
     assert ["page1of3" in pages["tall"][0], "page3of3" in pages["tall"][2]] == [True, True]
@@ -118,9 +157,17 @@ def test_a_question_stays_on_one_page_unless_it_is_longer(tmp_path: Path) -> Non
 
 
 def test_a_figure_takes_its_room_beside_and_below_the_text(tmp_path: Path) -> None:
-    figures = {name: Scene(width, 200.0, 1.0, ()) for name, width in (("beside", 60.0), ("below", 120.0))}
-    papers = {name: replace(ENGLISH, name="Z", questions=(ENGLISH_QUESTION, replace(ENGLISH_QUESTION, figure=figure)))
-              for name, figure in figures.items()}
+    figures = {
+        name: Scene(width, 200.0, 1.0, ()) for name, width in (("beside", 60.0), ("below", 120.0))
+    }
+    papers = {
+        name: replace(
+            ENGLISH,
+            name="Z",
+            questions=(ENGLISH_QUESTION, replace(ENGLISH_QUESTION, figure=figure)),
+        )
+        for name, figure in figures.items()
+    }
     assert [len(pages) for pages in printed(papers, tmp_path).values()] == [2, 2]
 
 
@@ -142,12 +189,19 @@ def test_a_character_without_a_font_elsewhere_is_refused(tmp_path: Path) -> None
 
 
 def test_what_tex_refuses_is_named_by_paper_question_template_and_line(tmp_path: Path) -> None:
-    question = replace(ENGLISH_QUESTION, identifier="q2", statement=r"As $a^b^c$.", template="slider-crank")
-    papers = {"s": replace(ENGLISH, name="Zoë"), "t": replace(ENGLISH, code="K7Q2-9FHM", questions=(question,))}
+    question = replace(
+        ENGLISH_QUESTION, identifier="q2", statement=r"As $a^b^c$.", template="slider-crank"
+    )
+    papers = {
+        "s": replace(ENGLISH, name="Zoë"),
+        "t": replace(ENGLISH, code="K7Q2-9FHM", questions=(question,)),
+    }
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers(papers, tmp_path)
     (problem,) = refusal.value.problems
-    assert problem.startswith("paper K7Q2-9FHM, q2 (slider-crank): TeX: Double superscript in line ")
+    assert problem.startswith(
+        "paper K7Q2-9FHM, q2 (slider-crank): TeX: Double superscript in line "
+    )
     assert r"a^b^c" in problem
     assert problem.endswith("; expected math that can be typeset; mend the formula in the template")
     assert list(tmp_path.iterdir()) == []
@@ -155,21 +209,42 @@ def test_what_tex_refuses_is_named_by_paper_question_template_and_line(tmp_path:
 
 def test_all_faults_of_all_papers_are_told_at_once(tmp_path: Path) -> None:
     question = replace(ENGLISH_QUESTION, title="# a `b`", statement=r"$\foo$", figure=None)
-    paper = replace(ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2")))
+    paper = replace(
+        ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2"))
+    )
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers({"s": paper, "t": replace(ENGLISH, questions=(question,))}, tmp_path)
-    wheres = [problem.split(":")[0].removeprefix("paper A-0001, ") for problem in refusal.value.problems]
-    assert wheres == ["rules", "q1, title", "q1, statement", "q2, title", "q2, statement", "q1, title", "q1, statement"]
+    wheres = [
+        problem.split(":")[0].removeprefix("paper A-0001, ") for problem in refusal.value.problems
+    ]
+    assert wheres == [
+        "rules",
+        "q1, title",
+        "q1, statement",
+        "q2, title",
+        "q2, statement",
+        "q1, title",
+        "q1, statement",
+    ]
 
 
 def test_worked_solutions(tmp_path: Path) -> None:
     broad = replace(ENGLISH_SOLUTION.questions[0], blocks=(long_equation(11),))
-    sheets = {"en": ENGLISH_SOLUTION, "zh": CHINESE_SOLUTION, "long": replace(ENGLISH_SOLUTION, questions=(broad,))}
+    sheets = {
+        "en": ENGLISH_SOLUTION,
+        "zh": CHINESE_SOLUTION,
+        "long": replace(ENGLISH_SOLUTION, questions=(broad,)),
+    }
     LatexPress().solutions(sheets, tmp_path)
     pages = {name: "".join(pages_of(tmp_path / f"{name}.pdf")) for name in sheets}
-    assert [word for word in ("Workedsolutions", "magnitude", "direction", "Results", "page1of") if word not in
-            pages["en"]] == []
-    assert [word for word in ("题解", "大小", "方向", "答案", "第1页") if word not in pages["zh"]] == []
+    assert [
+        word
+        for word in ("Workedsolutions", "magnitude", "direction", "Results", "page1of")
+        if word not in pages["en"]
+    ] == []
+    assert [
+        word for word in ("题解", "大小", "方向", "答案", "第1页") if word not in pages["zh"]
+    ] == []
     assert pages["long"].count("magnitude") == 2
 
 
@@ -178,8 +253,18 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(tmp_path: Path) 
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
     LatexPress().key(named, tmp_path / "key.pdf")
     pages = pages_of(tmp_path / "key.pdf")
-    assert all("INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1))
-    for text in ("[U+1F600]", "1.15470", "−0.957427", "[1.14315,1.16625]", "A-0000", "Given:", "0.25m"):
+    assert all(
+        "INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1)
+    )
+    for text in (
+        "[U+1F600]",
+        "1.15470",
+        "−0.957427",
+        "[1.14315,1.16625]",
+        "A-0000",
+        "Given:",
+        "0.25m",
+    ):
         assert text in pages[0]
 
 
@@ -190,24 +275,38 @@ def test_an_empty_key_is_one_page(tmp_path: Path) -> None:
 
 def test_kept_sources_can_be_typeset_by_hand(tmp_path: Path) -> None:
     press = LatexPress(sources=tmp_path / "tex")
-    papers = {"zoe": replace(ENGLISH, name="Zoë"), "ou": replace(CHINESE, questions=(CHINESE_QUESTION,))}
+    papers = {
+        "zoe": replace(ENGLISH, name="Zoë"),
+        "ou": replace(CHINESE, questions=(CHINESE_QUESTION,)),
+    }
     printed(papers, tmp_path, press)
     press.key(key_book(1), tmp_path / "key.pdf")
     kept = tmp_path / "tex"
     assert sorted(str(file.relative_to(kept)) for file in kept.rglob("*.*")) == [
-        "key.tex", "kinegrade.sty", "papers/kinegrade.sty", "papers/ou.tex", "papers/zoe.tex"]
+        "key.tex",
+        "kinegrade.sty",
+        "papers/kinegrade.sty",
+        "papers/ou.tex",
+        "papers/zoe.tex",
+    ]
     for name in papers:
         first_line = (kept / "papers" / f"{name}.tex").read_text(encoding="utf-8").split("\n", 1)[0]
         command = first_line.rpartition("  ")[2].split()
-        subprocess.run([command[0], "-interaction=batchmode", command[1]], cwd=kept / "papers", check=True,
-                       stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [command[0], "-interaction=batchmode", command[1]],
+            cwd=kept / "papers",
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         assert pages_of(kept / "papers" / f"{name}.pdf") == pages_of(tmp_path / f"{name}.pdf")
 
 
 def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
     secret = tmp_path / "secret.tex"
     secret.write_text("SECRET", encoding="utf-8")
-    for index, attack in enumerate((r"\immediate\write18{touch made}x", rf"\input{{{secret}}}", r"\input{.hidden}")):
+    for index, attack in enumerate(
+        (r"\immediate\write18{touch made}x", rf"\input{{{secret}}}", r"\input{.hidden}")
+    ):
         folder = tmp_path / str(index)
         folder.mkdir()
         (folder / ".hidden.tex").write_text("SECRET", encoding="utf-8")
@@ -219,7 +318,10 @@ def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
 
 def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
     source = r"\documentclass{article}\begin{document}\loop\iftrue\repeat\end{document}"
-    with pytest.raises(TypesetError, match=r"^latex: pdflatex did not end within 1 s; expected a few pages a second;"):
+    with pytest.raises(
+        TypesetError,
+        match=r"^latex: pdflatex did not end within 1 s; expected a few pages a second;",
+    ):
         latex_run.run("pdflatex", source, tmp_path, 1)
 
 

@@ -11,7 +11,9 @@ from kinegrade.exam.latex import LatexPress
 from tests.exam.papers import ENGLISH
 
 
-def test_without_latex_the_way_out_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_without_latex_the_way_out_is_named(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers({"s": ENGLISH}, tmp_path)

@@ -52,9 +52,7 @@ def test_what_an_exam_needs(markdown: str, expected: str) -> None:
 def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
     with pytest.raises(TypesetError) as refusal:
         prose(markdown, "q1, statement")
-    expected = (
-        f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, lists and $math$"
-    )
+    expected = f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, lists and $math$"
     assert refusal.value.problems[0].startswith(expected)
 
 
@@ -78,14 +76,18 @@ def test_no_text_becomes_code(text: str) -> None:
 
 
 def test_a_chinese_colon_after_a_formula_does_not_begin_a_line() -> None:
-    assert prose("长 $r$；角 $x$：甲；乙", "q1") == '{"长 ";box($r$);"\u2060；角 ";box($x$);"\u2060：甲；乙";}'
+    assert (
+        prose("长 $r$；角 $x$：甲；乙", "q1")
+        == '{"长 ";box($r$);"\u2060；角 ";box($x$);"\u2060：甲；乙";}'
+    )
 
 
 @pytest.mark.parametrize("formulas", [("a", "b"), ("0", "0"), (r"\frac{1}{2}", "x_1")])
 def test_a_text_read_before_takes_other_formulas(formulas: tuple[str, str]) -> None:
     first, second = (prose(f"${latex}$", "q1").strip("{}") for latex in formulas)
     assert prose(f"turn ${formulas[0]}$ by **${formulas[1]}$**; box(0);", "q1") == (
-        '{"turn ";' + first + '" by ";strong({' + second + '});"; box(0);";}')
+        '{"turn ";' + first + '" by ";strong({' + second + '});"; box(0);";}'
+    )
 
 
 def test_a_fault_in_a_text_read_before_is_told_of_its_place() -> None:

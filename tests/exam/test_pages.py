@@ -79,7 +79,9 @@ def test_the_interval_of_right_answers_is_the_printed_rule(papers: list[SetPaper
     for paper in papers:
         (v_B, _), (v_x, v_y), _ = (question.asks for question in paper.questions)
         low, high = map(float, interval(v_B).strip("[]").split(", "))
-        assert [low, high] == pytest.approx([v_B.answer.value * 0.99, v_B.answer.value * 1.01], 1e-5)
+        assert [low, high] == pytest.approx(
+            [v_B.answer.value * 0.99, v_B.answer.value * 1.01], 1e-5
+        )
         low, high = map(float, interval(v_x).strip("[]").split(", "))
         assert low == -high == -float(v_x.tolerance.absolute)
         low, high = map(float, interval(v_y).strip("[]").split(", "))

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from kinegrade.exam.points import shared
 
 WEIGHTS = st.lists(st.integers(1, 9), min_size=1, max_size=6).map(
-    lambda found: dict(zip("abcdef", found, strict=False)))
+    lambda found: dict(zip("abcdef", found, strict=False))
+)
 
 
 @given(WEIGHTS, st.integers(0, 60))
@@ -23,12 +24,15 @@ def test_all_points_are_given_and_everyone_gets_one(weights: dict[str, int], mor
 
 @given(WEIGHTS, st.integers(1, 60))
 def test_it_is_the_largest_remainder_method_where_every_share_is_a_point_or_more(
-        weights: dict[str, int], more: int) -> None:
+    weights: dict[str, int], more: int
+) -> None:
     total = sum(weights.values()) + more
-    shares = {name: Fraction(total * weight, sum(weights.values())) for name, weight in weights.items()}
+    shares = {
+        name: Fraction(total * weight, sum(weights.values())) for name, weight in weights.items()
+    }
     floors = {name: int(share) for name, share in shares.items()}
     by_remainder = sorted(weights, key=lambda name: floors[name] - shares[name])
-    favoured = by_remainder[:total - sum(floors.values())]
+    favoured = by_remainder[: total - sum(floors.values())]
     assert shared(total, weights) == {name: floors[name] + (name in favoured) for name in weights}
 
 

@@ -39,7 +39,11 @@ def papers(folder: Path, **options: Any) -> tuple[QuizPaper, ...]:
 
 
 def asks(paper: QuizPaper) -> dict[str, QuizAsk]:
-    return {f"{question.question}.{ask.identifier}": ask for question in paper.questions for ask in question.asks}
+    return {
+        f"{question.question}.{ask.identifier}": ask
+        for question in paper.questions
+        for ask in question.asks
+    }
 
 
 def copied(small_class: Path, tmp_path: Path) -> Path:
@@ -52,7 +56,9 @@ def rewritten(exam: Path, line: dict[str, Any]) -> Path:
 
 
 def first_line(exam: Path) -> dict[str, Any]:
-    line: dict[str, Any] = json.loads((exam / "key.jsonl").read_text(encoding="utf-8").splitlines()[0])
+    line: dict[str, Any] = json.loads(
+        (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()[0]
+    )
     return line
 
 
@@ -63,7 +69,11 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
     for examinee in exam.examinees:
         for ask in exam.asks:
             key, put = examinee.keys[ask.column], found[examinee.student][ask.column]
-            assert (put.value, (put.low, put.high), put.period) == (key.value, key.interval, key.period)
+            assert (put.value, (put.low, put.high), put.period) == (
+                key.value,
+                key.interval,
+                key.period,
+            )
             assert (put.points, put.unit) == (ask.points, ask.unit)
             assert {mistake.identifier: mistake.value for mistake in put.mistakes} == key.mistakes
             for mistake in put.mistakes:
@@ -80,11 +90,15 @@ def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> Non
         for sheet, question in zip(page.questions, put.questions, strict=True):
             assert (question.statement, question.title) == (sheet.statement, sheet.title)
             assert [(ask.symbol, ask.meaning, ask.sign) for ask in question.asks] == [
-                (row.symbol, row.meaning, row.sign) for row in sheet.rows]
+                (row.symbol, row.meaning, row.sign) for row in sheet.rows
+            ]
             assert sheet.figure is not None
             assert question.figure is not None
             assert question.figure.svg.decode() == to_svg(sheet.figure)
-            assert (question.figure.width, question.figure.height) == (sheet.figure.width, sheet.figure.height)
+            assert (question.figure.width, question.figure.height) == (
+                sheet.figure.width,
+                sheet.figure.height,
+            )
 
 
 @pytest.mark.parametrize("name", template_names())
@@ -108,7 +122,10 @@ def test_the_rule_is_the_banks_even_where_zero_answers_have_more_room(small_clas
     rules = [question.rule for question in papers(small_class / "EXAM")[0].questions]
     assert "at most 1 % of that value" in rules[0]
     assert "at least four significant digits" in rules[0]
-    assert "For $v_{y}$: an answer is right if it differs from the exact value by at most 0.25 in the unit" in rules[1]
+    assert (
+        "For $v_{y}$: an answer is right if it differs from the exact value by at most 0.25 in the unit"
+        in rules[1]
+    )
     assert "0.5 % of that value, or by at most 0.001" in rules[2]
 
 
@@ -125,19 +142,29 @@ def test_a_quiz_in_the_other_language(small_class: Path) -> None:
 
 def test_mistakes_earn_what_is_wished_or_stay_out(small_class: Path) -> None:
     half = papers(small_class / "EXAM", wishes=QuizWishes(credit=Fraction(1, 2)))[0]
-    assert {mistake.credit for ask in asks(half).values() for mistake in ask.mistakes} == {Fraction(1, 2)}
-    assert {mistake.credit for ask in asks(papers(small_class / "EXAM")[0]).values() for mistake in ask.mistakes} == {0}
+    assert {mistake.credit for ask in asks(half).values() for mistake in ask.mistakes} == {
+        Fraction(1, 2)
+    }
+    assert {
+        mistake.credit
+        for ask in asks(papers(small_class / "EXAM")[0]).values()
+        for mistake in ask.mistakes
+    } == {0}
     none = papers(small_class / "EXAM", wishes=QuizWishes(mistakes=False))[0]
     assert not [ask for ask in asks(none).values() if ask.mistakes]
 
 
-def test_mistakes_earn_what_the_bank_says_unless_something_else_is_wished(small_class: Path, tmp_path: Path) -> None:
+def test_mistakes_earn_what_the_bank_says_unless_something_else_is_wished(
+    small_class: Path, tmp_path: Path
+) -> None:
     exam = copied(small_class, tmp_path)
     head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
     head["credit"] = {"follow-through": "1/3", "mistakes": {"sense-reversed": "1/2"}}
     (exam / "exam.json").write_text(json.dumps(head), encoding="utf-8")
     found = [mistake for ask in asks(papers(exam)[0]).values() for mistake in ask.mistakes]
-    assert {mistake.credit for mistake in found if mistake.identifier == "sense-reversed"} == {Fraction(1, 2)}
+    assert {mistake.credit for mistake in found if mistake.identifier == "sense-reversed"} == {
+        Fraction(1, 2)
+    }
     assert {mistake.credit for mistake in found if mistake.identifier != "sense-reversed"} == {0}
     wished = papers(exam, wishes=QuizWishes(credit=Fraction(0)))[0]
     assert {mistake.credit for ask in asks(wished).values() for mistake in ask.mistakes} == {0}
@@ -150,24 +177,37 @@ def test_a_mistake_within_what_is_right_is_none(small_class: Path, tmp_path: Pat
     ask["mistakes"] = {"wrong-pole": ask["decimal"], "of-tomorrow": "77"}
     source = read_quiz_source(rewritten(exam, line))
     paper = quiz_paper(source, PLAIN, key_record(exam, 1, json.dumps(line)))
-    assert [(mistake.identifier, mistake.sentence) for mistake in asks(paper)["q1.v_B"].mistakes] == [
-        ("of-tomorrow", "of-tomorrow")]
+    assert [
+        (mistake.identifier, mistake.sentence) for mistake in asks(paper)["q1.v_B"].mistakes
+    ] == [("of-tomorrow", "of-tomorrow")]
 
 
-def test_significant_figures_give_an_interval_that_is_not_symmetric(small_class: Path, tmp_path: Path) -> None:
+def test_significant_figures_give_an_interval_that_is_not_symmetric(
+    small_class: Path, tmp_path: Path
+) -> None:
     exam = copied(small_class, tmp_path)
     line = first_line(exam)
     ask = line["questions"][0]["asks"]["v_B"]
-    ask |= {"exact": None, "decimal": "1.2304", "tolerance": {"relative": 0, "absolute": 0, "figures": 3}}
+    ask |= {
+        "exact": None,
+        "decimal": "1.2304",
+        "tolerance": {"relative": 0, "absolute": 0, "figures": 3},
+    }
     put = asks(papers(rewritten(exam, line))[0])["q1.v_B"]
     assert (put.low, put.high) == (Fraction("1.225"), Fraction("1.235"))
 
 
-def test_an_angle_keeps_its_period_and_an_enclosure_its_decimal(small_class: Path, tmp_path: Path) -> None:
+def test_an_angle_keeps_its_period_and_an_enclosure_its_decimal(
+    small_class: Path, tmp_path: Path
+) -> None:
     exam = copied(small_class, tmp_path)
     line = first_line(exam)
     question = line["questions"][0]
-    question["asks"]["v_B"] |= {"period": "360", "exact": "pi/3", "decimal": "1.0471975511965977461542144610931676"}
+    question["asks"]["v_B"] |= {
+        "period": "360",
+        "exact": "pi/3",
+        "decimal": "1.0471975511965977461542144610931676",
+    }
     question["parameters"]["r"] = {"exact": None, "value": 2.5e-1, "unit": "m"}
     paper = papers(rewritten(exam, line))[0]
     put = asks(paper)["q1.v_B"]
@@ -178,18 +218,24 @@ def test_an_angle_keeps_its_period_and_an_enclosure_its_decimal(small_class: Pat
 def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
     pool, own = papers(small_class / "EXAM", variants=2), papers(small_class / "EXAM")
     assert pool == tuple(replace(paper, student="", name="") for paper in own[:2])
-    with pytest.raises(ExamError, match="has 4 different papers - expected 5 for 5 variants of each question - ask"):
+    with pytest.raises(
+        ExamError, match="has 4 different papers - expected 5 for 5 variants of each question - ask"
+    ):
         read_quiz(small_class / "EXAM", variants=5)
 
 
-def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are_read(tmp_path: Path) -> None:
+def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are_read(
+    tmp_path: Path,
+) -> None:
     folder = write_class(tmp_path)
     bank = (folder / "bank.toml").read_text(encoding="utf-8")
     (folder / "bank.toml").write_text("versions = 2\nshuffle = true\n" + bank, encoding="utf-8")
     assert generate(folder).exit_code == 0
     put = papers(folder / "EXAM")
     assert [(paper.code, paper.student, paper.name) for paper in put] == [
-        ("A", "", "Version A"), ("B", "", "Version B")]
+        ("A", "", "Version A"),
+        ("B", "", "Version B"),
+    ]
     orders = {tuple(json.loads(line)["printed"]) for _, line in key_lines(folder / "EXAM")}
     read = list(read_exam_asks(folder / "EXAM").questions)
     assert orders - {tuple(read)}
@@ -217,18 +263,50 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
     assert counts == [4, 3]
 
 
-@pytest.mark.parametrize(("name", "text", "message"), [
-    ("exam.json", None, r"exam.json: cannot be read \(No such file or directory\) - expected an exam folder made by"),
-    ("bank.toml", b"\xff", r"bank.toml: cannot be read \(not UTF-8\) - expected an exam folder made by kinegrade"),
-    ("key.jsonl", None, r"key.jsonl: cannot be read \(No such file or directory\) - expected an exam folder"),
-    ("exam.json", b"{}", r"exam.json: is broken \(KeyError: 'format'\) - expected it as kinegrade generate wrote it"),
-    ("exam.json", b'{"format": 2}', r'"format" is 2, and 1 is the only one this kinegrade reads\) - expected it as'),
-    ("exam.json", b'{"format": 1, "questions": [], "students": 5}', r"exam.json: is broken \(TypeError: "),
-    ("key.jsonl", b"{", r"key.jsonl:1: is broken \(JSONDecodeError\) - expected it as kinegrade generate wrote it"),
-    ("templates/crank.toml", b"family = 5", r"EXAM: crank.toml"),
-])
-def test_a_folder_at_fault_is_refused(small_class: Path, tmp_path: Path, name: str, text: bytes | None,
-                                      message: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        (
+            "exam.json",
+            None,
+            r"exam.json: cannot be read \(No such file or directory\) - expected an exam folder made by",
+        ),
+        (
+            "bank.toml",
+            b"\xff",
+            r"bank.toml: cannot be read \(not UTF-8\) - expected an exam folder made by kinegrade",
+        ),
+        (
+            "key.jsonl",
+            None,
+            r"key.jsonl: cannot be read \(No such file or directory\) - expected an exam folder",
+        ),
+        (
+            "exam.json",
+            b"{}",
+            r"exam.json: is broken \(KeyError: 'format'\) - expected it as kinegrade generate wrote it",
+        ),
+        (
+            "exam.json",
+            b'{"format": 2}',
+            r'"format" is 2, and 1 is the only one this kinegrade reads\) - expected it as',
+        ),
+        (
+            "exam.json",
+            b'{"format": 1, "questions": [], "students": 5}',
+            r"exam.json: is broken \(TypeError: ",
+        ),
+        (
+            "key.jsonl",
+            b"{",
+            r"key.jsonl:1: is broken \(JSONDecodeError\) - expected it as kinegrade generate wrote it",
+        ),
+        ("templates/crank.toml", b"family = 5", r"EXAM: crank.toml"),
+    ],
+)
+def test_a_folder_at_fault_is_refused(
+    small_class: Path, tmp_path: Path, name: str, text: bytes | None, message: str
+) -> None:
     exam = copied(small_class, tmp_path)
     if text is None:
         (exam / name).unlink()
@@ -242,11 +320,16 @@ def test_a_broken_line_of_the_key_is_named(small_class: Path, tmp_path: Path) ->
     exam = copied(small_class, tmp_path)
     source, line = read_quiz_source(exam), first_line(exam)
     del line["questions"][0]["asks"]["v_B"]["points"]
-    with pytest.raises(ExamError, match=r'the line of student "007" is broken \(KeyError: \'points\'\) - expected it'):
+    with pytest.raises(
+        ExamError,
+        match=r'the line of student "007" is broken \(KeyError: \'points\'\) - expected it',
+    ):
         quiz_paper(source, PLAIN, line)
 
 
-def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(small_class: Path, tmp_path: Path) -> None:
+def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(
+    small_class: Path, tmp_path: Path
+) -> None:
     exam = copied(small_class, tmp_path)
     source, line = read_quiz_source(exam), first_line(exam)
     line["questions"][1]["parameters"]["h"]["exact"] = "99"
@@ -261,5 +344,7 @@ def test_a_killed_process_is_no_riddle(small_class: Path, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(quiz, "ProcessPoolExecutor", Killed)
     order = QuizOrder(small_class / "EXAM", None, PLAIN, False)
-    with pytest.raises(ExamError, match="quiz: a process that makes papers was ended from outside - expected room"):
+    with pytest.raises(
+        ExamError, match="quiz: a process that makes papers was ended from outside - expected room"
+    ):
         list(by_workers(order, key_lines(small_class / "EXAM"), 2))

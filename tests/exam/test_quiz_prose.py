@@ -30,26 +30,40 @@ def test_prose_is_well_formed_or_refused(text: str) -> None:
         tree = element(prose_html(text))
     except TypesetError:
         return
-    assert {part.tag for part in tree.iter()} <= {"div", "p", "strong", "em", "ul", "ol", "li", "br"}
+    assert {part.tag for part in tree.iter()} <= {
+        "div",
+        "p",
+        "strong",
+        "em",
+        "ul",
+        "ol",
+        "li",
+        "br",
+    }
 
 
 def test_paragraphs_lists_and_emphasis() -> None:
     html = prose_html("One **bold** *leaning*\nline.\n\n3. three\n4. four\n\n- a  \n  b\n")
-    assert html == ('<p>One <strong>bold</strong> <em>leaning</em> line.</p>\n<ol start="3">\n<li>three</li>\n'
-                    "<li>four</li>\n</ol>\n<ul>\n<li>a<br/>\nb</li>\n</ul>\n")
+    assert html == (
+        '<p>One <strong>bold</strong> <em>leaning</em> line.</p>\n<ol start="3">\n<li>three</li>\n'
+        "<li>four</li>\n</ol>\n<ul>\n<li>a<br/>\nb</li>\n</ul>\n"
+    )
     assert prose_html("曲柄\n转动", inline=True) == "曲柄转动"
 
 
-@pytest.mark.parametrize(("latex", "written"), [
-    (r"r = 0.25\,\unit{m}", r"\(r = 0.25\,\mathrm{m}\)"),
-    (r"\unit{rad/s^2}", r"\(\mathrm{rad/s^{2}}\)"),
-    (r"a = 3\,\unit{m*s^-2}", r"\(a = 3\,\mathrm{m{\cdot}s^{-2}}\)"),
-    (r"\varphi = 30\,\unit{deg}", r"\(\varphi = 30\,{}^{\circ}\)"),
-    (r"\text{顺时针 m/s^2}", r"\(\text{顺时针 m/s²}\)"),
-    (r"\bm{v} + \boldsymbol{a}", r"\(\boldsymbol{v} + \boldsymbol{a}\)"),
-    ("1{,}5", "\\(1{,}5\\)"),
-    ("a < b", r"\(a &lt; b\)"),
-])
+@pytest.mark.parametrize(
+    ("latex", "written"),
+    [
+        (r"r = 0.25\,\unit{m}", r"\(r = 0.25\,\mathrm{m}\)"),
+        (r"\unit{rad/s^2}", r"\(\mathrm{rad/s^{2}}\)"),
+        (r"a = 3\,\unit{m*s^-2}", r"\(a = 3\,\mathrm{m{\cdot}s^{-2}}\)"),
+        (r"\varphi = 30\,\unit{deg}", r"\(\varphi = 30\,{}^{\circ}\)"),
+        (r"\text{顺时针 m/s^2}", r"\(\text{顺时针 m/s²}\)"),
+        (r"\bm{v} + \boldsymbol{a}", r"\(\boldsymbol{v} + \boldsymbol{a}\)"),
+        ("1{,}5", "\\(1{,}5\\)"),
+        ("a < b", r"\(a &lt; b\)"),
+    ],
+)
 def test_formulas_are_such_as_mathjax_sets(latex: str, written: str) -> None:
     assert math_html(latex) == written
 

@@ -30,7 +30,9 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
     assert sum(child.tag in ("h4", "h5") for child in tree) == kinds.count(Heading)
     assert len(list(tree.iter("table"))) == kinds.count(TermTable)
     assert html.count(r"\begin{aligned}") == kinds.count(Display)
-    results = [result for block in worked.blocks if isinstance(block, Results) for result in block.results]
+    results = [
+        result for block in worked.blocks if isinstance(block, Results) for result in block.results
+    ]
     assert [child.tag for child in tree][-1] == "ul"
     for result, line in zip(results, list(tree)[-1], strict=True):
         assert result.decimal in "".join(line.itertext())
@@ -38,24 +40,39 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
 
 def test_the_method_may_be_chosen() -> None:
     template = load_template("slider-crank")
-    assert solution_html(template, {}, ("v_B",), "en", "pole") != solution_html(template, {}, ("v_B",), "en")
+    assert solution_html(template, {}, ("v_B",), "en", "pole") != solution_html(
+        template, {}, ("v_B",), "en"
+    )
     assert QuizWishes().method is None
 
 
 def test_the_blocks_one_by_one() -> None:
     terms = Term("", "v_B", "?", "$\\parallel x$"), Term("=", "v_A", "$r\\omega$", "a < b")
     result = Result("v_B", r"\frac{1}{3}", "-0.333333", "m/s^2", "to the *left*")
-    html = blocks_html((Heading("Step $1$", 2), Prose("Thus:"), Display(("v &= a + b = c", "w &= 1")), TermTable(terms),
-                        Results((result, Result("k", None, "2", "1", "")))), "en")
+    html = blocks_html(
+        (
+            Heading("Step $1$", 2),
+            Prose("Thus:"),
+            Display(("v &= a + b = c", "w &= 1")),
+            TermTable(terms),
+            Results((result, Result("k", None, "2", "1", ""))),
+        ),
+        "en",
+    )
     assert html.splitlines() == [
-        r"<h5>Step \(1\)</h5>", "<p>Thus:</p>",
+        r"<h5>Step \(1\)</h5>",
+        "<p>Thus:</p>",
         r"<p>\[\begin{aligned} v &amp;= a + b = c \\ w &amp;= 1 \end{aligned}\]</p>",
         "<table><tbody>",
-        row("", r"\(v_B\)", r"\(={} v_A\)"), row("magnitude", "?", r"\(r\omega\)"),
+        row("", r"\(v_B\)", r"\(={} v_A\)"),
+        row("magnitude", "?", r"\(r\omega\)"),
         row("direction", r"\(\parallel x\)", "a &lt; b"),
-        "</tbody></table>", "<ul>",
+        "</tbody></table>",
+        "<ul>",
         r"<li>\(v_B = \frac{1}{3} \approx -0.333333\) m/s<sup>2</sup> (to the <em>left</em>)</li>",
-        r"<li>\(k \approx 2\)</li>", "</ul>"]
+        r"<li>\(k \approx 2\)</li>",
+        "</ul>",
+    ]
 
 
 def row(head: str, *cells: str) -> str:

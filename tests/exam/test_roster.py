@@ -33,7 +33,9 @@ def test_columns_are_known_by_their_usual_names(header: str) -> None:
 
 def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> None:
     path = tmp_path / "roster.csv"
-    path.write_text('Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;12\n', encoding="utf-8")
+    path.write_text(
+        'Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;12\n', encoding="utf-8"
+    )
     assert [(each.student, each.name, each.email) for each in read_roster(path).students] == [
         ("0012", "Müller; Jürgen", ""),
         ("12", "Ann Lee", ""),
@@ -111,8 +113,12 @@ def test_long_ids_get_short_files() -> None:
     assert max(map(len, stems.values())) <= 100
 
 
-@given(st.sets(st.text(st.sampled_from("aA%cCoOnN.~-/2E é\0"), min_size=1, max_size=5), max_size=60))
+@given(
+    st.sets(st.text(st.sampled_from("aA%cCoOnN.~-/2E é\0"), min_size=1, max_size=5), max_size=60)
+)
 def test_file_names_differ_on_every_file_system(students: set[str]) -> None:
     stems = file_names(students).values()
     assert len({stem.lower() for stem in stems}) == len(students)
-    assert all(stem.isascii() and not set(stem) & set("/\\: \0") and stem[0] != "." for stem in stems)
+    assert all(
+        stem.isascii() and not set(stem) & set("/\\: \0") and stem[0] != "." for stem in stems
+    )

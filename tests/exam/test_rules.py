@@ -21,50 +21,89 @@ asks = { v_B = 1, a_B = { points = 2, tolerance = { absolute = 0.05 } } }
 """
 
 
-@pytest.mark.parametrize(("relative", "absolute", "english", "chinese"), [
-    ("1/100", "0", "by at most 1 % of that value. Where the exact value is zero, or less than 1 % of the largest",
-     "不超过精确值的 1 %即判为正确。精确值为零或小于该机构中同类量最大值的 1 % 时，允许偏差为该最大值的 1 %。"),
-    ("1/200", "1/500", "at most 0.5 % of that value, or by at most 0.002 in the unit of the table, whichever is more.",
-     "0.5 %（或不超过 0.002，以表中单位计，取其大者）"),
-    ("0", "1/100000", "by at most 0.00001 in the unit of the table.", "不超过 0.00001（以表中单位计）"),
-])
+@pytest.mark.parametrize(
+    ("relative", "absolute", "english", "chinese"),
+    [
+        (
+            "1/100",
+            "0",
+            "by at most 1 % of that value. Where the exact value is zero, or less than 1 % of the largest",
+            "不超过精确值的 1 %即判为正确。精确值为零或小于该机构中同类量最大值的 1 % 时，允许偏差为该最大值的 1 %。",
+        ),
+        (
+            "1/200",
+            "1/500",
+            "at most 0.5 % of that value, or by at most 0.002 in the unit of the table, whichever is more.",
+            "0.5 %（或不超过 0.002，以表中单位计，取其大者）",
+        ),
+        (
+            "0",
+            "1/100000",
+            "by at most 0.00001 in the unit of the table.",
+            "不超过 0.00001（以表中单位计）",
+        ),
+    ],
+)
 def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: str) -> None:
     tolerance = Tolerance(Fraction(relative), Fraction(absolute))
     assert english in marking_rule(tolerance, "en")
     assert chinese in marking_rule(tolerance, "zh")
 
 
-@pytest.mark.parametrize(("tolerance", "english", "chinese"), [
-    (Tolerance(Fraction(0), Fraction(0), 3),
-     "An answer is right if it agrees with the exact value to 3 significant digits (where that is 1.2304, from 1.225 "
-     "to 1.235). Where the exact value is zero, or less than 0.5 % of the largest quantity of its kind in the "
-     "mechanism, 0.5 % of that quantity is allowed.",
-     "答案与精确值在 3 位有效数字内一致（如精确值为 1.2304 时，从 1.225 到 1.235）即判为正确。"
-     "精确值为零或小于该机构中同类量最大值的 0.5 % 时，允许偏差为该最大值的 0.5 %。"),
-    (Tolerance(Fraction(1, 100), Fraction(0), 4),
-     "(where that is 1.23404, from 1.2335 to 1.2345), or differs from it by at most 1 % of it. Where the exact value "
-     "is zero, or less than 1 % of",
-     "（如精确值为 1.23404 时，从 1.2335 到 1.2345），或与其之差不超过精确值的 1 %，即判为正确。"),
-    (Tolerance(Fraction(1, 200), Fraction(1, 50), 2),
-     "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it or 0.02 in the unit of the "
-     "table. Where the exact value is zero, or less than 5 % of",
-     "或与其之差不超过精确值的 0.5 %或 0.02（以表中单位计），即判为正确。"),
-])
-def test_the_rule_of_significant_digits_in_words(tolerance: Tolerance, english: str, chinese: str) -> None:
+@pytest.mark.parametrize(
+    ("tolerance", "english", "chinese"),
+    [
+        (
+            Tolerance(Fraction(0), Fraction(0), 3),
+            "An answer is right if it agrees with the exact value to 3 significant digits (where that is 1.2304, from 1.225 "
+            "to 1.235). Where the exact value is zero, or less than 0.5 % of the largest quantity of its kind in the "
+            "mechanism, 0.5 % of that quantity is allowed.",
+            "答案与精确值在 3 位有效数字内一致（如精确值为 1.2304 时，从 1.225 到 1.235）即判为正确。"
+            "精确值为零或小于该机构中同类量最大值的 0.5 % 时，允许偏差为该最大值的 0.5 %。",
+        ),
+        (
+            Tolerance(Fraction(1, 100), Fraction(0), 4),
+            "(where that is 1.23404, from 1.2335 to 1.2345), or differs from it by at most 1 % of it. Where the exact value "
+            "is zero, or less than 1 % of",
+            "（如精确值为 1.23404 时，从 1.2335 到 1.2345），或与其之差不超过精确值的 1 %，即判为正确。",
+        ),
+        (
+            Tolerance(Fraction(1, 200), Fraction(1, 50), 2),
+            "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it or 0.02 in the unit of the "
+            "table. Where the exact value is zero, or less than 5 % of",
+            "或与其之差不超过精确值的 0.5 %或 0.02（以表中单位计），即判为正确。",
+        ),
+    ],
+)
+def test_the_rule_of_significant_digits_in_words(
+    tolerance: Tolerance, english: str, chinese: str
+) -> None:
     assert english in marking_rule(tolerance, "en")
     assert chinese in marking_rule(tolerance, "zh")
 
 
-@pytest.mark.parametrize(("tolerance", "english", "chinese"), [
-    ('relative = "1 %"', "at least four significant digits: 0.8660 or 0,8660.", "至少保留四位有效数字，写成 0.8660 或"),
-    ("figures = 3", "at least four significant digits: 0.8660", "至少保留四位有效数字"),
-    ("figures = 4", "at least five significant digits: 0.86603 or 0,86603.", "至少保留五位有效数字，写成 0.86603 或"),
-    ('relative = "0.01 %"', "at least five significant digits", "至少保留五位有效数字"),
-    ("relative = 0.000000001", "at least ten significant digits", "至少保留十位有效数字"),
-    ('relative = "0.000000001 %"', "at least 12 significant digits", "至少保留12位有效数字"),
-])
-def test_as_many_digits_are_wanted_as_the_tolerance_takes(tmp_path: Path, tolerance: str, english: str,
-                                                          chinese: str) -> None:
+@pytest.mark.parametrize(
+    ("tolerance", "english", "chinese"),
+    [
+        (
+            'relative = "1 %"',
+            "at least four significant digits: 0.8660 or 0,8660.",
+            "至少保留四位有效数字，写成 0.8660 或",
+        ),
+        ("figures = 3", "at least four significant digits: 0.8660", "至少保留四位有效数字"),
+        (
+            "figures = 4",
+            "at least five significant digits: 0.86603 or 0,86603.",
+            "至少保留五位有效数字，写成 0.86603 或",
+        ),
+        ('relative = "0.01 %"', "at least five significant digits", "至少保留五位有效数字"),
+        ("relative = 0.000000001", "at least ten significant digits", "至少保留十位有效数字"),
+        ('relative = "0.000000001 %"', "at least 12 significant digits", "至少保留12位有效数字"),
+    ],
+)
+def test_as_many_digits_are_wanted_as_the_tolerance_takes(
+    tmp_path: Path, tolerance: str, english: str, chinese: str
+) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK.replace('relative = "1 %"', tolerance), encoding="utf-8")
     assert english in rules(read_bank(file), "en")[0]
@@ -77,21 +116,30 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     bank = read_bank(file)
     english, chinese = rules(bank, "en"), rules(bank, "zh")
     assert len(english) == len(chinese) == 4
-    assert english[-1] == ("For q1, $a_{B}$: an answer is right if it differs from the exact value by at most 0.05 "
-                           "in the unit of the table.")
+    assert english[-1] == (
+        "For q1, $a_{B}$: an answer is right if it differs from the exact value by at most 0.05 "
+        "in the unit of the table."
+    )
     assert chinese[-1].startswith("q1, $a_{B}$：答案与精确值之差不超过 0.05")
 
 
 def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
-    file.write_text(BANK.replace(", tolerance = { absolute = 0.05 } } }", " } }\ntolerance = { relative = \"2 %\" }"),
-                    encoding="utf-8")
+    file.write_text(
+        BANK.replace(
+            ", tolerance = { absolute = 0.05 } } }", ' } }\ntolerance = { relative = "2 %" }'
+        ),
+        encoding="utf-8",
+    )
     english = rules(read_bank(file), "en")
     assert len(english) == 4
-    assert english[-1].startswith("For q1: an answer is right if it differs from the exact value by at most 2 %")
+    assert english[-1].startswith(
+        "For q1: an answer is right if it differs from the exact value by at most 2 %"
+    )
 
 
 def test_amounts_are_printed_without_powers_of_ten_and_exactly() -> None:
-    assert [plain(Fraction(text)) for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")] == [
-        "0.125", "9999", "0.000000001", "1234.123456789", "5"]
+    assert [
+        plain(Fraction(text)) for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")
+    ] == ["0.125", "9999", "0.000000001", "1234.123456789", "5"]
     assert percent(Fraction(1, 200)) == "0.5 %"

@@ -35,10 +35,14 @@ def drawn(paper: SetPaper) -> list[object]:
     return [question.drawn.values for question in paper.questions]
 
 
-def test_a_student_more_or_a_question_more_changes_nobody_elses_paper(bank: Bank, tmp_path: Path) -> None:
+def test_a_student_more_or_a_question_more_changes_nobody_elses_paper(
+    bank: Bank, tmp_path: Path
+) -> None:
     before = papers(bank, 4)
     assert list(map(drawn, papers(bank, 5)[:4])) == list(map(drawn, before))
-    (tmp_path / "bank.toml").write_text(BANK + '[[questions]]\ntemplate = "slider-crank"\n', encoding="utf-8")
+    (tmp_path / "bank.toml").write_text(
+        BANK + '[[questions]]\ntemplate = "slider-crank"\n', encoding="utf-8"
+    )
     longer = papers(read_bank(tmp_path / "bank.toml"), 4)
     assert [drawn(paper)[:3] for paper in longer] == list(map(drawn, before))
     assert all(drawn(paper)[3] != drawn(paper)[0] for paper in longer)
@@ -56,10 +60,14 @@ def test_only_the_banks_domains_are_drawn(bank: Bank) -> None:
         assert (values["h"], values["r"] in "123", values["omega"] in "234") == ("0", True, True)
 
 
-def test_a_class_larger_than_the_combinations_is_refused_before_anything_is_drawn(bank: Bank) -> None:
+def test_a_class_larger_than_the_combinations_is_refused_before_anything_is_drawn(
+    bank: Bank,
+) -> None:
     with pytest.raises(DrawError) as caught:
         set_exam(bank, roster(10), "spring")
-    assert caught.value.problems == ("q2 (crank): 9 combinations are drawable for 10 students: widen the domains",)
+    assert caught.value.problems == (
+        "q2 (crank): 9 combinations are drawable for 10 students: widen the domains",
+    )
 
 
 def test_a_zero_answer_gets_room_from_the_mechanisms_scale(bank: Bank) -> None:
@@ -73,13 +81,17 @@ def test_a_zero_answer_gets_room_from_the_mechanisms_scale(bank: Bank) -> None:
 
 def test_an_absolute_tolerance_of_the_bank_stands_where_it_is_the_wider(bank: Bank) -> None:
     question = bank.questions[1]
-    wide = replace(question.asks[0], tolerance=replace(question.asks[0].tolerance, absolute=Fraction(3)))
+    wide = replace(
+        question.asks[0], tolerance=replace(question.asks[0].tolerance, absolute=Fraction(3))
+    )
     changed = replace(bank, questions=(replace(question, identifier="q2", asks=(wide,)),))
     assert papers(changed, 1)[0].questions[0].asks[0].tolerance.absolute == 3
 
 
 def test_paper_codes_depend_on_secret_and_student_alone() -> None:
     assert paper_code("spring", "007") == "WJPK-SNPQ"  # printed on papers: to be the same for ever
-    codes = {paper_code(secret, str(number)) for secret in ("spring", "autumn") for number in range(500)}
+    codes = {
+        paper_code(secret, str(number)) for secret in ("spring", "autumn") for number in range(500)
+    }
     assert len(codes) == 1000
     assert all(re.fullmatch("[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}", code) for code in codes)

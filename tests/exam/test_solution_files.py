@@ -27,7 +27,9 @@ def solved_class(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_every_student_has_worked_solutions_with_the_own_key(solved_class: Path) -> None:
     students = json.loads((solved_class / "exam.json").read_text("utf-8"))["students"]
-    keys = [json.loads(line) for line in (solved_class / "key.jsonl").read_text("utf-8").splitlines()]
+    keys = [
+        json.loads(line) for line in (solved_class / "key.jsonl").read_text("utf-8").splitlines()
+    ]
     for student, key in zip(students, keys, strict=True):
         text = text_of(solved_class / "solutions" / Path(student["file"]).name)
         assert student["paper"] in text
@@ -37,9 +39,13 @@ def test_every_student_has_worked_solutions_with_the_own_key(solved_class: Path)
 
 
 def test_the_booklet_holds_all_of_them_each_on_sheets_of_its_own(solved_class: Path) -> None:
-    single = [len(PdfReader(file).pages) for file in sorted((solved_class / "solutions").glob("*.pdf"))]
+    single = [
+        len(PdfReader(file).pages) for file in sorted((solved_class / "solutions").glob("*.pdf"))
+    ]
     assert len(single) == len(STUDENTS)
-    assert len(PdfReader(solved_class / "solutions.pdf").pages) == sum(count + count % 2 for count in single)
+    assert len(PdfReader(solved_class / "solutions.pdf").pages) == sum(
+        count + count % 2 for count in single
+    )
 
 
 def test_papers_for_the_browser_lie_beside_the_papers(solved_class: Path) -> None:
@@ -81,7 +87,9 @@ def test_latex_typesets_papers_key_and_solutions_and_keeps_its_sources(tmp_path:
 
 def test_solve_typesets_the_worked_solution(tmp_path: Path) -> None:
     page = tmp_path / "solution.pdf"
-    result = kinegrade("solve", "slider-crank", "--set", "phi=37", "-o", page, "--method", "projection")
+    result = kinegrade(
+        "solve", "slider-crank", "--set", "phi=37", "-o", page, "--method", "projection"
+    )
     assert result.exit_code == 0
     assert "projectiontheorem" in text_of(page)
     assert kinegrade("solve", "slider-crank", "-o", page).exit_code == 2

@@ -33,7 +33,9 @@ from kinegrade.worked.document import (
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation, polygon_scene
 
 Print = Callable[..., list[str]]
-TERMS = " + ".join(rf"\omega_{{{index}}}^2\cdot O_{{{index}}}B\cos {index}^{{\circ}}" for index in range(24))
+TERMS = " + ".join(
+    rf"\omega_{{{index}}}^2\cdot O_{{{index}}}B\cos {index}^{{\circ}}" for index in range(24)
+)
 LONG = f"x &= {TERMS} = 3"
 UNBREAKABLE = r"\sqrt{" + " + ".join(rf"{index}\sqrt{{{index}}}" for index in range(100, 130)) + "}"
 
@@ -52,9 +54,16 @@ def compiler() -> typst.Compiler:
 @pytest.fixture(scope="module")
 def pages(compiler: typst.Compiler) -> Print:
     """The text of each page, blanks taken out, letters of math as plain ones."""
+
     def read(sheet: SolutionSheet, size: PaperSize = "a4") -> list[str]:
-        pdf = compiler.compile(solution_source(sheet, size).encode(), format="pdf", pdf_standards=["a-2b"])
-        return ["".join(normalize("NFKC", page.extract_text()).split()) for page in PdfReader(BytesIO(pdf)).pages]
+        pdf = compiler.compile(
+            solution_source(sheet, size).encode(), format="pdf", pdf_standards=["a-2b"]
+        )
+        return [
+            "".join(normalize("NFKC", page.extract_text()).split())
+            for page in PdfReader(BytesIO(pdf)).pages
+        ]
+
     return read
 
 
@@ -66,7 +75,11 @@ def inked_columns(image: bytes) -> tuple[int, int, int]:
         length, kind = unpack(">I4s", image[at : at + 8])
         chunks += [image[at + 8 : at + 8 + length]] if kind == b"IDAT" else []
         at += length + 12
-    raw, before, darkest = decompress(b"".join(chunks)), bytearray(4 * width), bytearray(b"\xff" * 4 * width)
+    raw, before, darkest = (
+        decompress(b"".join(chunks)),
+        bytearray(4 * width),
+        bytearray(b"\xff" * 4 * width),
+    )
     for start in range(0, height * (4 * width + 1), 4 * width + 1):
         before = unfiltered(raw[start], raw[start + 1 : start + 1 + 4 * width], before)
         darkest = bytearray(map(min, darkest, before))
@@ -85,11 +98,31 @@ def unfiltered(kind: int, line: bytes, above: bytearray) -> bytearray:
     return found
 
 
-@pytest.mark.parametrize(("sheet", "expected"), [
-    (ENGLISH_SOLUTION, ["Workedsolutions", "K7Q2-9FHM", "Question1Slider-crank", "magnitude", "direction",
-                        "Velocitypolygon", "Results", "0.692820", "totheright", "−0.25", "page2of2"]),
-    (CHINESE_SOLUTION, ["期中考试题解", "第1题(q3)", "大小", "方向", "速度多边形", "答案", "顺时针", "共2页"]),
-])
+@pytest.mark.parametrize(
+    ("sheet", "expected"),
+    [
+        (
+            ENGLISH_SOLUTION,
+            [
+                "Workedsolutions",
+                "K7Q2-9FHM",
+                "Question1Slider-crank",
+                "magnitude",
+                "direction",
+                "Velocitypolygon",
+                "Results",
+                "0.692820",
+                "totheright",
+                "−0.25",
+                "page2of2",
+            ],
+        ),
+        (
+            CHINESE_SOLUTION,
+            ["期中考试题解", "第1题(q3)", "大小", "方向", "速度多边形", "答案", "顺时针", "共2页"],
+        ),
+    ],
+)
 def test_the_pages_say_everything(pages: Print, sheet: SolutionSheet, expected: list[str]) -> None:
     text = "".join(pages(sheet))
     assert [part for part in expected if part not in text] == []
@@ -104,10 +137,16 @@ def test_an_equation_of_many_terms_is_whole(pages: Print, terms: int, size: Pape
 
 
 def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
-    wide = Result(r"\omega_{AB}", rf"\frac{{{UNBREAKABLE}}}{{3}}", "0.5", "rad/s", "clockwise " * 12)
-    sheet = worked(*map(long_equation, range(2, 10)), Display((LONG, f"y &= {UNBREAKABLE}")),
-                   Display((f"{LONG} &= 1",)), Results((wide,)),
-                   Pictures((Picture(polygon_scene(), "a caption " * 30),) * 5))
+    wide = Result(
+        r"\omega_{AB}", rf"\frac{{{UNBREAKABLE}}}{{3}}", "0.5", "rad/s", "clockwise " * 12
+    )
+    sheet = worked(
+        *map(long_equation, range(2, 10)),
+        Display((LONG, f"y &= {UNBREAKABLE}")),
+        Display((f"{LONG} &= 1",)),
+        Results((wide,)),
+        Pictures((Picture(polygon_scene(), "a caption " * 30),) * 5),
+    )
     images = compiler.compile(solution_source(sheet).encode(), format="png", ppi=36)
     assert len(images) >= 3
     for left, right, width in map(inked_columns, images):
@@ -119,23 +158,40 @@ def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
     pdf = compiler.compile(solution_source(worked(Display((LONG,)))).encode(), format="pdf")
     rows: set[int] = set()
     PdfReader(BytesIO(pdf)).pages[0].extract_text(
-        visitor_text=lambda text, now, at, font, size: rows.add(round(now[5])) if "cos" in text else None)
+        visitor_text=lambda text, now, at, font, size: (
+            rows.add(round(now[5])) if "cos" in text else None
+        )
+    )
     assert len(rows) >= 4
 
 
 def test_a_heading_is_never_the_last_thing_on_a_page(pages: Print) -> None:
     for lines in range(40, 46):
         filler = tuple(Prose(f"Line {index}.") for index in range(lines - 10))
-        steps = (Heading("The chapter", 1), Heading("The step", 2), long_equation(3), Prose("Projected:"),
-                 Display(("a &= b",)))
+        steps = (
+            Heading("The chapter", 1),
+            Heading("The step", 2),
+            long_equation(3),
+            Prose("Projected:"),
+            Display(("a &= b",)),
+        )
         for page in pages(worked(*filler, *steps)):
-            assert ("Thechapter" in page) == ("magnitude" in page) == ("Projected:" in page) == ("a=b" in page)
+            assert (
+                ("Thechapter" in page)
+                == ("magnitude" in page)
+                == ("Projected:" in page)
+                == ("a=b" in page)
+            )
 
 
 def test_a_rounded_decimal_is_told_from_an_exact_one(pages: Print) -> None:
-    results = (Result("a", r"\frac{1}{4}", "0.25", "m", ""), Result("b", r"\frac{1}{3}", "0.333333", "m", ""),
-               Result("c", None, "5.5", "m", ""), Result("d", "3", "3", "1", ""),
-               Result("f", r"-\frac{1}{8}", "-0.125", "deg", ""))
+    results = (
+        Result("a", r"\frac{1}{4}", "0.25", "m", ""),
+        Result("b", r"\frac{1}{3}", "0.333333", "m", ""),
+        Result("c", None, "5.5", "m", ""),
+        Result("d", "3", "3", "1", ""),
+        Result("f", r"-\frac{1}{8}", "-0.125", "deg", ""),
+    )
     text = "".join(pages(worked(Results(results))))
     for expected in ("=0.25m", "≈0.333333m", "≈5.5m", "=3", "=−0.125°"):
         assert expected in text
@@ -153,12 +209,27 @@ def test_plain_text_never_becomes_code(pages: Print) -> None:
 
 
 def test_all_faults_are_told_at_once_with_their_question() -> None:
-    bad = worked(Heading("<b>", 1), Prose(r"$\foo$"), Display((r"a &= \bar{", r"\baz &= 1")),
-                 TermTable((Term("", r"\fie", "`?`", "# x"),)), Results((Result(r"\fum", None, "1", "m", "![x](y)"),)),
-                 Pictures((Picture(polygon_scene(), r"$\fee$"),)))
+    bad = worked(
+        Heading("<b>", 1),
+        Prose(r"$\foo$"),
+        Display((r"a &= \bar{", r"\baz &= 1")),
+        TermTable((Term("", r"\fie", "`?`", "# x"),)),
+        Results((Result(r"\fum", None, "1", "m", "![x](y)"),)),
+        Pictures((Picture(polygon_scene(), r"$\fee$"),)),
+    )
     with pytest.raises(TypesetError) as refusal:
         solution_source(bad)
     problems = refusal.value.problems
     assert {problem.split(":")[0] for problem in problems} == {"q1, solution"}
-    for word in ("raw HTML", r"\foo", "braces", r"\baz", r"\fie", "code", r"\fum", "an image", r"\fee"):
+    for word in (
+        "raw HTML",
+        r"\foo",
+        "braces",
+        r"\baz",
+        r"\fie",
+        "code",
+        r"\fum",
+        "an image",
+        r"\fee",
+    ):
         assert any(word in problem for problem in problems)

@@ -68,11 +68,31 @@ def test_plain_text_never_becomes_code(press: TypstPress, tmp_path: Path) -> Non
     [
         (
             ENGLISH,
-            ["Midtermexamination", "NameĐặngThịHồng", "Question1TotalOutof77Mark", "1Slider-crank", "7points",
-             "counter-clockwisepositive", "PaperA-0001", "page1of1", "m/s"],
+            [
+                "Midtermexamination",
+                "NameĐặngThịHồng",
+                "Question1TotalOutof77Mark",
+                "1Slider-crank",
+                "7points",
+                "counter-clockwisepositive",
+                "PaperA-0001",
+                "page1of1",
+                "m/s",
+            ],
         ),
-        (CHINESE, ["理论力学", "题号1总分满分77得分", "1曲柄滑块机构", "7分", "试卷编号A-0001",
-             "第1页，共1页", "“图示瞬时”", "向右为正"]),
+        (
+            CHINESE,
+            [
+                "理论力学",
+                "题号1总分满分77得分",
+                "1曲柄滑块机构",
+                "7分",
+                "试卷编号A-0001",
+                "第1页，共1页",
+                "“图示瞬时”",
+                "向右为正",
+            ],
+        ),
     ],
 )
 def test_the_page_says_everything(
@@ -100,7 +120,9 @@ def test_a_question_stays_on_one_page(press: TypstPress, tmp_path: Path) -> None
     assert [page.count("Youranswer") for page in pages] == [1, 1, 1]
 
 
-def test_a_question_with_another_number_in_the_answer_sheet_says_which(press: TypstPress, tmp_path: Path) -> None:
+def test_a_question_with_another_number_in_the_answer_sheet_says_which(
+    press: TypstPress, tmp_path: Path
+) -> None:
     question = replace(ENGLISH_QUESTION, identifier="q3")
     (page,) = pages_of(press.paper(replace(ENGLISH, questions=(question,))), tmp_path)
     assert "(q3)7points" in page
@@ -108,14 +130,20 @@ def test_a_question_with_another_number_in_the_answer_sheet_says_which(press: Ty
     assert "(q1)" not in page
 
 
-def test_every_page_tells_whose_it_is_and_whether_it_is_the_last(press: TypstPress, tmp_path: Path) -> None:
+def test_every_page_tells_whose_it_is_and_whether_it_is_the_last(
+    press: TypstPress, tmp_path: Path
+) -> None:
     tall = replace(ENGLISH_QUESTION, rows=ENGLISH_QUESTION.rows[:1] * 11)
-    pages = pages_of(press.paper(replace(ENGLISH, questions=(tall, replace(tall, number=2)))), tmp_path)
+    pages = pages_of(
+        press.paper(replace(ENGLISH, questions=(tall, replace(tall, number=2)))), tmp_path
+    )
     assert all("PaperA-0001" in page and "00123456" in page for page in pages)
     assert ["pleaseturnover" in page for page in pages] == [True, False]
 
 
-def test_a_paper_of_many_questions_has_a_box_for_each_mark(press: TypstPress, tmp_path: Path) -> None:
+def test_a_paper_of_many_questions_has_a_box_for_each_mark(
+    press: TypstPress, tmp_path: Path
+) -> None:
     questions = tuple(replace(ENGLISH_QUESTION, number=number, rows=()) for number in range(1, 21))
     pages = pages_of(press.paper(replace(ENGLISH, questions=questions)), tmp_path)
     numbers = "".join(map(str, range(1, 14)))
@@ -130,26 +158,41 @@ def right_margins(pdf: bytes, folder: Path) -> list[float]:
     margins = []
     for page in PdfReader(file).pages:
         ends: list[float] = []
-        page.extract_text(visitor_text=lambda text, cm, tm, font, size, ends=ends: ends.append(cm[4] + tm[4]))
+        page.extract_text(
+            visitor_text=lambda text, cm, tm, font, size, ends=ends: ends.append(cm[4] + tm[4])
+        )
         margins.append((float(page.mediabox.width) - max(ends)) / 72 * 25.4)
     return margins
 
 
 @pytest.mark.parametrize("size", ["a4", "letter"])
 @pytest.mark.parametrize("paper", [ENGLISH, CHINESE])
-def test_the_longest_texts_stay_between_the_margins(paper: Paper, size: PaperSize, tmp_path: Path) -> None:
-    long = AnswerRow(r"\angle(v_{A'B'}, v_{B'C'}) + \omega_{BC}/\omega_{AB}", "projection of the velocity " * 6,
-                     "mm/s^2",
-                     r"positive in the direction of $OM$ turned through $90^\circ$ counter-clockwise " * 2,
-                     Fraction(25, 3))
-    question = replace(paper.questions[0], title="Slider-crank mechanism with two rods " * 4, rows=(long,) * 2,
-                       figure=Scene(width=75.0, height=50.0, scale=1.0, primitives=()))
-    crowded = replace(paper, name=NAMES[-1] * 2, title="Kinematics of mechanisms " * 4, questions=(question,) * 3)
+def test_the_longest_texts_stay_between_the_margins(
+    paper: Paper, size: PaperSize, tmp_path: Path
+) -> None:
+    long = AnswerRow(
+        r"\angle(v_{A'B'}, v_{B'C'}) + \omega_{BC}/\omega_{AB}",
+        "projection of the velocity " * 6,
+        "mm/s^2",
+        r"positive in the direction of $OM$ turned through $90^\circ$ counter-clockwise " * 2,
+        Fraction(25, 3),
+    )
+    question = replace(
+        paper.questions[0],
+        title="Slider-crank mechanism with two rods " * 4,
+        rows=(long,) * 2,
+        figure=Scene(width=75.0, height=50.0, scale=1.0, primitives=()),
+    )
+    crowded = replace(
+        paper, name=NAMES[-1] * 2, title="Kinematics of mechanisms " * 4, questions=(question,) * 3
+    )
     assert min(right_margins(TypstPress(size).paper(crowded), tmp_path)) >= 19.9
 
 
 def test_a_question_longer_than_a_page_goes_on_overleaf(press: TypstPress, tmp_path: Path) -> None:
-    long = replace(ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120)))
+    long = replace(
+        ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120))
+    )
     pages = pages_of(press.paper(replace(ENGLISH, questions=(long,))), tmp_path)
     assert len(pages) >= 3
     assert all(f"Sentence{index}." in "".join(pages) for index in range(120))
@@ -187,7 +230,9 @@ def test_all_faults_of_a_paper_are_told_at_once(press: TypstPress) -> None:
     question = replace(ENGLISH_QUESTION, title="# a `b`", statement=r"$\foo$", figure=None)
     with pytest.raises(TypesetError) as refusal:
         press.paper(
-            replace(ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2")))
+            replace(
+                ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2"))
+            )
         )
     wheres = [problem.split(":")[0] for problem in refusal.value.problems]
     assert wheres == ["rules", "q1, title", "q1, statement", "q2, title", "q2, statement"]
@@ -196,7 +241,9 @@ def test_all_faults_of_a_paper_are_told_at_once(press: TypstPress) -> None:
 def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) -> None:
     question = replace(ENGLISH_QUESTION, statement=r"$\infty{y}$")
     with pytest.raises(TypesetError) as refusal:
-        press.paper(replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2"))))
+        press.paper(
+            replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2")))
+        )
     assert refusal.value.problems == (
         "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; mend the formulas",
     )
@@ -207,11 +254,15 @@ def test_page_images_are_png(press: TypstPress) -> None:
     assert [image[:4] for image in images] == [b"\x89PNG"]
 
 
-def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(press: TypstPress, tmp_path: Path) -> None:
+def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(
+    press: TypstPress, tmp_path: Path
+) -> None:
     book = key_book(KEY_CHUNK + 5)
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
     pages = pages_of(key_pdf(press, named, tmp_path), tmp_path)
-    assert all("INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1))
+    assert all(
+        "INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1)
+    )
     assert "[U+1F600]" in pages[0]
     for text in ("1.15470", "−0.957427", "[1.14315,1.16625]", "A-0000", "Given:", "0.25m"):
         assert text in pages[0]

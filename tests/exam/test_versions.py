@@ -36,7 +36,9 @@ CLASS = [f"s{number}" for number in range(7)]
 
 def write_exam(folder: Path, options: str, students: list[str] = CLASS, *arguments: str) -> Path:
     (folder / "bank.toml").write_text(BANK % options, encoding="utf-8")
-    (folder / "roster.csv").write_text("student,name\n" + "".join(f"{who},N\n" for who in students), encoding="utf-8")
+    (folder / "roster.csv").write_text(
+        "student,name\n" + "".join(f"{who},N\n" for who in students), encoding="utf-8"
+    )
     result = generate(folder, f"EXAM{len(list(folder.iterdir()))}", *arguments)
     assert result.exit_code == 0, result.stderr
     assert re.search("q2: drawn from the bank: (planetary|ring)-gear-", result.stderr)
@@ -54,10 +56,14 @@ def text_of(file: Path) -> str:
 
 def headings(line: dict[str, Any], known: str, language: Language) -> list[str]:
     """Number and title of each question as they follow on the paper, the identifier where it is another number."""
-    templates = {question["question"]: load_template(question["template"]) for question in line["questions"]}
-    return ["".join(f"{number}{templates[name].title.in_language(language)}".split())
-            + (known.format(name) if name != f"q{number}" else "")
-            for number, name in enumerate(line["printed"], start=1)]
+    templates = {
+        question["question"]: load_template(question["template"]) for question in line["questions"]
+    }
+    return [
+        "".join(f"{number}{templates[name].title.in_language(language)}".split())
+        + (known.format(name) if name != f"q{number}" else "")
+        for number, name in enumerate(line["printed"], start=1)
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -77,8 +83,10 @@ def test_versions_are_dealt_evenly_and_have_the_same_numbers(versions: Path) -> 
     assert sorted(papers) == record(versions)["versions"] == ["A", "B", "C"]
     assert all(line["questions"] == papers[line["version"]] for line in lines)
     for one, other in (("A", "B"), ("A", "C"), ("B", "C")):
-        assert all(mine["parameters"] != yours["parameters"]
-                   for mine, yours in zip(papers[one], papers[other], strict=True))
+        assert all(
+            mine["parameters"] != yours["parameters"]
+            for mine, yours in zip(papers[one], papers[other], strict=True)
+        )
 
 
 def test_the_letter_stands_in_the_code_and_on_the_paper(versions: Path) -> None:
@@ -86,7 +94,10 @@ def test_the_letter_stands_in_the_code_and_on_the_paper(versions: Path) -> None:
     assert len({student["paper"] for student in students}) == len(CLASS)
     for line, student in zip(key_lines(versions), students, strict=True):
         assert (line["student"], line["paper"], line["version"]) == (
-            student["student"], student["paper"], student["version"])
+            student["student"],
+            student["paper"],
+            student["version"],
+        )
         assert re.fullmatch(f"{student['version']}-.{{4}}-.{{4}}", student["paper"])
         text = text_of(versions / student["file"])
         assert f"Midterm·Version{student['version']}" in text
@@ -99,7 +110,9 @@ def test_the_key_shows_each_version_once(versions: Path) -> None:
     assert text.count("q3") == 3
 
 
-def test_a_student_more_changes_nobodys_version_or_paper(versions: Path, shuffled: Path, tmp_path: Path) -> None:
+def test_a_student_more_changes_nobodys_version_or_paper(
+    versions: Path, shuffled: Path, tmp_path: Path
+) -> None:
     for options, exam in (("versions = 3", versions), ("shuffle = true", shuffled)):
         longer = write_exam(tmp_path, options, [*CLASS, "s7"])
         assert key_lines(longer)[:7] == key_lines(exam)
@@ -115,13 +128,18 @@ def test_the_same_seed_gives_the_same_bytes(versions: Path, shuffled: Path, tmp_
 def test_every_template_used_is_kept_and_the_class_shares_one_sheet(versions: Path) -> None:
     questions = record(versions)["questions"]
     assert sorted(path.stem for path in (versions / "templates").iterdir()) == sorted(
-        question["template"] for question in questions)
+        question["template"] for question in questions
+    )
     assert sum(ask["points"] for ask in questions[1]["asks"]) == questions[1]["points"] == 10
-    columns = [f"{question['question']}.{ask['ask']}" for question in questions for ask in question["asks"]]
+    columns = [
+        f"{question['question']}.{ask['ask']}" for question in questions for ask in question["asks"]
+    ]
     assert list(table(versions / "answers.csv")[0]) == ["student", "name", *columns]
 
 
-def test_questions_stand_in_another_order_and_keep_the_names_of_their_columns(shuffled: Path) -> None:
+def test_questions_stand_in_another_order_and_keep_the_names_of_their_columns(
+    shuffled: Path,
+) -> None:
     lines = key_lines(shuffled)
     assert len({tuple(line["printed"]) for line in lines}) >= 3
     for line in lines:
@@ -129,7 +147,9 @@ def test_questions_stand_in_another_order_and_keep_the_names_of_their_columns(sh
         text = text_of(shuffled / "papers" / f"{line['student']}.pdf")
         found = [text.index(heading) for heading in headings(line, "({})", "en")]
         assert sorted(found) == found
-        assert text.count("(q") == sum(name != f"q{number}" for number, name in enumerate(line["printed"], start=1))
+        assert text.count("(q") == sum(
+            name != f"q{number}" for number, name in enumerate(line["printed"], start=1)
+        )
 
 
 def test_headings_in_chinese(tmp_path: Path, shuffled: Path) -> None:
@@ -141,15 +161,23 @@ def test_headings_in_chinese(tmp_path: Path, shuffled: Path) -> None:
 
 
 @pytest.mark.parametrize("options", ["versions = 3", "shuffle = true"])
-def test_the_class_is_marked_by_its_own_papers(options: str, versions: Path, shuffled: Path, tmp_path: Path) -> None:
+def test_the_class_is_marked_by_its_own_papers(
+    options: str, versions: Path, shuffled: Path, tmp_path: Path
+) -> None:
     exam = versions if options == "versions = 3" else shuffled
     rows = []
     for line in key_lines(exam):
-        values = [repr(ask["value"]) for question in line["questions"] for ask in question["asks"].values()]
+        values = [
+            repr(ask["value"])
+            for question in line["questions"]
+            for ask in question["asks"].values()
+        ]
         rows.append(",".join([line["student"], "N", *values]))
     head = (exam / "answers.csv").read_text(encoding="utf-8-sig").splitlines()[0]
     (tmp_path / "answers.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
-    assert kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS").exit_code == 0
+    assert (
+        kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS").exit_code == 0
+    )
     assert {row["percent"] for row in table(tmp_path / "MARKS" / "grades.csv")} == {"100"}
 
 
@@ -157,16 +185,21 @@ def test_too_few_combinations_for_the_versions_are_refused(tmp_path: Path) -> No
     (tmp_path / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
     (tmp_path / "bank.toml").write_text(
         'title = "T"\ncourse = "C"\nversions = 3\n[[questions]]\ntemplate = "slider-crank"\n'
-        "draw = { r = [1], k = [2], phi = [30], omega = [1], alpha = [1, 2] }", encoding="utf-8")
+        "draw = { r = [1], k = [2], phi = [30], omega = [1], alpha = [1, 2] }",
+        encoding="utf-8",
+    )
     result = generate(tmp_path)
     assert result.exit_code == 2
-    assert "q1 (slider-crank): 2 combinations are drawable for 3 versions: widen the domains" in result.stderr
+    assert (
+        "q1 (slider-crank): 2 combinations are drawable for 3 versions: widen the domains"
+        in result.stderr
+    )
 
 
 def test_every_round_of_the_deal_holds_each_version_once_in_an_order_of_its_own() -> None:
     letters = version_letters(4)
     dealt = [version_of("spring", place, letters) for place in range(200)]
-    turns = [tuple(dealt[start:start + 4]) for start in range(0, 200, 4)]
+    turns = [tuple(dealt[start : start + 4]) for start in range(0, 200, 4)]
     assert letters == ("A", "B", "C", "D")
     assert all(sorted(turn) == list(letters) for turn in turns)
     assert len(set(turns)) > 10
@@ -175,7 +208,9 @@ def test_every_round_of_the_deal_holds_each_version_once_in_an_order_of_its_own(
 
 def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
     (tmp_path / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
-    result = kinegrade("generate", "velocity-quiz", tmp_path / "roster.csv", "-o", tmp_path / "EXAM", "--seed", "s")
+    result = kinegrade(
+        "generate", "velocity-quiz", tmp_path / "roster.csv", "-o", tmp_path / "EXAM", "--seed", "s"
+    )
     assert result.exit_code == 0
     assert sum(question["points"] for question in record(tmp_path / "EXAM")["questions"]) == 30
 

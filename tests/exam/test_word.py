@@ -26,8 +26,15 @@ from tests.exam.solutions import polygon_scene
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 HOSTILE = '<script>alert(1)</script> $x$ *a* [b](c) \\input{/etc/passwd} {=html} & "q" ```'
-TAKES = {"left": r"\left( a \right)", "right": "a", "begin": r"\begin{cases} a & b \\ c & d \end{cases}", "end": "a",
-         "frac": r"\frac{a}{b}", "dfrac": r"\dfrac{a}{b}", "tfrac": r"\tfrac{a}{b}"}
+TAKES = {
+    "left": r"\left( a \right)",
+    "right": "a",
+    "begin": r"\begin{cases} a & b \\ c & d \end{cases}",
+    "end": "a",
+    "frac": r"\frac{a}{b}",
+    "dfrac": r"\dfrac{a}{b}",
+    "tfrac": r"\tfrac{a}{b}",
+}
 WITH_ARGUMENT = "mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace overrightarrow sqrt"
 
 
@@ -51,7 +58,13 @@ def words(element: ElementTree.Element) -> str:
 def with_figure(paper: Paper) -> Paper:
     """The paper with a figure in its first question, and a second question named otherwise than its number."""
     first = replace(paper.questions[0], figure=polygon_scene())
-    return replace(paper, questions=(first, replace(first, number=2, identifier="q5", points=Fraction(1), figure=None)))
+    return replace(
+        paper,
+        questions=(
+            first,
+            replace(first, number=2, identifier="q5", points=Fraction(1), figure=None),
+        ),
+    )
 
 
 class Page(HTMLParser):
@@ -73,14 +86,47 @@ class Page(HTMLParser):
         return [attributes for name, attributes in self.tags if name == tag]
 
 
-@pytest.mark.parametrize(("paper", "expected"), [
-    (ENGLISH, ["TheoreticalMechanics·14November2025", "Midtermexamination", "NameĐặngThịHồng", "Student00123456",
-               "PaperA-0001", "Question12Total", "Outof718", "1Slider-crank", "·7points", "(q5)·1point",
-               "counter-clockwisepositive", "rad/s", "/4", "Source:Example3"]),
-    (CHINESE, ["理论力学", "期中考试", "姓名欧阳修远", "曲柄滑块机构", "·7分", "（q5）·1分", "向右为正", "来源：例3",
-               "转动。求“图示瞬时”"]),
-])
-def test_the_document_says_everything(press: PandocPress, paper: Paper, expected: list[str]) -> None:
+@pytest.mark.parametrize(
+    ("paper", "expected"),
+    [
+        (
+            ENGLISH,
+            [
+                "TheoreticalMechanics·14November2025",
+                "Midtermexamination",
+                "NameĐặngThịHồng",
+                "Student00123456",
+                "PaperA-0001",
+                "Question12Total",
+                "Outof718",
+                "1Slider-crank",
+                "·7points",
+                "(q5)·1point",
+                "counter-clockwisepositive",
+                "rad/s",
+                "/4",
+                "Source:Example3",
+            ],
+        ),
+        (
+            CHINESE,
+            [
+                "理论力学",
+                "期中考试",
+                "姓名欧阳修远",
+                "曲柄滑块机构",
+                "·7分",
+                "（q5）·1分",
+                "向右为正",
+                "来源：例3",
+                "转动。求“图示瞬时”",
+            ],
+        ),
+    ],
+)
+def test_the_document_says_everything(
+    press: PandocPress, paper: Paper, expected: list[str]
+) -> None:
     docx = words(parts(press.docx(with_figure(paper)))("word/document.xml"))
     html = "".join(Page(press.html(with_figure(paper))).text.split())
     assert [text for text in expected if text not in docx or text not in html] == []
@@ -126,7 +172,12 @@ def test_html_stands_alone(press: PandocPress) -> None:
     assert page.named("html") == [{"lang": "zh-CN"}]
     assert len(page.named("math")) >= 12
     assert not {name for name, _ in page.tags} & {"script", "link", "iframe", "object"}
-    addresses = [value for _, attributes in page.tags for key, value in attributes.items() if key in ("src", "href")]
+    addresses = [
+        value
+        for _, attributes in page.tags
+        for key, value in attributes.items()
+        if key in ("src", "href")
+    ]
     assert all(str(address).startswith("data:") for address in addresses)
 
 
@@ -148,10 +199,17 @@ def test_control_characters_become_blanks(press: PandocPress) -> None:
 
 
 def test_every_formula_that_a_paper_may_hold_is_a_formula(press: PandocPress) -> None:
-    formulas = [TAKES.get(name, rf"\{name}{{a}}" if name in f"{WITH_ARGUMENT} widehat".split() else rf"a \{name} b")
-                for name in sorted(COMMANDS)]
+    formulas = [
+        TAKES.get(
+            name,
+            rf"\{name}{{a}}" if name in f"{WITH_ARGUMENT} widehat".split() else rf"a \{name} b",
+        )
+        for name in sorted(COMMANDS)
+    ]
     formulas += [r"0{,}5", r"5\,\text{m/s^2}", r"\unit{rad/s}", r"a\;\:\!\ b\%\{\}\|"]
-    question = replace(ENGLISH_QUESTION, statement="\n".join(f"${formula}$" for formula in formulas))
+    question = replace(
+        ENGLISH_QUESTION, statement="\n".join(f"${formula}$" for formula in formulas)
+    )
     paper = replace(ENGLISH, rules=(), questions=(question,))
     document = parts(press.docx(paper))("word/document.xml")
     assert len(list(document.iter(f"{M}oMath"))) == len(formulas) + 5
@@ -166,13 +224,17 @@ def test_same_input_same_bytes(press: PandocPress) -> None:
 
 def test_lists_and_letterings_are_kept(press: PandocPress) -> None:
     statement = "1. **first**\n2. *second*\n\n- a\n  b  \n  c\n\n" + r"$$x = 1$$" + "\n"
-    page = Page(press.html(replace(ENGLISH, questions=(replace(ENGLISH_QUESTION, statement=statement),))))
+    page = Page(
+        press.html(replace(ENGLISH, questions=(replace(ENGLISH_QUESTION, statement=statement),)))
+    )
     assert [len(page.named(tag)) >= 1 for tag in ("ol", "ul", "em", "br")] == [True] * 4
     assert {"display": "block", "xmlns": "http://www.w3.org/1998/Math/MathML"} in page.named("math")
 
 
 def test_many_questions_have_marks_in_several_tables(press: PandocPress) -> None:
-    questions = tuple(replace(CHINESE_QUESTION, number=number, identifier=f"q{number}") for number in range(1, 31))
+    questions = tuple(
+        replace(CHINESE_QUESTION, number=number, identifier=f"q{number}") for number in range(1, 31)
+    )
     page = Page(press.html(replace(CHINESE, questions=questions)))
     assert [table["class"] for table in page.named("table")].count("marks") == 3
 
@@ -183,7 +245,14 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
     with pytest.raises(TypesetError) as refusal:
         paper_tree(replace(ENGLISH, rules=("<b>",), questions=(question,)), {})
     wheres = [problem.split(":")[0] for problem in refusal.value.problems]
-    assert wheres == ["rules", "q1, title", "q1, statement", "q1, meaning", "q1, sign", "q1, symbol"]
+    assert wheres == [
+        "rules",
+        "q1, title",
+        "q1, statement",
+        "q1, meaning",
+        "q1, sign",
+        "q1, symbol",
+    ]
 
 
 def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> None:
@@ -196,19 +265,26 @@ def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> Non
     )
 
 
-def test_another_pandoc_is_told_with_its_own_words(press: PandocPress, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_another_pandoc_is_told_with_its_own_words(
+    press: PandocPress, monkeypatch: pytest.MonkeyPatch
+) -> None:
     old = SimpleNamespace(returncode=64, stderr=b"Unknown\noption --sandbox", stdout=b"")
     monkeypatch.setattr(subprocess, "run", lambda *command, **options: old)
     with pytest.raises(TypesetError) as refusal:
         press.html(ENGLISH)
-    assert str(refusal.value) == ("html: pandoc: Unknown option --sandbox; expected a document that it can write;"
-                                  " try a pandoc of version 3")
+    assert str(refusal.value) == (
+        "html: pandoc: Unknown option --sandbox; expected a document that it can write;"
+        " try a pandoc of version 3"
+    )
 
 
 def test_another_kind_is_refused() -> None:
     with pytest.raises(TypesetError) as refusal:
         PandocPress().also(ENGLISH, "odt")
-    assert str(refusal.value) == "odt: not a kind of file that papers are written in; known here: docx, html"
+    assert (
+        str(refusal.value)
+        == "odt: not a kind of file that papers are written in; known here: docx, html"
+    )
 
 
 def test_without_pandoc_one_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -223,9 +299,14 @@ def test_without_pandoc_one_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatc
     assert str(refusal.value) == f"html: {MISSING}"
 
 
-def test_a_pandoc_that_does_not_end_is_given_up(press: PandocPress, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_pandoc_that_does_not_end_is_given_up(
+    press: PandocPress, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def never(*command: object, **options: object) -> None:
         raise subprocess.TimeoutExpired("pandoc", 60)
+
     monkeypatch.setattr(subprocess, "run", never)
-    with pytest.raises(TypesetError, match=r"^html: pandoc has not ended after 60 s; expected .*; try again$"):
+    with pytest.raises(
+        TypesetError, match=r"^html: pandoc has not ended after 60 s; expected .*; try again$"
+    ):
         press.html(ENGLISH)

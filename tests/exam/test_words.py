@@ -6,7 +6,14 @@ from dataclasses import asdict
 
 import pytest
 
-from kinegrade.exam.words import CHINESE, CHINESE_GALLERY, ENGLISH, ENGLISH_GALLERY, GalleryWords, Words
+from kinegrade.exam.words import (
+    CHINESE,
+    CHINESE_GALLERY,
+    ENGLISH,
+    ENGLISH_GALLERY,
+    GalleryWords,
+    Words,
+)
 
 
 @pytest.mark.parametrize("languages", [(ENGLISH, CHINESE), (ENGLISH_GALLERY, CHINESE_GALLERY)])

@@ -19,7 +19,9 @@ from kinegrade.exam.workshop import CHUNK, MOST, alone, finished, parts_of
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
-TWO_CHUNKS = "student,name\n" + "".join(f"{number},Student {number}\n" for number in range(2 * CHUNK + 1))
+TWO_CHUNKS = "student,name\n" + "".join(
+    f"{number},Student {number}\n" for number in range(2 * CHUNK + 1)
+)
 BANK = """title = "T"
 course = "C"
 shuffle = true
@@ -64,22 +66,58 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
     assert all(size >= CHUNK for size in sizes[:-1])
 
 
-@pytest.mark.parametrize("threads", ["1", "2"])  # of a library: copies where there are none, else processes afresh
-def test_copies_of_a_process_without_threads_write_the_same_bytes(folder: Path, threads: str) -> None:
+@pytest.mark.parametrize(
+    "threads", ["1", "2"]
+)  # of a library: copies where there are none, else processes afresh
+def test_copies_of_a_process_without_threads_write_the_same_bytes(
+    folder: Path, threads: str
+) -> None:
     assert generate(folder, "ONE", "--jobs", "1").exit_code == 0
-    command = [sys.executable, "-W", "error:This process:DeprecationWarning", "-m", "kinegrade", "generate",
-               "bank.toml", "roster.csv", "-o", "TWO", "--seed", "spring", "--no-solutions", "--jobs", "2"]
-    subprocess.run(command, cwd=folder, check=True, capture_output=True,
-                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": threads})
+    command = [
+        sys.executable,
+        "-W",
+        "error:This process:DeprecationWarning",
+        "-m",
+        "kinegrade",
+        "generate",
+        "bank.toml",
+        "roster.csv",
+        "-o",
+        "TWO",
+        "--seed",
+        "spring",
+        "--no-solutions",
+        "--jobs",
+        "2",
+    ]
+    subprocess.run(
+        command,
+        cwd=folder,
+        check=True,
+        capture_output=True,
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join(sys.path),
+            "OPENBLAS_NUM_THREADS": threads,
+        },
+    )
     assert contents(folder / "TWO") == contents(folder / "ONE")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
-    program = ("import kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = TypstPress(); "
-               "from kinegrade.exam.workshop import alone; print(alone())")
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
-    answer = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, env=environment)
+    program = (
+        "import kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = TypstPress(); "
+        "from kinegrade.exam.workshop import alone; print(alone())"
+    )
+    environment = {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join(sys.path),
+        "OPENBLAS_NUM_THREADS": "1",
+    }
+    answer = subprocess.run(
+        [sys.executable, "-c", program], check=True, capture_output=True, env=environment
+    )
     assert answer.stdout.split() == [b"True"]
 
 
@@ -103,7 +141,9 @@ def test_a_process_with_a_second_thread_is_not_alone() -> None:
 
 
 def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(folder: Path) -> None:
-    (folder / "crank.toml").write_text(crank_text(("above $O$.", r"above $\nonsense{O}$.")), encoding="utf-8")
+    (folder / "crank.toml").write_text(
+        crank_text(("above $O$.", r"above $\nonsense{O}$.")), encoding="utf-8"
+    )
     lines = []
     for jobs in ("1", "2"):
         result = generate(folder, "EXAM", "--jobs", jobs)
@@ -117,7 +157,9 @@ def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(folder: Path) -> No
 def test_a_worker_that_is_killed_is_told_of() -> None:
     with ProcessPoolExecutor(1) as executor:
         task = executor.submit(os._exit, 9)
-        with pytest.raises(TypesetError, match="a process that prints papers was ended from outside; .*--jobs 1"):
+        with pytest.raises(
+            TypesetError, match="a process that prints papers was ended from outside; .*--jobs 1"
+        ):
             finished(task)  # type: ignore[arg-type]
 
 
@@ -138,7 +180,9 @@ def test_nobody_gets_the_numbers_of_another_however_the_class_is_divided(folder:
 
 def test_a_draw_that_fails_in_a_worker_is_told_as_ever(folder: Path) -> None:
     (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
-    scarce = FEW.replace('omega = "1 .. 8 step 1"', "omega = [1, 2, 3, 4, 5, 20000000]")  # 40 sound ones for 41
+    scarce = FEW.replace(
+        'omega = "1 .. 8 step 1"', "omega = [1, 2, 3, 4, 5, 20000000]"
+    )  # 40 sound ones for 41
     (folder / "bank.toml").write_text(scarce, encoding="utf-8")
     errors = [generate(folder, "EXAM", "--jobs", jobs).stderr for jobs in ("1", "2")]
     assert errors[0] == errors[1]
@@ -146,12 +190,32 @@ def test_a_draw_that_fails_in_a_worker_is_told_as_ever(folder: Path) -> None:
     assert not list(folder.glob(".*"))
 
 
-@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="asks Linux for the children of a process")
+@pytest.mark.skipif(
+    not Path("/proc/self/task").exists(), reason="asks Linux for the children of a process"
+)
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
-def test_whatever_ends_the_command_its_workers_end_with_it(folder: Path, how: signal.Signals) -> None:
-    command = [sys.executable, "-m", "kinegrade", "generate", "bank.toml", "roster.csv", "-o", "EXAM", "--jobs", "2"]
-    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+def test_whatever_ends_the_command_its_workers_end_with_it(
+    folder: Path, how: signal.Signals
+) -> None:
+    command = [
+        sys.executable,
+        "-m",
+        "kinegrade",
+        "generate",
+        "bank.toml",
+        "roster.csv",
+        "-o",
+        "EXAM",
+        "--jobs",
+        "2",
+    ]
+    process = subprocess.Popen(
+        command,
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     while process.poll() is None and not list(folder.glob(".*.partial-*/papers/*.pdf")):
         time.sleep(0.01)
     workers = children(process.pid)
@@ -164,8 +228,11 @@ def test_whatever_ends_the_command_its_workers_end_with_it(folder: Path, how: si
 
 
 def children(process: int) -> list[int]:
-    return [int(number) for task in Path(f"/proc/{process}/task").iterdir()
-            for number in (task / "children").read_text().split()]
+    return [
+        int(number)
+        for task in Path(f"/proc/{process}/task").iterdir()
+        for number in (task / "children").read_text().split()
+    ]
 
 
 def gone(processes: list[int]) -> bool:

@@ -12,7 +12,11 @@ from kinegrade.mechanics.vector import Vector
 def faults(scene: Scene, width: float, height: float) -> list[str]:
     """What is wrong with a picture, in words; nothing as a rule."""
     pairs = combinations(scene.labels, 2)
-    found = [f"{one.symbol} on {other.symbol}" for one, other in pairs if box_of(one).meets(box_of(other))]
+    found = [
+        f"{one.symbol} on {other.symbol}"
+        for one, other in pairs
+        if box_of(one).meets(box_of(other))
+    ]
     lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen]
     bold = Obstacles.of(part for part in lines if part.pen and part.pen.width >= BOLD.width)
     for label in scene.labels:
@@ -30,14 +34,23 @@ def symbols(scene: Scene) -> list[str]:
 
 
 def lines(scene: Scene, pen: Pen) -> list[tuple[Vector, Vector]]:
-    return [line for part in scene.primitives if isinstance(part, Strokes) and part.pen == pen for line in part.lines]
+    return [
+        line
+        for part in scene.primitives
+        if isinstance(part, Strokes) and part.pen == pen
+        for line in part.lines
+    ]
 
 
 def heads(scene: Scene, fill: str = "black") -> list[Outline]:
     """The arrowheads; the first corner is the tip."""
     outlines = (part for part in scene.primitives if isinstance(part, Outline))
-    return [part for part in outlines if part.fill == fill and len(part.corners) == 3 and part.closed]
+    return [
+        part for part in outlines if part.fill == fill and len(part.corners) == 3 and part.closed
+    ]
 
 
 def dots(scene: Scene) -> list[Vector]:
-    return [part.centre for part in scene.primitives if isinstance(part, Disc) and part.fill == "black"]
+    return [
+        part.centre for part in scene.primitives if isinstance(part, Disc) and part.fill == "black"
+    ]

@@ -7,7 +7,17 @@ from math import cos, radians, sin, sqrt, tan
 from typing import Any
 
 from kinegrade.mechanics.drivers import Component, Rotation
-from kinegrade.mechanics.joints import GROUND, Circle, Contact, Line, Parallel, Pin, Roll, Sleeve, Slide
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Circle,
+    Contact,
+    Line,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, read_hints
@@ -28,12 +38,19 @@ def polar(radius: float, degrees: float) -> Vector:
 def slider_crank(r: float, k: float, phi: float) -> Case:
     o, a = Vector(0.0, 0.0), polar(r, phi)
     b = Vector(a.x + sqrt((k * r) ** 2 - a.y**2), 0.0)
-    joints = (Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Slide("B", "AB", Line(o, RIGHT), GROUND))
+    joints = (
+        Pin("O", ("OA", GROUND)),
+        Pin("A", ("OA", "AB")),
+        Slide("B", "AB", Line(o, RIGHT), GROUND),
+    )
     bodies = (Body("OA", ("O", "A")), Body("AB", ("A", "B")))
     mechanism = Mechanism({"O": o, "A": a, "B": b}, bodies, joints, (Rotation("OA", -3.0, 0.0),))
     return hinted(
         mechanism,
-        lengths=[{"symbol": "r", "from": "O", "to": "A"}, {"symbol": "k r", "from": "A", "to": "B"}],
+        lengths=[
+            {"symbol": "r", "from": "O", "to": "A"},
+            {"symbol": "k r", "from": "A", "to": "B"},
+        ],
         angles=[{"symbol": r"\varphi", "at": "O", "from": "right", "to": "A"}],
         arrows=[{"symbol": r"\omega", "turns": "OA"}],
     )
@@ -95,7 +112,10 @@ def follower_curvature(r: float, theta: float, rho: float) -> Case:
     bodies = (Body("cam", ("O", "K")), Body("BC", ("A",)))
     return hinted(
         Mechanism(points, bodies, follower_joints("K", rho, a), (Rotation("cam", 2.0, 0.0),)),
-        lengths=[{"symbol": "r", "from": "O", "to": "A"}, {"symbol": r"\rho", "from": "K", "to": "A"}],
+        lengths=[
+            {"symbol": "r", "from": "O", "to": "A"},
+            {"symbol": r"\rho", "from": "K", "to": "A"},
+        ],
         angles=[{"symbol": r"\theta", "at": "O", "from": "up", "to": "A"}],
         arrows=[{"symbol": r"\omega", "turns": "cam", "sense": "ccw"}],
         shapes={"cam": "cam"},
@@ -194,7 +214,13 @@ EIGHT: dict[str, tuple[Callable[..., Case], list[tuple[float, ...]]]] = {
         follower_circle,
         [(0.3, 0.09, 40), (0.1, 0.08, -120), (0.4, 0.03, 180), (0.2, 0.09, 90)],
     ),
-    "swivelling-sleeve": (swivelling_sleeve, [(0.5, 60), (1.5, 25), (0.2, 155), (1.0, 90), (0.8, 110)]),
-    "slotted-rocker": (slotted_rocker, [(0.6, 30, 90), (1.0, 20, 105), (0.3, 60, 75), (0.5, 45, 100)]),
+    "swivelling-sleeve": (
+        swivelling_sleeve,
+        [(0.5, 60), (1.5, 25), (0.2, 155), (1.0, 90), (0.8, 110)],
+    ),
+    "slotted-rocker": (
+        slotted_rocker,
+        [(0.6, 30, 90), (1.0, 20, 105), (0.3, 60, 75), (0.5, 45, 100)],
+    ),
     "slotted-bar": (slotted_bar, [(0.06, 30), (0.12, 15), (0.04, 70), (0.08, 50)]),
 }

@@ -55,10 +55,17 @@ def towed_wheel() -> Case:
         Pin("E", ("DE", "W")),
         Roll("W", Circle("E", 0.15), GROUND, Line(points["K"], RIGHT)),
     )
-    names = {"OA": ("O", "A"), "AB": ("A", "B"), "CD": ("C", "B", "D"), "DE": ("D", "E"), "W": ("E", "K")}
+    names = {
+        "OA": ("O", "A"),
+        "AB": ("A", "B"),
+        "CD": ("C", "B", "D"),
+        "DE": ("D", "E"),
+        "W": ("E", "K"),
+    }
     bodies = tuple(Body(name, own) for name, own in names.items())
     return hinted(
-        Mechanism(points, bodies, joints, (Rotation("OA", 2.0, 0.0),)), radii=[{"symbol": "R", "centre": "E"}]
+        Mechanism(points, bodies, joints, (Rotation("OA", 2.0, 0.0),)),
+        radii=[{"symbol": "R", "centre": "E"}],
     )
 
 
@@ -66,7 +73,9 @@ def wheel_in_track() -> Case:
     o, r = polar(0.35, -60), 0.15
     points = {"O1": ORIGIN, "O": o, "D": polar(0.5, -60), "B": o + polar(r, 100)}
     joints = (Roll("wheel", Circle("O", r), GROUND, Circle("O1", 0.5), inside=True),)
-    mechanism = Mechanism(points, (Body("wheel", ("O", "D", "B")),), joints, (Rotation("wheel", 2.0, 0.0),))
+    mechanism = Mechanism(
+        points, (Body("wheel", ("O", "D", "B")),), joints, (Rotation("wheel", 2.0, 0.0),)
+    )
     return hinted(
         mechanism,
         radii=[{"symbol": "R", "centre": "O1"}, {"symbol": "r", "centre": "O"}],
@@ -98,7 +107,9 @@ def meshing_gears() -> Case:
     )
     bodies = (Body("arm", ("O", "A")), Body("sun", ("O",)), Body("planet", ("A",)))
     drivers = (Rotation("arm", 2.0, 0.0), Rotation("sun", -1.0, 0.0))
-    return hinted(Mechanism(points, bodies, joints, drivers), labels={"sun": "1", "planet": "2", "arm": "H"})
+    return hinted(
+        Mechanism(points, bodies, joints, drivers), labels={"sun": "1", "planet": "2", "arm": "H"}
+    )
 
 
 def bar_pushing_disc() -> Case:
@@ -114,9 +125,16 @@ def bar_pushing_disc() -> Case:
         Pin("B", ("BC", "OB")),
         Pin("O", ("OB", GROUND)),
     )
-    bodies = (Body("O1A", ("O1",)), Body("disc", ("C",)), Body("BC", ("C", "B")), Body("OB", ("O", "B")))
+    bodies = (
+        Body("O1A", ("O1",)),
+        Body("disc", ("C",)),
+        Body("BC", ("C", "B")),
+        Body("OB", ("O", "B")),
+    )
     mechanism = Mechanism(points, bodies, joints, (Rotation("O1A", -2.0, 0.0),))
-    return hinted(mechanism, angles=[{"symbol": r"\varphi", "at": "O1", "from": "right", "to": "C"}])
+    return hinted(
+        mechanism, angles=[{"symbol": r"\varphi", "at": "O1", "from": "right", "to": "C"}]
+    )
 
 
 def sleeve_with_arm() -> Case:
@@ -139,7 +157,9 @@ def swivelling_rod() -> Case:
         Slide("B", "rod", Line(points["B"], RIGHT), GROUND),
         Slide("D", GROUND, Line(ORIGIN, points["B"]), "rod"),
     )
-    mechanism = Mechanism(points, (Body("rod", ("B",)),), joints, (Component("B", "rod", RIGHT, -1.0, 0.0),))
+    mechanism = Mechanism(
+        points, (Body("rod", ("B",)),), joints, (Component("B", "rod", RIGHT, -1.0, 0.0),)
+    )
     return hinted(mechanism, arrows=[{"symbol": "v_B", "moves": "B"}])
 
 
@@ -157,20 +177,32 @@ def parallelogram_with_sleeve() -> Case:
     )
     names = ("AB", "CD", "BD", "EF")
     bodies = tuple(Body(name, (name[0], name[1])) for name in names)
-    return hinted(Mechanism(points, bodies, joints, (Rotation("EF", 2.0, 0.0),)), shapes={"BD": "bar"})
+    return hinted(
+        Mechanism(points, bodies, joints, (Rotation("EF", 2.0, 0.0),)), shapes={"BD": "bar"}
+    )
 
 
 def slotted_rings() -> Case:
     r, d = 0.3, 0.36
     m = Vector(d / 2, sqrt(r**2 - (d / 2 - r) ** 2))
-    points = {"A": ORIGIN, "C": Vector(d, 0.0), "O2": Vector(r, 0.0), "O1": Vector(d - r, 0.0), "M": m}
+    points = {
+        "A": ORIGIN,
+        "C": Vector(d, 0.0),
+        "O2": Vector(r, 0.0),
+        "O1": Vector(d - r, 0.0),
+        "M": m,
+    }
     joints = (
         Pin("C", ("ring1", GROUND)),
         Pin("A", ("ring2", GROUND)),
         Arc("M", "M", Circle("O1", r), "ring1"),
         Arc("M", "M", Circle("O2", r), "ring2"),
     )
-    bodies = (Body("ring1", ("C", "O1")), Body("ring2", ("A", "O2")), Body("M", ("M",), particle=True))
+    bodies = (
+        Body("ring1", ("C", "O1")),
+        Body("ring2", ("A", "O2")),
+        Body("M", ("M",), particle=True),
+    )
     return hinted(Mechanism(points, bodies, joints, ()))
 
 
@@ -202,7 +234,10 @@ def bent_coupler() -> Case:
 
 def sliding_plate() -> Case:
     points = {"B": Vector(0.0, 0.35), "C": Vector(0.5, 0.0), "A": Vector(0.45, 0.5)}
-    joints = (Slide("B", "plate", Line(ORIGIN, UP), GROUND), Slide("C", "plate", Line(ORIGIN, RIGHT), GROUND))
+    joints = (
+        Slide("B", "plate", Line(ORIGIN, UP), GROUND),
+        Slide("C", "plate", Line(ORIGIN, RIGHT), GROUND),
+    )
     driver = Component("C", "plate", RIGHT, 1.0, 0.0)
     mechanism = Mechanism(points, (Body("plate", ("A", "B", "C")),), joints, (driver,))
     return hinted(mechanism, arrows=[{"symbol": "v_C", "moves": "C"}])
@@ -236,14 +271,18 @@ def pointed_follower() -> Case:
     bodies = (Body("cam", ("O", "C")), Body("AB", ("A",)))
     mechanism = Mechanism(points, bodies, joints, (Rotation("cam", 2.0, 0.0),))
     return hinted(
-        mechanism, radii=[{"symbol": "r", "centre": "C"}], lengths=[{"symbol": "e", "from": "O", "to": "C"}]
+        mechanism,
+        radii=[{"symbol": "r", "centre": "C"}],
+        lengths=[{"symbol": "e", "from": "O", "to": "C"}],
     )
 
 
 def plate_on_fixed_corners() -> Case:
     half = 0.25
     corners = {"D": (-half, -half), "E": (half, -half), "F": (half, half), "G": (-half, half)}
-    turned = {name: Vector(x * 0.866 - y * 0.5, x * 0.5 + y * 0.866) for name, (x, y) in corners.items()}
+    turned = {
+        name: Vector(x * 0.866 - y * 0.5, x * 0.5 + y * 0.866) for name, (x, y) in corners.items()
+    }
     points = {"O": ORIGIN, **turned}
     points["A"] = (turned["D"] + turned["G"]) / 2
     points["B"] = (turned["D"] + turned["E"]) / 2
@@ -252,7 +291,12 @@ def plate_on_fixed_corners() -> Case:
         Slide("B", GROUND, Line(points["B"], turned["E"] - turned["D"]), "plate"),
     )
     return hinted(
-        Mechanism(points, (Body("plate", ("O", "D", "E", "F", "G")),), joints, (Rotation("plate", 1.0, 0.0),))
+        Mechanism(
+            points,
+            (Body("plate", ("O", "D", "E", "F", "G")),),
+            joints,
+            (Rotation("plate", 1.0, 0.0),),
+        )
     )
 
 
@@ -268,7 +312,9 @@ def corner_in_two_sleeves() -> Case:
         Slide("B", GROUND, Line(m, polar(1.0, phi)), "rod"),
     )
     bodies = (Body("arm", ("A", "E")), Body("rod", ("M",)))
-    mechanism = Mechanism({"B": b, "A": a, "E": end, "M": m}, bodies, joints, (Rotation("arm", 2.0, 0.0),))
+    mechanism = Mechanism(
+        {"B": b, "A": a, "E": end, "M": m}, bodies, joints, (Rotation("arm", 2.0, 0.0),)
+    )
     return hinted(mechanism, shapes={"rod": "bar"})
 
 
@@ -284,7 +330,9 @@ def wheels_on_cylinder() -> Case:
     mechanism = Mechanism(
         {"O": ORIGIN, "A": a, "B": b}, bodies, joints, (Circulation("A", "W1", "O", -1.0, 0.0),)
     )
-    return hinted(mechanism, arrows=[{"symbol": "v_A", "moves": "A"}], radii=[{"symbol": "R", "centre": "O"}])
+    return hinted(
+        mechanism, arrows=[{"symbol": "v_A", "moves": "A"}], radii=[{"symbol": "R", "centre": "O"}]
+    )
 
 
 MORE: dict[str, tuple[Callable[..., Case], list[tuple[float, ...]]]] = {

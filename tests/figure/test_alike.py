@@ -13,9 +13,12 @@ from tests.figure.mechanisms import slider_crank
 
 def driven(mechanism: Mechanism, factor: float) -> Mechanism:
     """The mechanism with velocities larger by a factor."""
-    return replace(mechanism, drivers=tuple(
-        replace(driver, velocity=factor * driver.velocity) for driver in mechanism.drivers
-    ))
+    return replace(
+        mechanism,
+        drivers=tuple(
+            replace(driver, velocity=factor * driver.velocity) for driver in mechanism.drivers
+        ),
+    )
 
 
 def shown(mechanism: Mechanism, hints: FigureHints) -> Subject:

@@ -34,30 +34,45 @@ def latex(body: str) -> str:
 
 
 def test_typst_draws_all_eight_figures() -> None:
-    page = "#set page(width: auto, height: auto)\n" + "\n#pagebreak()\n".join(map(to_typst, eight_scenes()))
+    page = "#set page(width: auto, height: auto)\n" + "\n#pagebreak()\n".join(
+        map(to_typst, eight_scenes())
+    )
     assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
 
 
 @needs_tex
 def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) -> None:
     scenes = eight_scenes()
-    boxes = (rf"\setbox0\hbox{{{to_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
-             for scene in scenes)
+    boxes = (
+        rf"\setbox0\hbox{{{to_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
+        for scene in scenes
+    )
     assert run("pdflatex", latex("".join(boxes)), tmp_path, 60).fault is None
-    sizes = re.findall(r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE)
+    sizes = re.findall(
+        r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE
+    )
     for scene, found in zip(scenes, sizes, strict=True):
-        assert [float(size) * 25.4 / 72.27 for size in found] == pytest.approx([scene.width, scene.height], abs=0.02)
+        assert [float(size) * 25.4 / 72.27 for size in found] == pytest.approx(
+            [scene.width, scene.height], abs=0.02
+        )
 
 
 @needs_tex
 def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> None:
-    boxes = (rf"\setbox0\hbox{{${symbol}$}}\typeout{{size \the\wd0 \space\the\dimexpr\ht0+\dp0}}" for symbol in SYMBOLS)
+    boxes = (
+        rf"\setbox0\hbox{{${symbol}$}}\typeout{{size \the\wd0 \space\the\dimexpr\ht0+\dp0}}"
+        for symbol in SYMBOLS
+    )
     run("pdflatex", latex(r"\fontsize{9}{9}\selectfont" + "".join(boxes)), tmp_path, 60)
-    sizes = re.findall(r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE)
+    sizes = re.findall(
+        r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE
+    )
     for symbol, (width, height) in zip(SYMBOLS, sizes, strict=True):
         room = symbol_size(symbol)
         assert float(width) * 25.4 / 72.27 <= room[0] + 0.05, symbol
-        assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, symbol  # TeX's root stands out a little
+        assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, (
+            symbol
+        )  # TeX's root stands out a little
 
 
 @BACK_ENDS

@@ -25,7 +25,9 @@ def test_the_profile_lies_below_the_face_touches_it_and_holds_the_pivot(
 
 
 @given(st.floats(0.1, 0.5), st.integers(-40, 40), st.floats(0.05, 0.6))
-def test_the_profile_has_the_given_curvature_around_the_contact(r: float, theta: int, rho: float) -> None:
+def test_the_profile_has_the_given_curvature_around_the_contact(
+    r: float, theta: int, rho: float
+) -> None:
     contact = polar(radians(90 - theta), r)
     centre = contact - Vector(0.0, rho)
     profile = cam_profile(Vector(0.0, 0.0), contact, centre, rho)

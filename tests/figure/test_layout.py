@@ -35,7 +35,11 @@ WALL = Strokes(((Vector(0.0, -1.0), Vector(0.0, 1.0)),), BOLD)
 
 
 def heights(layout: Layout) -> list[float]:
-    return [part.lines[0][0].y for part in layout.lines if isinstance(part, Strokes) and part.pen == THIN]
+    return [
+        part.lines[0][0].y
+        for part in layout.lines
+        if isinstance(part, Strokes) and part.pen == THIN
+    ]
 
 
 def test_the_nicest_mark_is_taken_when_it_crosses_nothing() -> None:
@@ -59,6 +63,10 @@ def test_labels_still_to_come_are_spared() -> None:
 
 def test_a_letter_stands_as_near_as_what_is_drawn_lets_it() -> None:
     free = Layout.of(()).written([Wish("A", around("A", Vector(0.0, 0.0)))]).labels[0]
-    crowded = Layout.of((WALL,)).written([Wish("A", around("A", Vector(0.0, 0.0), away=Vector(0.0, 1.0)))]).labels[0]
+    crowded = (
+        Layout.of((WALL,))
+        .written([Wish("A", around("A", Vector(0.0, 0.0), away=Vector(0.0, 1.0)))])
+        .labels[0]
+    )
     assert abs(free.centre.x) < 3.0
     assert crowded.centre.y > 1.0 or abs(crowded.centre.x) > 1.0

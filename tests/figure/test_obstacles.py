@@ -8,7 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.figure.obstacles import COST_BOLD, COST_FIRM, COST_LABEL, COST_THIN, Obstacles, Segment
+from kinegrade.figure.obstacles import (
+    COST_BOLD,
+    COST_FIRM,
+    COST_LABEL,
+    COST_THIN,
+    Obstacles,
+    Segment,
+)
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Pen, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
@@ -20,7 +27,9 @@ def line(start: tuple[float, float], end: tuple[float, float], pen: Pen = THIN) 
     return Strokes(((Vector(*start), Vector(*end)),), pen)
 
 
-def under(primitive: Primitive, centre: tuple[float, float], width: float = 2.0, height: float = 2.0) -> float:
+def under(
+    primitive: Primitive, centre: tuple[float, float], width: float = 2.0, height: float = 2.0
+) -> float:
     return Obstacles.of((primitive,)).under_box(*centre, width, height)
 
 
@@ -29,9 +38,13 @@ def along(primitive: Primitive, *pieces: Segment, shared: bool = False) -> float
 
 
 @pytest.mark.parametrize(
-    ("pen", "cost"), [(THIN, COST_THIN), (FIRM, COST_FIRM), (BOLD, COST_BOLD)], ids=["thin", "firm", "bold"]
+    ("pen", "cost"),
+    [(THIN, COST_THIN), (FIRM, COST_FIRM), (BOLD, COST_BOLD)],
+    ids=["thin", "firm", "bold"],
 )
-def test_a_box_that_touches_the_edge_of_a_line_is_free_and_a_hair_closer_is_not(pen: Pen, cost: float) -> None:
+def test_a_box_that_touches_the_edge_of_a_line_is_free_and_a_hair_closer_is_not(
+    pen: Pen, cost: float
+) -> None:
     rule = line((-10, 0), (10, 0), pen)
     assert under(rule, (0, 1 + pen.width / 2)) == 0
     assert under(rule, (0, 1 + pen.width / 2 - 1e-4)) == cost
@@ -59,15 +72,24 @@ def test_a_label_is_covered_exactly_when_the_boxes_overlap(
 
 
 @given(POINT, POINT, st.floats(0, 2 * pi))
-def test_what_a_strip_covers_does_not_depend_on_its_direction(one: Vector, other: Vector, turn: float) -> None:
+def test_what_a_strip_covers_does_not_depend_on_its_direction(
+    one: Vector, other: Vector, turn: float
+) -> None:
     def turned(point: Vector) -> Vector:
-        return Vector(point.x * cos(turn) - point.y * sin(turn), point.x * sin(turn) + point.y * cos(turn))
+        return Vector(
+            point.x * cos(turn) - point.y * sin(turn), point.x * sin(turn) + point.y * cos(turn)
+        )
 
     piece = (Vector(-6.0, 1.0), Vector(5.0, 2.0))
     near = min(abs(point.y - piece[0].y) for point in (one, other))
     if hypot(*(other - one)) > 0.1 and near > 0.01:
         upright = along(Strokes(((one, other),), FIRM), piece)
-        assert along(Strokes(((turned(one), turned(other)),), FIRM), (turned(piece[0]), turned(piece[1]))) == upright
+        assert (
+            along(
+                Strokes(((turned(one), turned(other)),), FIRM), (turned(piece[0]), turned(piece[1]))
+            )
+            == upright
+        )
 
 
 def test_a_path_pays_once_for_what_it_meets_twice() -> None:
@@ -84,12 +106,18 @@ def test_only_a_shared_thin_line_on_the_same_axis_is_free() -> None:
 
 
 @given(POINT, POINT, POINT, st.floats(0, 2 * pi))
-def test_what_is_near_covers_as_much_as_all(start: Vector, end: Vector, at: Vector, turn: float) -> None:
-    drawn = Obstacles.of((line(start, end, BOLD), Disc(end, 2.0, FIRM), Label("A", start, 4.0, 2.0)))
+def test_what_is_near_covers_as_much_as_all(
+    start: Vector, end: Vector, at: Vector, turn: float
+) -> None:
+    drawn = Obstacles.of(
+        (line(start, end, BOLD), Disc(end, 2.0, FIRM), Label("A", start, 4.0, 2.0))
+    )
     reach = Vector(3 * cos(turn), 3 * sin(turn))
     across, upward = zip(at - reach, at + reach, strict=True)
     near = drawn.near((min(across) - 1, min(upward) - 1, max(across) + 1, max(upward) + 1))
-    assert near.along([(at - reach, at + reach)], False) == drawn.along([(at - reach, at + reach)], False)
+    assert near.along([(at - reach, at + reach)], False) == drawn.along(
+        [(at - reach, at + reach)], False
+    )
     assert near.under_box(*at, 2.0, 2.0) == drawn.under_box(*at, 2.0, 2.0)
 
 

@@ -42,16 +42,25 @@ FLANGE = {"circles": [{"body": "W", "centre": "O", "through": "A"}]}
 
 
 def test_a_circle_that_no_joint_knows_of_is_a_line_without_filling() -> None:
-    flange, wheel = [part for part in drawing_of(railway_wheel(**FLANGE)).primitives
-                     if isinstance(part, Disc) and part.radius > 5]
+    flange, wheel = [
+        part
+        for part in drawing_of(railway_wheel(**FLANGE)).primitives
+        if isinstance(part, Disc) and part.radius > 5
+    ]
     assert (flange.radius, flange.fill, flange.pen) == (pytest.approx(40.0), "none", FIRM)
     assert (wheel.radius, wheel.fill) == (pytest.approx(30.0), "grey")
 
 
 def arrow_length(table: dict[str, Any]) -> float:
     scene = sketch(*railway_wheel(**table))
-    centre = next(part.centre for part in scene.primitives if isinstance(part, Disc) and part.radius > 5)
-    tips = [part.corners[0] for part in scene.primitives if isinstance(part, Outline) and part.fill == "black"]
+    centre = next(
+        part.centre for part in scene.primitives if isinstance(part, Disc) and part.radius > 5
+    )
+    tips = [
+        part.corners[0]
+        for part in scene.primitives
+        if isinstance(part, Outline) and part.fill == "black"
+    ]
     return max(hypot(*(tip - centre)) for tip in tips) / scene.scale
 
 
@@ -63,8 +72,13 @@ def test_a_radius_is_that_of_the_joint_unless_a_point_on_another_circle_is_named
 
 def trammel(**table: Any) -> Case:
     points = {"O": ORIGIN, "A": Vector(0.4, 0.0), "B": Vector(0.0, 0.3)}
-    joints = (Slide("A", "AB", Line(ORIGIN, RIGHT), GROUND), Slide("B", "AB", Line(ORIGIN, UP), GROUND))
-    mechanism = Mechanism(points, (Body("AB", ("A", "B")),), joints, (Component("A", "AB", RIGHT, 1.0, 0.0),))
+    joints = (
+        Slide("A", "AB", Line(ORIGIN, RIGHT), GROUND),
+        Slide("B", "AB", Line(ORIGIN, UP), GROUND),
+    )
+    mechanism = Mechanism(
+        points, (Body("AB", ("A", "B")),), joints, (Component("A", "AB", RIGHT, 1.0, 0.0),)
+    )
     return hinted(mechanism, **table)
 
 
@@ -75,7 +89,12 @@ def test_a_point_that_is_only_constructed_appears_when_it_has_a_label() -> None:
 
 def test_a_construction_far_away_does_not_shrink_the_figure() -> None:
     mechanism, hints = trammel()
-    far = Mechanism({**mechanism.points, "P": Vector(9.0, 9.0)}, mechanism.bodies, mechanism.joints, mechanism.drivers)
+    far = Mechanism(
+        {**mechanism.points, "P": Vector(9.0, 9.0)},
+        mechanism.bodies,
+        mechanism.joints,
+        mechanism.drivers,
+    )
     assert sketch(far, hints) == sketch(mechanism, hints)
 
 
@@ -95,7 +114,12 @@ def prolonged(angle_to: str) -> Scene:
 
 def thin_from(scene: Scene) -> int:
     bow = next(part for part in scene.primitives if isinstance(part, Bow))
-    lines = [line for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN for line in part.lines]
+    lines = [
+        line
+        for part in scene.primitives
+        if isinstance(part, Strokes) and part.pen == THIN
+        for line in part.lines
+    ]
     return sum(abs(hypot(*(start - bow.centre)) - 1.0) < 0.01 for start, _ in lines)
 
 
@@ -108,29 +132,43 @@ def test_an_arc_beyond_the_end_of_a_short_bar_finds_a_line_there() -> None:
     mechanism, hints = slider_crank(0.02, 30, 60)
     scene = sketch(mechanism, hints)
     bow = next(part for part in scene.primitives if isinstance(part, Bow) and part.pen == THIN)
-    reach = max(hypot(*(end - bow.centre)) for part in scene.primitives
-                if isinstance(part, Strokes) and part.pen == THIN
-                for start, end in part.lines if abs((start - bow.centre).cross(polar(1.0, 60))) < 0.01)
+    reach = max(
+        hypot(*(end - bow.centre))
+        for part in scene.primitives
+        if isinstance(part, Strokes) and part.pen == THIN
+        for start, end in part.lines
+        if abs((start - bow.centre).cross(polar(1.0, 60))) < 0.01
+    )
     assert reach > bow.radius > 0.02 * scene.scale
 
 
 def test_the_edge_of_a_plate_rests_on_knife_edges_not_in_sleeves() -> None:
     drawing = drawing_of(plate_on_fixed_corners())
     assert [type(part) for part in drawing.parts] == [Plate]
-    tips = [part.corners[0] for part in drawing.primitives if isinstance(part, Outline) and len(part.corners) == 3]
+    tips = [
+        part.corners[0]
+        for part in drawing.primitives
+        if isinstance(part, Outline) and len(part.corners) == 3
+    ]
     points = plate_on_fixed_corners()[0].points
     assert {(round(tip.x, 6), round(tip.y, 6)) for tip in tips} == {
         (round(points[name].x * 100, 6), round(points[name].y * 100, 6)) for name in "AB"
     }
-    wedges = [part for part in drawing.primitives if isinstance(part, Outline) and len(part.corners) == 3]
-    assert all(part.corners[1].dot(part.corners[0]) > part.corners[0].squared() for part in wedges)  # outside
+    wedges = [
+        part for part in drawing.primitives if isinstance(part, Outline) and len(part.corners) == 3
+    ]
+    assert all(
+        part.corners[1].dot(part.corners[0]) > part.corners[0].squared() for part in wedges
+    )  # outside
 
 
 def test_a_rod_through_its_point_has_two_free_ends_with_letters() -> None:
     mechanism, hints = slotted_bar(0.06, 30)
     case = hinted(mechanism, shapes={"BD": "through"})
     assert {name for name in symbols(sketch(*case)) if name in "DE"} == {"D", "E"}
-    rod = next(part for part in drawing_of(case).parts if isinstance(part, Rod) and part.body == "BD")
+    rod = next(
+        part for part in drawing_of(case).parts if isinstance(part, Rod) and part.body == "BD"
+    )
     assert len(rod.free) == 2
     at = mechanism.points["B"] * 100.0
     assert (rod.start - at).dot(rod.end - at) < 0
@@ -145,16 +183,26 @@ def test_a_rack_has_its_pitch_line_and_its_back_on_the_side_away_from_the_gear()
 
 def test_a_fixed_rack_shows_its_pitch_line_above_its_surface() -> None:
     case = railway_wheel(shapes={"W": "gear"})
-    levels = {part.pen: part.lines[0][0].y for part in drawing_of(case).primitives
-              if isinstance(part, Strokes) and part.pen in (PITCH, FIRM)}
+    levels = {
+        part.pen: part.lines[0][0].y
+        for part in drawing_of(case).primitives
+        if isinstance(part, Strokes) and part.pen in (PITCH, FIRM)
+    }
     assert levels[PITCH] == pytest.approx(-30.0)
     assert levels[FIRM] < -31.0
 
 
 def test_the_track_of_a_wheel_reaches_to_a_ground_pin_on_it() -> None:
-    surfaces = [line for part in drawing_of(bar_pushing_disc()).primitives
-                if isinstance(part, Strokes) and part.pen == FIRM for line in part.lines]
-    assert any(min(start.x, end.x) == pytest.approx(0.0) and start.y == pytest.approx(0.0) for start, end in surfaces)
+    surfaces = [
+        line
+        for part in drawing_of(bar_pushing_disc()).primitives
+        if isinstance(part, Strokes) and part.pen == FIRM
+        for line in part.lines
+    ]
+    assert any(
+        min(start.x, end.x) == pytest.approx(0.0) and start.y == pytest.approx(0.0)
+        for start, end in surfaces
+    )
 
 
 def test_wheels_on_one_line_share_one_surface() -> None:
@@ -164,8 +212,11 @@ def test_wheels_on_one_line_share_one_surface() -> None:
         Roll("W2", Circle("B", 0.2), GROUND, Line(RIGHT, -RIGHT)),
     )
     mechanism = Mechanism(points, (Body("W1", ("A",)), Body("W2", ("B",))), joints, ())
-    surfaces = [part for part in drawing_of(hinted(mechanism)).primitives
-                if isinstance(part, Strokes) and part.pen == FIRM]
+    surfaces = [
+        part
+        for part in drawing_of(hinted(mechanism)).primitives
+        if isinstance(part, Strokes) and part.pen == FIRM
+    ]
     assert len(surfaces) == 1
 
 
@@ -175,6 +226,11 @@ def test_a_letter_stands_nearer_to_its_own_point_than_to_any_other() -> None:
     own = sorted(circles, key=lambda centre: centre.x)
     for symbol, point in zip("OAB", own, strict=True):
         label = next(label for label in scene.labels if label.symbol == symbol)
-        gaps = [hypot(max(abs(at.x - label.centre.x) - label.width / 2, 0.0),
-                      max(abs(at.y - label.centre.y) - label.height / 2, 0.0)) for at in own]
+        gaps = [
+            hypot(
+                max(abs(at.x - label.centre.x) - label.width / 2, 0.0),
+                max(abs(at.y - label.centre.y) - label.height / 2, 0.0),
+            )
+            for at in own
+        ]
         assert own[gaps.index(min(gaps))] == point

@@ -77,8 +77,12 @@ def test_normals_to_a_pole_at_infinity_are_parallel_and_on_one_side() -> None:
 def test_a_normal_is_seen_beyond_the_bar_on_which_it_lies() -> None:
     up = Vector(0.0, 1.0)
     assert pointed(Vector(0.0, 0.0), up, ()) == Vector(0.0, 20.0)
-    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(0.0, 35.0))]) == Vector(0.0, 45.0)
-    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(35.0, 1.0))]) == Vector(0.0, 20.0)
+    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(0.0, 35.0))]) == Vector(
+        0.0, 45.0
+    )
+    assert pointed(Vector(0.0, 0.0), up, [(Vector(0.0, 0.0), Vector(35.0, 1.0))]) == Vector(
+        0.0, 20.0
+    )
 
 
 def wheel(points: str, **velocities: Vector) -> Scene:
@@ -86,7 +90,9 @@ def wheel(points: str, **velocities: Vector) -> Scene:
     template = load_template("rolling-wheel-pole-acceleration")
     mechanism = drawable_mechanism(solve_template(template, {}).assembly.mechanism)
     pole = Pole("P", mechanism.points["C"])
-    rays = [PointArrow(f"v_{point}", mechanism.points[point], velocities[point]) for point in points]
+    rays = [
+        PointArrow(f"v_{point}", mechanism.points[point], velocities[point]) for point in points
+    ]
     return pole_picture(mechanism, template.figure, pole, rays)
 
 

@@ -23,7 +23,11 @@ TRIANGLE = ([Arrow("v_B", B, False)], [Arrow("v_A", A), Arrow("v_{BA}", B - A, F
 def tips(scene: Scene) -> list[Vector]:
     """The tips of all arrows, from the origin, in the unit of the vectors."""
     (origin,) = dots(scene)
-    return [(head.corners[0] - origin) / scene.scale for fill in ("black", "white") for head in heads(scene, fill)]
+    return [
+        (head.corners[0] - origin) / scene.scale
+        for fill in ("black", "white")
+        for head in heads(scene, fill)
+    ]
 
 
 def same(found: list[Vector], wanted: list[Vector]) -> bool:
@@ -45,7 +49,9 @@ def test_known_and_unknown_are_told_apart() -> None:
 
 @pytest.mark.parametrize("factor", [1e-3, 1.0, 37.0, 1e4])
 def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> None:
-    left, right = ([Arrow(arrow.symbol, arrow.value * factor) for arrow in side] for side in TRIANGLE)
+    left, right = (
+        [Arrow(arrow.symbol, arrow.value * factor) for arrow in side] for side in TRIANGLE
+    )
     scene = polygon(left, right)
     figures = scene.scale / 10 ** int(log10(scene.scale) // 1)
     assert min(abs(figures - leading) for leading in ROUND) < 1e-6
@@ -55,7 +61,10 @@ def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> N
 
 def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
     tiny = Vector(0.02, 0.03)
-    scene = polygon([Arrow("a_B", A + tiny)], [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", Vector(0.0, 0.0))])
+    scene = polygon(
+        [Arrow("a_B", A + tiny)],
+        [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", Vector(0.0, 0.0))],
+    )
     assert symbols(scene) == ["a_1", "a_B", "o"]
 
 
@@ -67,7 +76,9 @@ def test_an_equation_of_zeros_is_its_origin() -> None:
 
 
 def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
-    scene = polygon([Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)])
+    scene = polygon(
+        [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)]
+    )
     levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
     assert len(levels) == 4
     assert min(high - low for low, high in pairwise(levels)) > 1.5
@@ -76,7 +87,10 @@ def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -
 
 
 def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
-    right = [Arrow(rf"a_{{{number}}}^{{\mathrm{{n}}}}", Vector(cos(number), sin(2 * number))) for number in range(9)]
+    right = [
+        Arrow(rf"a_{{{number}}}^{{\mathrm{{n}}}}", Vector(cos(number), sin(2 * number)))
+        for number in range(9)
+    ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     scene = polygon([Arrow("a_B", total)], right)
     assert len(scene.labels) == 11
@@ -86,7 +100,9 @@ def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(st.integers(-12, 12), st.floats(0.0, 10.0)), min_size=2, max_size=4))
 def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> None:
-    right = [Arrow(f"v_{number}", Vector(cos(turn * 0.2618), sin(turn * 0.2618)) * size, number % 2 == 0)
-             for number, (turn, size) in enumerate(polar)]
+    right = [
+        Arrow(f"v_{number}", Vector(cos(turn * 0.2618), sin(turn * 0.2618)) * size, number % 2 == 0)
+        for number, (turn, size) in enumerate(polar)
+    ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     assert faults(polygon([Arrow("v_B", total, False)], right), WIDTH, HEIGHT) == []

@@ -15,7 +15,18 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.layers import draw
 from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.paper import to_paper
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes, box_of
+from kinegrade.figure.scene import (
+    BOLD,
+    FIRM,
+    THIN,
+    Bow,
+    Disc,
+    Label,
+    Outline,
+    Scene,
+    Strokes,
+    box_of,
+)
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.mechanics.vector import Vector
@@ -43,7 +54,9 @@ CASES = [
 def check(scene: Scene) -> None:
     boxes = [box_of(label) for label in scene.labels]
     assert not any(one.meets(other) for one, other in combinations(boxes, 2))
-    lines = [part for part in scene.primitives if not isinstance(part, Label) and part.pen is not None]
+    lines = [
+        part for part in scene.primitives if not isinstance(part, Label) and part.pen is not None
+    ]
     bold = Obstacles.of(part for part in lines if part.pen and part.pen.width >= BOLD.width)
     for label in scene.labels:
         assert bold.under_box(*label.centre, label.width, label.height) == 0, label.symbol
@@ -100,13 +113,17 @@ def test_gears_touch_and_are_drawn_by_their_pitch_circles() -> None:
     drawing = draw(to_paper(case[0], 40.0), case[1])
     sun, planet = drawing.rims
     assert (sun.kind, planet.kind) == ("gear", "gear")
-    assert hypot(planet.at.x - sun.at.x, planet.at.y - sun.at.y) == pytest.approx(sun.radius + planet.radius)
+    assert hypot(planet.at.x - sun.at.x, planet.at.y - sun.at.y) == pytest.approx(
+        sun.radius + planet.radius
+    )
 
 
 def test_a_cam_is_a_closed_profile_not_its_circle_of_curvature() -> None:
     mechanism, hints = follower_curvature(0.3, 30, 0.25)
     parts = draw(to_paper(mechanism, 60.0), hints).primitives
-    assert any(isinstance(part, Outline) and part.closed and len(part.corners) > 60 for part in parts)
+    assert any(
+        isinstance(part, Outline) and part.closed and len(part.corners) > 60 for part in parts
+    )
     assert not any(isinstance(part, Disc) and part.radius > 3 for part in parts)
 
 
@@ -122,12 +139,17 @@ def test_a_link_between_its_two_points_carries_its_length_as_a_letter() -> None:
     scene = sketch(*slider_crank(0.2, 1.75, 60))
     thin = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN]
     assert {"r", "k r"} <= {label.symbol for label in scene.labels}
-    assert sum(len(part.lines) for part in thin if len(part.lines) == 3) == 0  # no dimension: two extensions and a line
+    assert (
+        sum(len(part.lines) for part in thin if len(part.lines) == 3) == 0
+    )  # no dimension: two extensions and a line
 
 
 def test_a_length_divided_by_another_point_gets_a_dimension_line() -> None:
     scene = sketch(*planetary_accelerations(0.6, 0.2, 40))  # C lies between O1 and O
-    assert any(isinstance(part, Strokes) and part.pen == THIN and len(part.lines) == 3 for part in scene.primitives)
+    assert any(
+        isinstance(part, Strokes) and part.pen == THIN and len(part.lines) == 3
+        for part in scene.primitives
+    )
 
 
 def test_an_angle_of_zero_has_no_mark() -> None:
@@ -138,7 +160,9 @@ def test_an_angle_of_zero_has_no_mark() -> None:
 def test_an_arrow_follows_the_sign_of_what_is_imposed() -> None:
     mechanism, hints = slider_crank(0.2, 1.75, 60)
     bows = [
-        part for part in sketch(mechanism, hints).primitives if isinstance(part, Bow) and part.pen == FIRM
+        part
+        for part in sketch(mechanism, hints).primitives
+        if isinstance(part, Bow) and part.pen == FIRM
     ]
     assert [bow.sweep < 0 for bow in bows] == [True]
 
@@ -159,8 +183,14 @@ def test_the_same_mechanism_gives_the_same_figure() -> None:
     ("table", "message"),
     [
         ({"radii": [{"symbol": "r", "centre": "O"}]}, "figure.radii: no circle about 'O'"),
-        ({"radii": [{"symbol": "r", "centre": "O", "through": "B"}]}, "no circle through 'B' about 'O'"),
-        ({"labels": {"ground": "1"}}, "figure.labels.ground: no circle and no bar of 'ground' is drawn"),
+        (
+            {"radii": [{"symbol": "r", "centre": "O", "through": "B"}]},
+            "no circle through 'B' about 'O'",
+        ),
+        (
+            {"labels": {"ground": "1"}},
+            "figure.labels.ground: no circle and no bar of 'ground' is drawn",
+        ),
     ],
 )
 def test_a_hint_about_what_is_not_there_is_refused(table: dict[str, Any], message: str) -> None:

@@ -16,8 +16,12 @@ from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 
 
-@pytest.mark.parametrize("name", ["slider-crank", "flat-faced-follower-curvature-radius", "pin-in-two-rings"])
-def test_a_figure_from_the_book_is_the_figure(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    "name", ["slider-crank", "flat-faced-follower-curvature-radius", "pin-in-two-rings"]
+)
+def test_a_figure_from_the_book_is_the_figure(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     template = load_template(name)
     mechanism = drawable_mechanism(solve_template(template, {}, []).assembly.mechanism)
     expected = sketch(mechanism, template.figure)

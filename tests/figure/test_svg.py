@@ -46,7 +46,9 @@ def test_a_shipped_figure_is_whole_and_within_its_box(name: str) -> None:
     shapes = [element for element in root.iter() if element.tag in (f"{SVG}path", f"{SVG}circle")]
     assert len(shapes) + len(texts(root)) == len(scene.primitives)
     for path in root.iter(f"{SVG}path"):
-        for x, y in zip(*[iter(numbers(re.sub(r"A\S+ \S+ 0 0 \d", "", path.attrib["d"])))] * 2, strict=True):
+        for x, y in zip(
+            *[iter(numbers(re.sub(r"A\S+ \S+ 0 0 \d", "", path.attrib["d"])))] * 2, strict=True
+        ):
             assert -0.01 <= x <= width + 0.01, name
             assert -0.01 <= y <= height + 0.01, name
     for label, text in zip(scene.labels, root.iter(f"{SVG}text"), strict=True):
@@ -64,7 +66,9 @@ def test_the_picture_is_black_on_white_in_millimetres() -> None:
 
 
 def test_y_points_up_on_paper_and_down_in_the_picture() -> None:
-    path = drawn(Outline((Vector(1.0, 2.0), Vector(3.0, 2.0), Vector(3.0, 5.0)), FIRM)).find(f".//{SVG}path")
+    path = drawn(Outline((Vector(1.0, 2.0), Vector(3.0, 2.0), Vector(3.0, 5.0)), FIRM)).find(
+        f".//{SVG}path"
+    )
     assert path is not None
     assert path.attrib["d"] == "M1 28L3 28L3 25Z"
 
@@ -74,7 +78,9 @@ def test_an_arc_turns_the_way_the_scene_says(sweep: float) -> None:
     path = drawn(Bow(Vector(20.0, 15.0), 10.0, 0.0, sweep, FIRM)).find(f".//{SVG}path")
     assert path is not None
     arcs = re.findall(r"A10 10 0 0 (\d) ([-\d.]+) ([-\d.]+)", path.attrib["d"])
-    assert {flag for flag, _, _ in arcs} == {"0" if sweep > 0 else "1"}  # 0 is counter-clockwise, as y points down
+    assert {flag for flag, _, _ in arcs} == {
+        "0" if sweep > 0 else "1"
+    }  # 0 is counter-clockwise, as y points down
     points = [(30.0, 15.0), *((float(x), float(y)) for _, x, y in arcs)]
     for (x, y), (next_x, next_y) in pairwise(points):
         assert hypot(x - 20, y - 15) == pytest.approx(10, abs=0.01)
@@ -83,17 +89,31 @@ def test_an_arc_turns_the_way_the_scene_says(sweep: float) -> None:
 
 
 def test_circles_have_their_fill_and_pen() -> None:
-    disc, dot = drawn(Disc(Vector(5.0, 6.0), 2.0, FIRM, "white"), Disc(Vector(5.0, 6.0), 1.0, None, "black")
-                      ).iter(f"{SVG}circle")
+    disc, dot = drawn(
+        Disc(Vector(5.0, 6.0), 2.0, FIRM, "white"), Disc(Vector(5.0, 6.0), 1.0, None, "black")
+    ).iter(f"{SVG}circle")
     assert disc.attrib == {"cx": "5", "cy": "24", "r": "2", "fill": "#fff", "stroke-width": "0.4"}
     assert (dot.attrib["fill"], dot.attrib["stroke"]) == ("#000", "none")
 
 
-@pytest.mark.parametrize(("symbol", "letters"), [
-    ("O_1", "O1"), ("O'", "O′"), (r"\omega_{AB}", "ωAB"), (r"\mathrm{II}", "II"), ("k r", "kr"), (r"-\delta", "−δ"),
-    (r"\frac{l}{2}", "l/2"), (r"\sqrt{3}r", "√3r"), (r"\sqrt{k l}", "√(kl)"), (r"30^\circ", "30°"),
-    (r"\vec{v}", "v\u20d7"), (r"\varphi_{\mathrm{r}}", "φr"), ("a=b", "a=b"),
-])
+@pytest.mark.parametrize(
+    ("symbol", "letters"),
+    [
+        ("O_1", "O1"),
+        ("O'", "O′"),
+        (r"\omega_{AB}", "ωAB"),
+        (r"\mathrm{II}", "II"),
+        ("k r", "kr"),
+        (r"-\delta", "−δ"),
+        (r"\frac{l}{2}", "l/2"),
+        (r"\sqrt{3}r", "√3r"),
+        (r"\sqrt{k l}", "√(kl)"),
+        (r"30^\circ", "30°"),
+        (r"\vec{v}", "v\u20d7"),
+        (r"\varphi_{\mathrm{r}}", "φr"),
+        ("a=b", "a=b"),
+    ],
+)
 def test_symbols_read_as_they_are_printed(symbol: str, letters: str) -> None:
     assert texts(drawn(Label(symbol, Vector(9.0, 9.0), 5.0, 4.0))) == [letters]
 
@@ -118,7 +138,10 @@ def test_a_prime_is_high_by_itself() -> None:
 
 
 def test_the_middle_of_the_letters_is_the_middle_of_the_box() -> None:
-    low, tall = (next(drawn(Label(symbol, Vector(9.0, 9.0), 5.0, 4.0)).iter(f"{SVG}text")) for symbol in ("a", "A"))
+    low, tall = (
+        next(drawn(Label(symbol, Vector(9.0, 9.0), 5.0, 4.0)).iter(f"{SVG}text"))
+        for symbol in ("a", "A")
+    )
     middle = 21.0
     assert middle < float(low.attrib["y"]) < float(tall.attrib["y"]) < middle + EM / 2
 

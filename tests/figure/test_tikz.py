@@ -24,12 +24,17 @@ def points_of(text: str) -> list[tuple[float, float]]:
 def test_the_picture_has_the_size_of_the_scene() -> None:
     source = drawn()
     assert source.startswith("\\begin{tikzpicture}")
-    assert "\\pgfpathrectangle{\\pgfpointorigin}{\\pgfqpoint{30mm}{20mm}}\\pgfusepath{use as bounding box}" in source
+    assert (
+        "\\pgfpathrectangle{\\pgfpointorigin}{\\pgfqpoint{30mm}{20mm}}\\pgfusepath{use as bounding box}"
+        in source
+    )
 
 
 def test_a_pen_is_named_where_it_changes() -> None:
     line = ((ORIGIN, Vector(1.0, 0.0)),)
-    source = drawn(Strokes(line, BOLD), Strokes(line, BOLD), Strokes(line, PITCH), Strokes(line, THIN))
+    source = drawn(
+        Strokes(line, BOLD), Strokes(line, BOLD), Strokes(line, PITCH), Strokes(line, THIN)
+    )
     assert [line for line in source.split("\n") if line.startswith(r"\pgfsetlinewidth")] == [
         r"\pgfsetlinewidth{0.8mm}",
         r"\pgfsetlinewidth{0.3mm}\pgfsetdash{{3pt}{2pt}{0.01pt}{2pt}}{0pt}",
@@ -43,7 +48,10 @@ def test_an_arc_is_made_of_curves_that_stay_on_the_circle() -> None:
     assert len(rest) == 9
     before = begin
     for first, second, end in zip(rest[::3], rest[1::3], rest[2::3], strict=True):
-        middle = [(a + 3 * b + 3 * c + d) / 8 for a, b, c, d in zip(before, first, second, end, strict=True)]
+        middle = [
+            (a + 3 * b + 3 * c + d) / 8
+            for a, b, c, d in zip(before, first, second, end, strict=True)
+        ]
         assert abs(hypot(middle[0] - 10, middle[1] - 10) - 5) < 0.005
         assert abs(hypot(end[0] - 10, end[1] - 10) - 5) < 0.002
         before = end
@@ -51,10 +59,20 @@ def test_an_arc_is_made_of_curves_that_stay_on_the_circle() -> None:
 
 def test_fills_and_outlines() -> None:
     square = (ORIGIN, Vector(1.0, 0.0), Vector(1.0, 1.0))
-    source = drawn(Outline(square, THIN, "white"), Outline(square, None, "black"), Outline(square, THIN, closed=False),
-                   Disc(ORIGIN, 0.5, THIN, "grey"), Outline(square, None))
+    source = drawn(
+        Outline(square, THIN, "white"),
+        Outline(square, None, "black"),
+        Outline(square, THIN, closed=False),
+        Disc(ORIGIN, 0.5, THIN, "grey"),
+        Outline(square, None),
+    )
     assert re.findall(r"\\pgfusepath\{([^}]*)\}", source)[1:] == [
-        "fill,stroke", "fill", "stroke", "fill,stroke", "discard"]
+        "fill,stroke",
+        "fill",
+        "stroke",
+        "fill,stroke",
+        "discard",
+    ]
     assert re.findall(r"\\pgfsetfillcolor\{([^}]*)\}", source) == ["white", "black", "black!9"]
     assert source.count("\\pgfpathclose") == 3
 

@@ -14,7 +14,18 @@ from numpy.typing import NDArray
 from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import symbol_size
 from kinegrade.figure.names import point_symbol
-from kinegrade.figure.scene import BOLD, FIRM, PITCH, THIN, Bow, Disc, Label, Outline, Scene, Strokes
+from kinegrade.figure.scene import (
+    BOLD,
+    FIRM,
+    PITCH,
+    THIN,
+    Bow,
+    Disc,
+    Label,
+    Outline,
+    Scene,
+    Strokes,
+)
 from kinegrade.figure.typst import math_to_typst, to_typst, to_typst_picture
 from kinegrade.mechanics.vector import Vector
 
@@ -76,10 +87,19 @@ def test_primes_are_raised() -> None:
 
 def test_the_box_round_a_picture_prints_what_typst_draws_itself() -> None:
     corners = (Vector(4.0, 4.0), Vector(14.0, 4.0), Vector(14.0, 9.0))
-    scene = Scene(30.0, 20.0, 1.0, (
-        Disc(Vector(20.0, 10.0), 6.0, FIRM, "grey"), Outline(corners, THIN, "black"),
-        Strokes(((Vector(2.0, 18.0), Vector(20.0, 10.0)),), BOLD), Bow(Vector(6.0, 12.0), 4.0, 0.3, 2.0, FIRM),
-        Disc(Vector(20.0, 10.0), 0.9, FIRM, "white"), Label("O", Vector(23.0, 11.0), 3.0, 3.0)))
+    scene = Scene(
+        30.0,
+        20.0,
+        1.0,
+        (
+            Disc(Vector(20.0, 10.0), 6.0, FIRM, "grey"),
+            Outline(corners, THIN, "black"),
+            Strokes(((Vector(2.0, 18.0), Vector(20.0, 10.0)),), BOLD),
+            Bow(Vector(6.0, 12.0), 4.0, 0.3, 2.0, FIRM),
+            Disc(Vector(20.0, 10.0), 0.9, FIRM, "white"),
+            Label("O", Vector(23.0, 11.0), 3.0, 3.0),
+        ),
+    )
     drawn, pictured = (image_of(back_end(scene)) for back_end in (to_typst, to_typst_picture))
     assert drawn.min() == 0
     assert np.abs(blurred(drawn) - blurred(pictured)).max() < 64

@@ -12,7 +12,13 @@ from kinegrade.figure.extent import symbol_size
 from kinegrade.figure.place import CLEARANCE
 from kinegrade.figure.scene import FIRM, Outline, Strokes
 from kinegrade.figure.typst import math_to_typst
-from kinegrade.figure.vector_arrows import DASHED, VectorArrow, look_like_one, nearer_to_lines, side_by_side
+from kinegrade.figure.vector_arrows import (
+    DASHED,
+    VectorArrow,
+    look_like_one,
+    nearer_to_lines,
+    side_by_side,
+)
 from kinegrade.mechanics.vector import Vector
 
 HERE, X = Vector(0.0, 0.0), Vector(10.0, 0.0)
@@ -48,14 +54,24 @@ def test_a_short_arrow_keeps_a_shaft() -> None:
         (Vector(5.0, -5.0), Vector(5.0, 5.0), False),
     ],
 )
-def test_lines_look_like_one_when_they_run_close_over_a_stretch(start: Vector, end: Vector, one: bool) -> None:
+def test_lines_look_like_one_when_they_run_close_over_a_stretch(
+    start: Vector, end: Vector, one: bool
+) -> None:
     assert look_like_one((HERE, X), (start, end)) is one
     assert look_like_one((start, end), (HERE, X)) is one
 
 
-def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to_their_places() -> None:
+def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to_their_places() -> (
+    None
+):
     first, second, third = side_by_side(
-        [VectorArrow("a", HERE, X), VectorArrow("b", X, HERE), VectorArrow("c", HERE, Vector(0.0, 5.0))], (), (2.0,)
+        [
+            VectorArrow("a", HERE, X),
+            VectorArrow("b", X, HERE),
+            VectorArrow("c", HERE, Vector(0.0, 5.0)),
+        ],
+        (),
+        (2.0,),
     )
     assert (first.aside, second.aside, third.aside) == (HERE, Vector(0.0, 2.0), HERE)
     assert first.ties() == third.ties() == ()
@@ -65,25 +81,43 @@ def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to
 
 
 def test_an_arrow_leaves_a_bold_line() -> None:
-    (arrow,) = side_by_side([VectorArrow("a", HERE, Vector(0.0, 8.0))], [(HERE, Vector(0.0, 30.0))], (1.5, -1.5))
+    (arrow,) = side_by_side(
+        [VectorArrow("a", HERE, Vector(0.0, 8.0))], [(HERE, Vector(0.0, 30.0))], (1.5, -1.5)
+    )
     assert arrow.line == (Vector(1.5, 0.0), Vector(1.5, 8.0))
 
 
 def test_without_any_room_an_arrow_stays_where_it_belongs() -> None:
-    (arrow,) = side_by_side([VectorArrow("a", HERE, X)], [(HERE, X), (HERE, Vector(10.0, 0.5))], (0.3,))
+    (arrow,) = side_by_side(
+        [VectorArrow("a", HERE, X)], [(HERE, X), (HERE, Vector(10.0, 0.5))], (0.3,)
+    )
     assert arrow.aside == HERE
 
 
 def test_a_symbol_is_to_be_nearer_to_its_own_arrow() -> None:
     spots = np.array([[5.0, 2.0], [5.0, 8.0], [5.0, 5.0]])
-    assert nearer_to_lines("v", spots, (HERE, X), [(Vector(0.0, 10.0), Vector(10.0, 10.0))]).tolist() == [0.0, 1.0, 1.0]
+    assert nearer_to_lines(
+        "v", spots, (HERE, X), [(Vector(0.0, 10.0), Vector(10.0, 10.0))]
+    ).tolist() == [0.0, 1.0, 1.0]
     assert nearer_to_lines("v", spots, (HERE, X), []).tolist() == [0.0, 0.0, 0.0]
 
 
 SYMBOLS = [
-    "v_{BA}", r"a_{BA}^{\mathrm{n}}", r"a_{\mathrm{C}}", r"\omega_{AB}", r"\alpha_{AB}", r"a_{\mathrm{e}}^{\mathrm{t}}",
-    r"a_{O_1A}^{\mathrm{n}}", r"a_{A'B}^{\mathrm{t}}", r"\boldsymbol{v}_{BA}", r"\boldsymbol{a}_{BA}^{\mathrm{n}}",
-    r"\boldsymbol{\omega}_{AB}", r"\boldsymbol{M}", r"P_{\infty}", r"v_{\mathrm{r}2}", "o",
+    "v_{BA}",
+    r"a_{BA}^{\mathrm{n}}",
+    r"a_{\mathrm{C}}",
+    r"\omega_{AB}",
+    r"\alpha_{AB}",
+    r"a_{\mathrm{e}}^{\mathrm{t}}",
+    r"a_{O_1A}^{\mathrm{n}}",
+    r"a_{A'B}^{\mathrm{t}}",
+    r"\boldsymbol{v}_{BA}",
+    r"\boldsymbol{a}_{BA}^{\mathrm{n}}",
+    r"\boldsymbol{\omega}_{AB}",
+    r"\boldsymbol{M}",
+    r"P_{\infty}",
+    r"v_{\mathrm{r}2}",
+    "o",
 ]
 
 

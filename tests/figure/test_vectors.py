@@ -23,7 +23,10 @@ from tests.figure.mechanisms import slider_crank
 MECHANISM, HINTS = slider_crank(0.2, 1.75, 60)
 AT_A, AT_B = MECHANISM.points["A"], MECHANISM.points["B"]
 ALONG = (AT_A - MECHANISM.points["O"]) * (1 / 0.2)
-ARROWS = [PointArrow("v_A", AT_A, ALONG.turned() * 2.0), PointArrow("v_B", AT_B, Vector(-1.0, 0.0), False)]
+ARROWS = [
+    PointArrow("v_A", AT_A, ALONG.turned() * 2.0),
+    PointArrow("v_B", AT_B, Vector(-1.0, 0.0), False),
+]
 
 
 def test_arrows_are_to_one_scale_and_start_at_their_points() -> None:
@@ -43,19 +46,27 @@ def test_the_letters_stay_and_the_givens_go() -> None:
 
 def test_an_arrow_along_a_bar_is_drawn_beside_it() -> None:
     drawing = draw(to_paper(MECHANISM, 100.0), HINTS)
-    (arrow,) = placed_arrows([PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)], 100.0, drawing)
+    (arrow,) = placed_arrows(
+        [PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)], 100.0, drawing
+    )
     assert hypot(*arrow.aside) == pytest.approx(1.5)
     assert arrow.aside.dot(ALONG) == pytest.approx(0.0, abs=1e-9)
 
 
 def test_arrows_come_out_from_under_the_pin_at_which_they_start() -> None:
     parts = with_vectors(MECHANISM, HINTS, ARROWS).primitives
-    last_shaft = max(place for place, part in enumerate(parts) if isinstance(part, Strokes) and part.pen == FIRM)
+    last_shaft = max(
+        place for place, part in enumerate(parts) if isinstance(part, Strokes) and part.pen == FIRM
+    )
     assert any(isinstance(part, Disc) and part.fill == "white" for part in parts[last_shaft:])
 
 
 def test_what_is_zero_or_too_short_is_left_out() -> None:
-    arrows = [*ARROWS, PointArrow("v_O", Vector(0.0, 0.0), Vector(0.0, 0.0)), PointArrow("v_D", AT_A, Vector(0.1, 0.0))]
+    arrows = [
+        *ARROWS,
+        PointArrow("v_O", Vector(0.0, 0.0), Vector(0.0, 0.0)),
+        PointArrow("v_D", AT_A, Vector(0.1, 0.0)),
+    ]
     assert symbols(with_vectors(MECHANISM, HINTS, arrows)) == ["A", "B", "O", "v_A", "v_B"]
 
 
@@ -65,7 +76,10 @@ def test_without_vectors_the_bare_mechanism_is_drawn() -> None:
 
 def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
     names = [rf"a_{{\mathrm{{{letter}}}}}" for letter in "aerC"]
-    arrows = [PointArrow(name, AT_A, Vector(1.0 - number, 1.0 + number)) for number, name in enumerate(names)]
+    arrows = [
+        PointArrow(name, AT_A, Vector(1.0 - number, 1.0 + number))
+        for number, name in enumerate(names)
+    ]
     longest = placed_arrows(arrows, 100.0, draw(to_paper(MECHANISM, 100.0), HINTS))[0]
     assert hypot(*(longest.end - longest.start)) == pytest.approx(CROWDED)
     scene = with_vectors(MECHANISM, HINTS, arrows)
@@ -89,12 +103,23 @@ def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) 
     if not motion.rates:
         pytest.skip("a problem of pose alone")
     mechanism = drawable_mechanism(motion.frames.mechanism)
-    for letter, vector, rate in (("v", motion.velocity, motion.omega), ("a", motion.acceleration, motion.alpha)):
+    for letter, vector, rate in (
+        ("v", motion.velocity, motion.omega),
+        ("a", motion.acceleration, motion.alpha),
+    ):
         bodies = {point: body.name for body in mechanism.bodies for point in body.points}
-        arrows = [PointArrow(f"{letter}_{{{point}}}", mechanism.points[point], in_floats(vector(point, body)))
-                  for point, body in bodies.items()]
-        rates = [(body.name, float(rate(body.name))) for body in mechanism.bodies if not body.particle]
-        turnings = [Turning(r"\omega", body, "ccw" if size > 0 else "cw") for body, size in rates if size]
+        arrows = [
+            PointArrow(
+                f"{letter}_{{{point}}}", mechanism.points[point], in_floats(vector(point, body))
+            )
+            for point, body in bodies.items()
+        ]
+        rates = [
+            (body.name, float(rate(body.name))) for body in mechanism.bodies if not body.particle
+        ]
+        turnings = [
+            Turning(r"\omega", body, "ccw" if size > 0 else "cw") for body, size in rates if size
+        ]
         scene = with_vectors(mechanism, template.figure, arrows, turnings)
         assert faults(scene, WIDTH, HEIGHT) == []
         assert to_typst(scene).startswith("#box(")

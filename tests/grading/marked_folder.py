@@ -16,13 +16,26 @@ RIGHT = ("1.732", "0", "-0.125")
 Answers = Mapping[str, Sequence[str]]  # the cells of each student, in the order of `COLUMNS`
 
 
-def mark_class(folder: Path, answers: Answers, *, version: Callable[[str], str] | None = None,
-               parameters: Callable[[str], Mapping[str, float]] = lambda student: {}) -> tuple[Path, Path]:
+def mark_class(
+    folder: Path,
+    answers: Answers,
+    *,
+    version: Callable[[str], str] | None = None,
+    parameters: Callable[[str], Mapping[str, float]] = lambda student: {},
+) -> tuple[Path, Path]:
     """(EXAM, MARKS) of a class; who has no cells hands in no row."""
     folder.mkdir(exist_ok=True)
     head = exam()
-    head["students"] = [{"student": student, "name": f"Student {student}", "paper": "K7Q2", "email": "",
-                         **({"version": version(student)} if version else {})} for student in answers]
+    head["students"] = [
+        {
+            "student": student,
+            "name": f"Student {student}",
+            "paper": "K7Q2",
+            "email": "",
+            **({"version": version(student)} if version else {}),
+        }
+        for student in answers
+    ]
     if version:
         head["versions"] = sorted({version(student) for student in answers})
     papers = [with_parameters(paper(student), parameters(student)) for student in answers]
@@ -43,7 +56,9 @@ def graded(folder: Path, answers: Answers) -> Path:
 def with_parameters(record: dict[str, Any], parameters: Mapping[str, float]) -> dict[str, Any]:
     """A line of key.jsonl whose first question has these numbers drawn."""
     record["questions"][0]["parameters"] = {
-        name: {"exact": str(value), "value": value, "unit": "m"} for name, value in parameters.items()}
+        name: {"exact": str(value), "value": value, "unit": "m"}
+        for name, value in parameters.items()
+    }
     return record
 
 

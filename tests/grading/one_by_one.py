@@ -17,14 +17,21 @@ from kinegrade.grading.policy import Policy
 from kinegrade.grading.sheet import Entry, Sheet
 
 
-def marks_one_by_one(exam: Exam, sheet: Sheet, policy: Policy, accepted: Alternatives = {},  # noqa: B006 - never changed
-                     follows: Follows | None = None) -> list[Mark]:
+def marks_one_by_one(
+    exam: Exam,
+    sheet: Sheet,
+    policy: Policy,
+    accepted: Alternatives = {},  # noqa: B006 - never changed
+    follows: Follows | None = None,
+) -> list[Mark]:
     """All marks of a class."""
     styles = file_style(entries[-1].responses for entries in sheet.entries.values())
     marks = []
     for examinee in exam.examinees:
-        rows = [_row(exam, examinee, entry, policy, accepted=accepted, styles=styles, follows=follows)
-                for entry in sheet.entries[examinee.student]]
+        rows = [
+            _row(exam, examinee, entry, policy, accepted=accepted, styles=styles, follows=follows)
+            for entry in sheet.entries[examinee.student]
+        ]
         if policy.attempts == "best":
             marks += max(reversed(rows), key=lambda row: sum(mark.points for mark in row))
         else:
@@ -32,19 +39,32 @@ def marks_one_by_one(exam: Exam, sheet: Sheet, policy: Policy, accepted: Alterna
     return marks
 
 
-def _row(exam: Exam, examinee: Examinee, entry: Entry, policy: Policy, *, accepted: Alternatives, styles: FileStyle,
-         follows: Follows | None) -> Sequence[Mark]:
+def _row(
+    exam: Exam,
+    examinee: Examinee,
+    entry: Entry,
+    policy: Policy,
+    *,
+    accepted: Alternatives,
+    styles: FileStyle,
+    follows: Follows | None,
+) -> Sequence[Mark]:
     style, decided = styles.of_row(entry.responses), []
     for ask, typed in zip(exam.asks, entry.responses, strict=True):
-        reader, key = partial(read, unit=ask.unit, style=style, convention=ask.sign), examinee.keys[ask.column]
+        reader, key = (
+            partial(read, unit=ask.unit, style=style, convention=ask.sign),
+            examinee.keys[ask.column],
+        )
         others, ruling = accepted.get((examinee.student, ask.column), ()), policy.ruling(ask.column)
         decision = decide(reader(typed), key, ruling, others, reader)
         decided.append(Decided(ask, reader(typed), key, ruling, decision))
     better: Mapping[str, object] = {}
     if follows is not None:
-        better = {f"{question}.{name}": decision
-                  for question, group in groupby(decided, lambda each: each.ask.question)
-                  for name, decision in follow_through(examinee.student, list(group), follows).items()}
+        better = {
+            f"{question}.{name}": decision
+            for question, group in groupby(decided, lambda each: each.ask.question)
+            for name, decision in follow_through(examinee.student, list(group), follows).items()
+        }
     return [_mark(examinee, entry, each, better) for each in decided]
 
 

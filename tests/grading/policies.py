@@ -38,7 +38,9 @@ def policy_of(text: str, folder: Path, exam: Exam = CLASS) -> Policy:
     return read_policy(file, exam, Givens(folder))
 
 
-def marked(rows: str, policy: Policy = AS_PRINTED, exam: Exam = CLASS, givens: Path = Path()) -> Marks:
+def marked(
+    rows: str, policy: Policy = AS_PRINTED, exam: Exam = CLASS, givens: Path = Path()
+) -> Marks:
     """The marks of CLASS for rows of: student, q1.v_B, q1.omega_AB, q2.phi."""
     header = ",".join(("student", *(ask.column for ask in exam.asks)))
     sheet = read_sheet(parse_table(f"{header}\n{rows}".encode(), "answers.csv"), exam)
@@ -60,10 +62,16 @@ def drawn_exam(folder: Path) -> Path:
     """An exam folder whose papers have parameters: r = 1 m, 2 m ..., omega = 30 rpm, phi = 30 degrees."""
     papers = [paper(student) for student in STUDENTS]
     for number, each in enumerate(papers, 1):
-        given = {"r": (str(number), "m"), "omega": ("30", "rpm"), "phi": ("30", "deg"), "h": ("sqrt(3)", "mm")}
+        given = {
+            "r": (str(number), "m"),
+            "omega": ("30", "rpm"),
+            "phi": ("30", "deg"),
+            "h": ("sqrt(3)", "mm"),
+        }
         for question in each["questions"]:
             question["parameters"] = {
-                name: {"exact": text, "value": 0.0, "unit": unit} for name, (text, unit) in given.items()
+                name: {"exact": text, "value": 0.0, "unit": unit}
+                for name, (text, unit) in given.items()
             }
     return write_exam(folder, exam(), papers)
 
@@ -74,5 +82,11 @@ def regraded(exam: Path, name: str, policy: str | None = None, before: Path | No
     if policy is not None:
         file.write_text(policy, encoding="utf-8")
     marks = exam.parent / name
-    grade(exam, exam.parent / "answers.csv", marks, policy=None if policy is None else file, never_lower=before)
+    grade(
+        exam,
+        exam.parent / "answers.csv",
+        marks,
+        policy=None if policy is None else file,
+        never_lower=before,
+    )
     return marks

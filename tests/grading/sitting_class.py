@@ -10,9 +10,19 @@ from random import Random
 from kinegrade.grading.key import Ask, Exam, Examinee, Key, rule
 from kinegrade.grading.marked_class import MarkedAnswer
 
-ASKS = {"q1": ("v", "omega", "a"), "q2": ("v", "a"), "q3": ("omega", "alpha", "a"), "q4": ("v", "a")}
-FACTORS = {"sense-reversed": -1, "power-of-ten-up": 10, "power-of-ten-down": Fraction(1, 10), "coriolis-dropped":
-           Fraction(3, 5), "diameter-for-radius": 2}
+ASKS = {
+    "q1": ("v", "omega", "a"),
+    "q2": ("v", "a"),
+    "q3": ("omega", "alpha", "a"),
+    "q4": ("v", "a"),
+}
+FACTORS = {
+    "sense-reversed": -1,
+    "power-of-ten-up": 10,
+    "power-of-ten-down": Fraction(1, 10),
+    "coriolis-dropped": Fraction(3, 5),
+    "diameter-for-radius": 2,
+}
 WRONG = tuple(map(float, FACTORS.values()))
 ONE_PER_CENT = rule(Fraction(1, 100), Fraction(0))
 Numbers = Mapping[tuple[str, str], Fraction]  # by question and what is drawn
@@ -34,8 +44,18 @@ class SittingClass:
                 value = given.get(ask.column, examinee.keys[ask.column].value)
                 verdict = "wrong" if ask.column in given else "right"
                 text = f"{float(value):.4g}"
-                yield MarkedAnswer(examinee.student, ask.question, ask.ask, text, text, ask.unit, verdict,
-                                   Fraction(0), ask.points, "")
+                yield MarkedAnswer(
+                    examinee.student,
+                    ask.question,
+                    ask.ask,
+                    text,
+                    text,
+                    ask.unit,
+                    verdict,
+                    Fraction(0),
+                    ask.points,
+                    "",
+                )
 
     def key(self, place: int, column: str) -> Fraction:
         """What is right on a paper."""
@@ -46,34 +66,58 @@ class SittingClass:
         return {column: self.key(place, column) * Fraction(1003, 1000) for column in columns}
 
 
-def sitting_class(students: int, seed: int, *, name: Callable[[int], str] = "Student {}".format,
-                  paper: Callable[[int], int] = int) -> SittingClass:
+def sitting_class(
+    students: int,
+    seed: int,
+    *,
+    name: Callable[[int], str] = "Student {}".format,
+    paper: Callable[[int], int] = int,
+) -> SittingClass:
     """A class; `paper` says who has the same paper as whom, by a number."""
-    asks = tuple(Ask(question, ask, "m/s", Fraction(2)) for question, names in ASKS.items() for ask in names)
+    asks = tuple(
+        Ask(question, ask, "m/s", Fraction(2)) for question, names in ASKS.items() for ask in names
+    )
     drawn = tuple(numbers(f"{seed} {paper(place)}") for place in range(students))
-    examinees = tuple(Examinee(f"s{place}", name(place), keys(asks, drawn[place])) for place in range(students))
+    examinees = tuple(
+        Examinee(f"s{place}", name(place), keys(asks, drawn[place])) for place in range(students)
+    )
     return SittingClass(Exam(asks, examinees), drawn)
 
 
 def numbers(seed: str) -> dict[tuple[str, str], Fraction]:
     """A length, an angle's ratio and an angular velocity for each question."""
     chance = Random(seed)
-    return {(question, name): chance.choice(choices) for question in ASKS for name, choices in (
-        ("r", [Fraction(count, 20) for count in range(2, 14)]), ("k", [Fraction(count, 7) for count in range(3, 12)]),
-        ("omega", [Fraction(count) for count in range(2, 13)]))}
+    return {
+        (question, name): chance.choice(choices)
+        for question in ASKS
+        for name, choices in (
+            ("r", [Fraction(count, 20) for count in range(2, 14)]),
+            ("k", [Fraction(count, 7) for count in range(3, 12)]),
+            ("omega", [Fraction(count) for count in range(2, 13)]),
+        )
+    }
 
 
 def worked(question: str, ask: str, drawn: Numbers) -> Fraction:
     """An answer, from the numbers of its question."""
     r, k, omega = (drawn[question, name] for name in ("r", "k", "omega"))
-    return {"v": r * omega * k, "omega": omega / k, "a": r * omega**2 * k, "alpha": omega**2 * k / 3}[ask]
+    return {
+        "v": r * omega * k,
+        "omega": omega / k,
+        "a": r * omega**2 * k,
+        "alpha": omega**2 * k / 3,
+    }[ask]
 
 
 def keys(asks: tuple[Ask, ...], drawn: Numbers) -> dict[str, Key]:
     """The keys of a paper, with what some mistakes lead to."""
     values = {ask.column: worked(ask.question, ask.ask, drawn) for ask in asks}
-    return {column: ONE_PER_CENT.key(value, None, {name: factor * value for name, factor in FACTORS.items()})
-            for column, value in values.items()}
+    return {
+        column: ONE_PER_CENT.key(
+            value, None, {name: factor * value for name, factor in FACTORS.items()}
+        )
+        for column, value in values.items()
+    }
 
 
 def honest_slips(sitting: SittingClass, seed: int) -> Typing:
@@ -91,7 +135,10 @@ def honest_slips(sitting: SittingClass, seed: int) -> Typing:
                 if chance.random() < 1 / 5:
                     value *= Fraction(chance.uniform(0.2, 3))
                 right = float(sitting.key(place, f"{question}.{ask}"))
-                if all(abs(float(value) - factor * right) > abs(factor * right) / 50 for factor in (1, *WRONG)):
+                if all(
+                    abs(float(value) - factor * right) > abs(factor * right) / 50
+                    for factor in (1, *WRONG)
+                ):
                     given[f"{question}.{ask}"] = value
         return given
 

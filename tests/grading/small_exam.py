@@ -39,7 +39,9 @@ def exam() -> dict[str, Any]:
     }
 
 
-def entry(exact: str | None, decimal: str, unit: str, points: float, **tolerance: float) -> dict[str, Any]:
+def entry(
+    exact: str | None, decimal: str, unit: str, points: float, **tolerance: float
+) -> dict[str, Any]:
     return {
         "exact": exact,
         "value": float(decimal),
@@ -63,5 +65,7 @@ def paper(student: str) -> dict[str, Any]:
 def write_exam(folder: Path, head: object, papers: list[Any]) -> Path:
     folder.mkdir()
     (folder / "exam.json").write_text(json.dumps(head), encoding="utf-8")
-    (folder / "key.jsonl").write_text("".join(f"{json.dumps(each)}\n" for each in papers), encoding="utf-8")
+    (folder / "key.jsonl").write_text(
+        "".join(f"{json.dumps(each)}\n" for each in papers), encoding="utf-8"
+    )
     return folder

@@ -29,8 +29,14 @@ UNITS = {  # the ask's unit -> what may be typed for it, and what that is worth
     "mm/s^2": {"": 1, "mm/s²": 1, "m/s^2": 1000, "cm·s⁻²": 10},
     "deg": {"": 1, "°": 1, "度": 1, "turn": 360, "rev": 360},
 }  # fmt: skip
-TURNING = {"rpm": Fraction(1, 30), "r/min": Fraction(1, 30), "转/分": Fraction(1, 30), "deg/s": Fraction(1, 180),
-           "rev/s": Fraction(2), "°/s": Fraction(1, 180)}  # times pi rad/s
+TURNING = {
+    "rpm": Fraction(1, 30),
+    "r/min": Fraction(1, 30),
+    "转/分": Fraction(1, 30),
+    "deg/s": Fraction(1, 180),
+    "rev/s": Fraction(2),
+    "°/s": Fraction(1, 180),
+}  # times pi rad/s
 
 
 @dataclass(frozen=True)
@@ -45,16 +51,35 @@ class Written:
 @st.composite
 def decimals(draw: st.DrawFn) -> Written:
     """A decimal number not below zero with its digits grouped or not, and perhaps a power of ten."""
-    digits, places, mark = draw(st.integers(0, 10**12)), draw(st.integers(0, 8)), draw(st.sampled_from(",."))
+    digits, places, mark = (
+        draw(st.integers(0, 10**12)),
+        draw(st.integers(0, 8)),
+        draw(st.sampled_from(",.")),
+    )
     whole, rest = divmod(digits, 10**places)
     scientific = draw(st.booleans())  # then a lone mark is the decimal mark: 1.234e3
-    text = f"{whole:,}".replace(",", draw(st.sampled_from(["", *GROUPS[mark]]))) if not scientific else str(whole)
+    text = (
+        f"{whole:,}".replace(",", draw(st.sampled_from(["", *GROUPS[mark]])))
+        if not scientific
+        else str(whole)
+    )
     text += f"{mark}{rest:0{places}d}" if places else draw(st.sampled_from(["", mark]))
     size = Fraction(digits, 10**places)
     if scientific:
         power = draw(st.integers(-30, 30))
-        text += draw(st.sampled_from([f"e{power}", f"E{power:+}", f"×10^{power}", f" * 10**{power}", f"·10^({power})",
-                                      f" × 10{str(power).translate(SUPERSCRIPTS)}", f"x10^{power}"]))
+        text += draw(
+            st.sampled_from(
+                [
+                    f"e{power}",
+                    f"E{power:+}",
+                    f"×10^{power}",
+                    f" * 10**{power}",
+                    f"·10^({power})",
+                    f" × 10{str(power).translate(SUPERSCRIPTS)}",
+                    f"x10^{power}",
+                ]
+            )
+        )
         size *= Fraction(10) ** power
     return Written(text, size, STYLES[mark])
 
@@ -71,33 +96,66 @@ def dressed(draw: st.DrawFn, text: str, *, full_width: bool = True) -> str:
 @st.composite
 def signed(draw: st.DrawFn, text: str) -> tuple[str, int]:
     """A typed size with a sign before it or a sense behind it, for an ask that counts counter-clockwise positive."""
-    ways = [(text, 1), (f"+{text}", 1), (f"-{text}", -1), (f"\u2212{text}", -1), (f"－ {text}", -1),
-            (f"{text} cw", -1), (f"{text}, clockwise", -1), (f"{text} （逆时针）", 1), (f"顺时针 {text}", -1)]
+    ways = [
+        (text, 1),
+        (f"+{text}", 1),
+        (f"-{text}", -1),
+        (f"\u2212{text}", -1),
+        (f"－ {text}", -1),
+        (f"{text} cw", -1),
+        (f"{text}, clockwise", -1),
+        (f"{text} （逆时针）", 1),
+        (f"顺时针 {text}", -1),
+    ]
     return draw(st.sampled_from(ways))
 
 
 @given(st.data())
-def test_a_decimal_number_written_in_any_accepted_way_reads_back_as_itself(data: st.DataObject) -> None:
+def test_a_decimal_number_written_in_any_accepted_way_reads_back_as_itself(
+    data: st.DataObject,
+) -> None:
     number, unit = data.draw(decimals()), data.draw(st.sampled_from(sorted(UNITS)))
     spelled = data.draw(st.sampled_from(sorted(UNITS[unit])))
-    text, sign = data.draw(signed(f"{number.text}{' ' if spelled.startswith('1') else ''}{spelled}"))
+    text, sign = data.draw(
+        signed(f"{number.text}{' ' if spelled.startswith('1') else ''}{spelled}")
+    )
     found = read(dressed(data.draw, text), unit, number.style, "counter-clockwise positive")
-    assert (found.value, found.error, found.reason) == (sign * number.size * UNITS[unit][spelled], 0, "")
+    assert (found.value, found.error, found.reason) == (
+        sign * number.size * UNITS[unit][spelled],
+        0,
+        "",
+    )
     assert float(found.read_as) == pytest.approx(float(found.value or 0), rel=1e-11)
 
 
 @given(st.data(), st.integers(1, 999), st.integers(1, 99))
-def test_a_fraction_of_whole_numbers_reads_back_as_itself(data: st.DataObject, above: int, below: int) -> None:
-    text = data.draw(st.sampled_from(["{}/{}", "{} / {}", "{}÷{}", "({})/({})", "{}\u2044{}", "{}/{} m"]))
+def test_a_fraction_of_whole_numbers_reads_back_as_itself(
+    data: st.DataObject, above: int, below: int
+) -> None:
+    text = data.draw(
+        st.sampled_from(["{}/{}", "{} / {}", "{}÷{}", "({})/({})", "{}\u2044{}", "{}/{} m"])
+    )
     found = read(dressed(data.draw, text.format(above, below)), "m")
     assert (found.value, found.error) == (Fraction(above, below), 0)
 
 
 @given(st.data(), st.integers(1, 99), st.integers(1, 99), st.integers(1, 99))
-def test_a_root_reads_back_as_itself(data: st.DataObject, factor: int, radicand: int, below: int) -> None:
-    forms = ["{}√{}/{}", "{}*sqrt({})/{}", "{} sqrt({}) / {}", "({}√({}))/{}", "{}·√{}÷{} m", "{}*{}^0.5/{}",
-             "{}×{}^(1/2)/{}", "({0}/{2})√{1}"]
-    found = read(dressed(data.draw, data.draw(st.sampled_from(forms)).format(factor, radicand, below)), "m")
+def test_a_root_reads_back_as_itself(
+    data: st.DataObject, factor: int, radicand: int, below: int
+) -> None:
+    forms = [
+        "{}√{}/{}",
+        "{}*sqrt({})/{}",
+        "{} sqrt({}) / {}",
+        "({}√({}))/{}",
+        "{}·√{}÷{} m",
+        "{}*{}^0.5/{}",
+        "{}×{}^(1/2)/{}",
+        "({0}/{2})√{1}",
+    ]
+    found = read(
+        dressed(data.draw, data.draw(st.sampled_from(forms)).format(factor, radicand, below)), "m"
+    )
     square = Fraction(factor**2 * radicand, below**2)
     assert found.value is not None
     assert abs(found.value**2 - square) <= 3 * found.error * found.value
@@ -108,7 +166,9 @@ def test_a_root_reads_back_as_itself(data: st.DataObject, factor: int, radicand:
 @given(st.data(), st.integers(1, 99), st.integers(1, 99))
 def test_a_multiple_of_pi_reads_back_as_itself(data: st.DataObject, above: int, below: int) -> None:
     common = gcd(above, below)
-    text = data.draw(st.sampled_from(["{}π/{}", "{}*pi/{}", "{} π / {}", "{}·π/{} rad", "({}/{})π"]))
+    text = data.draw(
+        st.sampled_from(["{}π/{}", "{}*pi/{}", "{} π / {}", "{}·π/{} rad", "({}/{})π"])
+    )
     found = read(dressed(data.draw, text.format(above // common, below // common)), "rad")
     assert found.value is not None
     assert abs(found.value - PI * above / below) <= found.error <= found.value / 10**37
@@ -134,7 +194,9 @@ def test_radians_that_are_multiples_of_pi_are_exact_degrees(number: Written) -> 
     ("1 234,5", "1234.5"), ("5 cw", "-5"), ("3/4", "0.75"), ("2/3", "0.666666666667"), ("√3", "1.73205080757"),
     ("5 mm/s", "0.005"), ("1e-9 mm/s", "1e-12"), ("1e30 km/s", "1e+33"), ("5 000 mm/s", "5"),
 ])  # fmt: skip
-def test_digits_are_shown_as_typed_and_those_of_other_values_to_twelve(typed: str, read_as: str) -> None:
+def test_digits_are_shown_as_typed_and_those_of_other_values_to_twelve(
+    typed: str, read_as: str
+) -> None:
     assert read(typed, "m/s", convention="cw" if "cw" not in typed else "ccw").read_as == read_as
 
 

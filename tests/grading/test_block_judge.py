@@ -35,7 +35,9 @@ TOLERANCES: list[dict[str, Any]] = [
 ]  # fmt: skip
 MISTAKES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "power-of-ten-up", "=odd")
 POLICIES = (
-    "", "attempts = 'best'\ntolerance = { relative = '2 %' }", "attempts = 'first'\n[questions.q1]\nvoid = 'full'",
+    "",
+    "attempts = 'best'\ntolerance = { relative = '2 %' }",
+    "attempts = 'first'\n[questions.q1]\nvoid = 'full'",
     "tolerance = { figures = 2 }\ncredit = { mistakes = { wrong-pole = '1/2', coriolis-dropped = '1/2' } }",
     "credit = { wrong-unit = '1/3' }\n[questions.q1.asks.v_A]\npoints = 1.5\n"
     "accept = [{ value = '2*v_B', credit = '1/4' }, { value = 3 }]\n[questions.q2]\nvoid = 'drop'",
@@ -44,16 +46,29 @@ POLICIES = (
 
 def key_of(ask: str, random: Random) -> dict[str, Any]:
     """Values that are nice, irrational, tiny or large; mistakes that lie apart, agree, or stand on each other."""
-    value = random.choice([Fraction(random.randint(-60, 60), random.choice([1, 2, 5, 7, 8, 30])),
-                           Fraction(random.randint(1, 10**12), 10 ** random.randint(6, 16))])
+    value = random.choice(
+        [
+            Fraction(random.randint(-60, 60), random.choice([1, 2, 5, 7, 8, 30])),
+            Fraction(random.randint(1, 10**12), 10 ** random.randint(6, 16)),
+        ]
+    )
     decimal = f"{float(value)!r}" if random.random() < 0.5 else f"{float(value):.17f}"
     exact = str(value) if random.random() < 0.5 else random.choice([None, "sqrt(3)"])
     if exact != str(value):
         value = Fraction(decimal)
     wrong = [-value, value * 2, value * Fraction(21, 20), value * 10, value * Fraction(2001, 1000)]
-    mistakes = {name: f"{float(random.choice(wrong)):.9g}" for name in MISTAKES if random.random() < 0.8}
-    entry = {"exact": exact, "value": float(value), "unit": UNITS[ask], "decimal": decimal, "points": 2,
-             "tolerance": random.choice(TOLERANCES), "mistakes": mistakes}
+    mistakes = {
+        name: f"{float(random.choice(wrong)):.9g}" for name in MISTAKES if random.random() < 0.8
+    }
+    entry = {
+        "exact": exact,
+        "value": float(value),
+        "unit": UNITS[ask],
+        "decimal": decimal,
+        "points": 2,
+        "tolerance": random.choice(TOLERANCES),
+        "mistakes": mistakes,
+    }
     return entry | ({"period": 360} if ask == "phi" and random.random() < 0.7 else {})
 
 
@@ -62,28 +77,64 @@ def typed(entry: dict[str, Any], random: Random) -> str:
     value = float(random.choice([entry["decimal"], *entry["mistakes"].values()]))
     spread = entry["tolerance"]["relative"] * abs(value) + entry["tolerance"]["absolute"]
     number = value + random.choice([0, 0, 1, -1, 0.3, 1.0001, 3]) * spread
-    text = random.choice([f"{number:.4g}", f"{number:.3f}", f"{number:.12f}", entry["decimal"], f"{number:.2e}"])
-    return random.choice([text] * 8 + [text.replace(".", ","), f"{text} {entry['unit']}", f"{text} kg", "", "-", "?",
-                                       "=1+1", f"+{abs(number):.3f}", "√3", "1,234", f"{text}\n", "0"])
+    text = random.choice(
+        [f"{number:.4g}", f"{number:.3f}", f"{number:.12f}", entry["decimal"], f"{number:.2e}"]
+    )
+    return random.choice(
+        [text] * 8
+        + [
+            text.replace(".", ","),
+            f"{text} {entry['unit']}",
+            f"{text} kg",
+            "",
+            "-",
+            "?",
+            "=1+1",
+            f"+{abs(number):.3f}",
+            "√3",
+            "1,234",
+            f"{text}\n",
+            "0",
+        ]
+    )
 
 
 def write_class(folder: Path, random: Random, students: int) -> None:
     """A random exam folder with answers.csv beside it; some students hand in twice, some not at all."""
     names = [f"{number:03}" for number in range(students)]
-    papers = [{"student": name, "questions": [
-        {"question": question, "asks": {ask: key_of(ask, random) for ask in asks}} for question, asks in ASKS.items()
-    ]} for name in names]
-    head = {"format": 1, "students": [{"student": name, "name": f"=x{name}"} for name in names],
-            "questions": [{"question": question, "asks": [
-                {"ask": ask, "unit": UNITS[ask], "points": 2} for ask in asks]} for question, asks in ASKS.items()]}
+    papers = [
+        {
+            "student": name,
+            "questions": [
+                {"question": question, "asks": {ask: key_of(ask, random) for ask in asks}}
+                for question, asks in ASKS.items()
+            ],
+        }
+        for name in names
+    ]
+    head = {
+        "format": 1,
+        "students": [{"student": name, "name": f"=x{name}"} for name in names],
+        "questions": [
+            {
+                "question": question,
+                "asks": [{"ask": ask, "unit": UNITS[ask], "points": 2} for ask in asks],
+            }
+            for question, asks in ASKS.items()
+        ],
+    }
     (folder / "exam.json").write_text(json.dumps(head), encoding="utf-8")
-    (folder / "key.jsonl").write_text("".join(f"{json.dumps(each)}\n" for each in random.sample(papers, students)),
-                                      encoding="utf-8")
+    (folder / "key.jsonl").write_text(
+        "".join(f"{json.dumps(each)}\n" for each in random.sample(papers, students)),
+        encoding="utf-8",
+    )
     with (folder / "answers.csv").open("w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream)
         writer.writerow(["student", *COLUMNS])
         for paper in random.choices(papers, k=students):
-            entries = [entry for question in paper["questions"] for entry in question["asks"].values()]
+            entries = [
+                entry for question in paper["questions"] for entry in question["asks"].values()
+            ]
             writer.writerow([paper["student"], *(typed(entry, random) for entry in entries)])
 
 
@@ -102,28 +153,40 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
         exam, whole = open_exam(folder), read_exam(folder)
         sheet = read_sheet(parse_table((folder / "answers.csv").read_bytes(), "answers.csv"), exam)
         rules = read_policy(folder / "policy.toml", exam, Givens(folder))
-        accepted, follows = alternatives(exam, rules, Givens(folder)), Follows(one_and_a_half) if follow else None
+        accepted, follows = (
+            alternatives(exam, rules, Givens(folder)),
+            Follows(one_and_a_half) if follow else None,
+        )
         expected = marks_one_by_one(whole, sheet, rules, accepted, follows)
         assert list(mark(exam, sheet, None, rules, accepted, follows=follows).marks) == expected
         assert list(mark(whole, sheet, None, rules, accepted, follows=follows).marks) == expected
 
 
-def test_the_size_of_blocks_changes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_size_of_blocks_changes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     write_class(tmp_path, Random(5), 40)
     (tmp_path / "policy.toml").write_text(POLICIES[3], encoding="utf-8")
     texts = []
     for number, size in enumerate((1, 7, 1000)):
         monkeypatch.setattr(marking, "BLOCK", size)
         folder = tmp_path / f"MARKS{number}"
-        grade(tmp_path, tmp_path / "answers.csv", folder, policy=tmp_path / "policy.toml",
-              follows=Follows(one_and_a_half))
+        grade(
+            tmp_path,
+            tmp_path / "answers.csv",
+            folder,
+            policy=tmp_path / "policy.toml",
+            follows=Follows(one_and_a_half),
+        )
         texts.append({file.name: file.read_bytes() for file in folder.iterdir()})
     assert texts[0] == texts[1] == texts[2]
 
 
 def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> None:
     write_class(tmp_path, Random(1), 1)
-    entries = json.loads((tmp_path / "key.jsonl").read_text(encoding="utf-8"))["questions"][0]["asks"]
+    entries = json.loads((tmp_path / "key.jsonl").read_text(encoding="utf-8"))["questions"][0][
+        "asks"
+    ]
     asked: list[tuple[str, str, set[str], str]] = []
 
     def follows(student: str, question: str, own: Own, later: str) -> Fraction | None:
@@ -131,10 +194,13 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
         return Fraction(77)
 
     def kinds(first: str, second: str, third: str) -> list[str]:
-        (tmp_path / "answers.csv").write_text(f"student,{','.join(COLUMNS[:3])}\n000,{first},{second},{third}\n",
-                                              encoding="utf-8")
+        (tmp_path / "answers.csv").write_text(
+            f"student,{','.join(COLUMNS[:3])}\n000,{first},{second},{third}\n", encoding="utf-8"
+        )
         exam = open_exam(tmp_path)
-        sheet = read_sheet(parse_table((tmp_path / "answers.csv").read_bytes(), "answers.csv"), exam)
+        sheet = read_sheet(
+            parse_table((tmp_path / "answers.csv").read_bytes(), "answers.csv"), exam
+        )
         return [each.verdict.kind for each in mark(exam, sheet, follows=Follows(follows)).marks][:3]
 
     right = [entries[ask]["decimal"] for ask in ASKS["q1"]]

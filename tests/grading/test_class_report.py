@@ -22,11 +22,18 @@ from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
 WRONG = ("99", "99", "99")
 HALF = ("1.732", "99", "-0.125")
 PLAIN = ExamWording()
-WORDING = ExamWording({"q1": "Crank $OA$"}, {"q1.v_B": "speed of $B$"}, {"q1.v_B": "v_{B}"}, {("q1", "r"): "r_{1}"},
-                      {"wrong-pole": "The pole lies elsewhere."})
+WORDING = ExamWording(
+    {"q1": "Crank $OA$"},
+    {"q1.v_B": "speed of $B$"},
+    {"q1.v_B": "v_{B}"},
+    {("q1", "r"): "r_{1}"},
+    {"wrong-pole": "The pole lies elsewhere."},
+)
 
 
-def report(folder: Path, answers: Answers, language: Literal["en", "zh"] = "en", **more: object) -> str:
+def report(
+    folder: Path, answers: Answers, language: Literal["en", "zh"] = "en", **more: object
+) -> str:
     exam, marks = mark_class(folder, answers, **more)  # type: ignore[arg-type]
     return class_report(marks, exam, WORDING, language)
 
@@ -41,7 +48,9 @@ def in_turns(count: int, *rows: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 @pytest.mark.parametrize("count", [0, 1, 2, 3])
-def test_a_report_of_hardly_anybody_is_a_page(tmp_path: Path, count: int, language: Literal["en", "zh"]) -> None:
+def test_a_report_of_hardly_anybody_is_a_page(
+    tmp_path: Path, count: int, language: Literal["en", "zh"]
+) -> None:
     html = report(tmp_path, in_turns(count, RIGHT, WRONG) | {"absent": ()}, language)
     page = Page(html)
     words = ENGLISH if language == "en" else CHINESE
@@ -54,15 +63,21 @@ def test_a_report_of_hardly_anybody_is_a_page(tmp_path: Path, count: int, langua
 
 
 def test_a_page_stands_by_itself(tmp_path: Path) -> None:
-    text = report(tmp_path, in_turns(40, RIGHT, WRONG, HALF), parameters=lambda student: {"r": float(student)})
+    text = report(
+        tmp_path, in_turns(40, RIGHT, WRONG, HALF), parameters=lambda student: {"r": float(student)}
+    )
     page = Page(text)
     assert page.tags.isdisjoint({"script", "link", "img", "iframe", "a", "object"})
-    assert not [name for name, _ in page.attributes if name in ("src", "href") or name.startswith("on")]
+    assert not [
+        name for name, _ in page.attributes if name in ("src", "href") or name.startswith("on")
+    ]
     assert not re.search(r"https?:|url\(|@import", text)
 
 
 def test_the_same_marks_give_the_same_page(tmp_path: Path) -> None:
-    exam, marks = mark_class(tmp_path, in_turns(31, RIGHT, WRONG), parameters=lambda student: {"r": float(student)})
+    exam, marks = mark_class(
+        tmp_path, in_turns(31, RIGHT, WRONG), parameters=lambda student: {"r": float(student)}
+    )
     assert class_report(marks, exam, WORDING, "zh") == class_report(marks, exam, WORDING, "zh")
 
 
@@ -76,10 +91,21 @@ def test_who_answered_nothing_is_named_and_not_counted(tmp_path: Path) -> None:
 
 
 def test_every_answer_that_lost_points_has_one_reason(tmp_path: Path) -> None:
-    rows = [("-1.732", "5", "oops"), ("17.32", "1 m/s", ""), ("0", "0", "-0.25"), ("1.8", "0", "1"), RIGHT]
+    rows = [
+        ("-1.732", "5", "oops"),
+        ("17.32", "1 m/s", ""),
+        ("0", "0", "-0.25"),
+        ("1.8", "0", "1"),
+        RIGHT,
+    ]
     exam, marks = mark_class(tmp_path, in_turns(len(rows), *rows))
     counts = tallied(exam, marks)
-    assert counts.losses["q1.v_B"] == {"opposite": 1, "power of ten": 1, "unexplained": 1, "close": 1}
+    assert counts.losses["q1.v_B"] == {
+        "opposite": 1,
+        "power of ten": 1,
+        "unexplained": 1,
+        "close": 1,
+    }
     assert counts.losses["q1.omega_AB"] == {"unexplained": 1, "wrong unit": 1}
     assert counts.losses["q2.a_B"] == {"unreadable": 1, "blank": 1, "twice": 1, "unexplained": 1}
     short = [answer for answer in marked_answers(marks) if answer.points < answer.out_of]
@@ -108,7 +134,10 @@ def test_an_ask_in_which_strong_papers_do_worse_is_pointed_out(tmp_path: Path) -
 
 def test_an_ask_that_everybody_got_is_easy_and_one_that_nobody_got_is_hard(tmp_path: Path) -> None:
     page = Page(report(tmp_path, in_turns(5, ("1.732", "9", "-0.125"), ("1.732", "9", "9"))))
-    assert (page.text.count("easy"), page.text.count(" hard")) == (1 + ENGLISH_EASY, 1 + ENGLISH_HARD)
+    assert (page.text.count("easy"), page.text.count(" hard")) == (
+        1 + ENGLISH_EASY,
+        1 + ENGLISH_HARD,
+    )
 
 
 ENGLISH_EASY = " ".join(ENGLISH.small_print).count("easy")
@@ -131,10 +160,14 @@ def test_a_harder_version_is_told_from_chance(tmp_path: Path) -> None:
 
 def test_drawn_numbers_are_a_hint_only_where_they_stand_out(tmp_path: Path) -> None:
     cells = {str(place): RIGHT if place < 20 else WRONG for place in range(40)}
-    clear = Page(report(tmp_path / "1", cells, parameters=lambda student: {"r": float(student), "k": 2.0}))
+    clear = Page(
+        report(tmp_path / "1", cells, parameters=lambda student: {"r": float(student), "k": 2.0})
+    )
     assert ENGLISH.trends.format(1) in clear.text
     assert ENGLISH.trend_found in clear.text
-    random = Page(report(tmp_path / "2", cells, parameters=lambda student: {"r": int(student) * 7 % 5}))
+    random = Page(
+        report(tmp_path / "2", cells, parameters=lambda student: {"r": int(student) * 7 % 5})
+    )
     assert ENGLISH.no_trend in random.text
     same = Page(report(tmp_path / "3", cells))
     assert ENGLISH.same_papers in same.text
@@ -142,7 +175,11 @@ def test_drawn_numbers_are_a_hint_only_where_they_stand_out(tmp_path: Path) -> N
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_nothing_from_a_file_becomes_a_tag(tmp_path: Path, language: Literal["en", "zh"]) -> None:
-    hostile = ("<script>alert(1)</script>", "<img src=x onerror=alert(1)>", '"><svg onload=alert(1)>')
+    hostile = (
+        "<script>alert(1)</script>",
+        "<img src=x onerror=alert(1)>",
+        '"><svg onload=alert(1)>',
+    )
     answers = in_turns(3, RIGHT, hostile) | {"<b>absent</b>": ()}
     page = Page(report(tmp_path, answers, language))
     assert page.tags.isdisjoint({"script", "img", "b"})
@@ -162,18 +199,23 @@ def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> No
     exam, marks = mark_class(tmp_path, in_turns(3, RIGHT))
     lines = (marks / "marks.csv").read_text(encoding="utf-8").splitlines()
     (marks / "marks.csv").write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
-    with pytest.raises(TableError, match='the lines of student "2" do not fit grades.csv or the others - expected'):
+    with pytest.raises(
+        TableError, match='the lines of student "2" do not fit grades.csv or the others - expected'
+    ):
         class_report(marks, exam, PLAIN, "en")
 
 
-@pytest.mark.parametrize(("latex", "html"), [
-    (r"a_{BA}^{\mathrm{n}}", "<i>a</i><sub><i>BA</i></sub><sup>n</sup>"),
-    (r"\angle OAB", "∠ <i>OAB</i>"),
-    (r"45^\circ", "45°"),
-    (r"\frac{a}{<b>", "frac<i>a</i>&lt;<i>b</i>&gt;"),
-    ("a_", "<i>a</i><sub></sub>"),
-    ("}}a", "<i>a</i>"),
-])
+@pytest.mark.parametrize(
+    ("latex", "html"),
+    [
+        (r"a_{BA}^{\mathrm{n}}", "<i>a</i><sub><i>BA</i></sub><sup>n</sup>"),
+        (r"\angle OAB", "∠ <i>OAB</i>"),
+        (r"45^\circ", "45°"),
+        (r"\frac{a}{<b>", "frac<i>a</i>&lt;<i>b</i>&gt;"),
+        ("a_", "<i>a</i><sub></sub>"),
+        ("}}a", "<i>a</i>"),
+    ],
+)
 def test_symbols_become_letters_with_indices(latex: str, html: str) -> None:
     assert symbol_html(latex) == f'<span class="math">{html}</span>'
 

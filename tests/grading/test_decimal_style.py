@@ -20,7 +20,9 @@ def test_only_cells_beyond_doubt_count(cells: list[str], decimal: str, groups: s
     assert (found.decimal, found.groups) == (set(decimal), set(groups))
 
 
-def reading(typed: str, own: list[str], others: list[list[str]], declared: Mark | None = None) -> Reading:
+def reading(
+    typed: str, own: list[str], others: list[list[str]], declared: Mark | None = None
+) -> Reading:
     """`typed` by a student with the answers `own`, in a file with `others`."""
     rows = [[typed, *own], *others]
     return read(typed, "m", file_style(rows, declared).of_row(rows[0]))
@@ -50,7 +52,13 @@ def reading(typed: str, own: list[str], others: list[list[str]], declared: Mark 
     ("1.234", [], [["0.5"]], "comma", 1234, "the decimal mark was declared to be the comma"),
 ])  # fmt: skip
 def test_one_lone_mark(
-    typed: str, own: list[str], others: list[list[str]], declared: Mark | None, *, value: float, said: str
+    typed: str,
+    own: list[str],
+    others: list[list[str]],
+    declared: Mark | None,
+    *,
+    value: float,
+    said: str,
 ) -> None:
     found = reading(typed, own, others, declared)
     assert float(found.value or 0) == value
@@ -59,11 +67,18 @@ def test_one_lone_mark(
 
 def test_commas_in_both_ways_are_unreadable() -> None:
     assert reading("1,234", ["1,234.5", "0,5"], []).reason == (
-        '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare the decimal mark')
+        '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare the decimal mark'
+    )
 
 
 @pytest.mark.parametrize("others", [[], [["0,5"]] * 5, [["0.5"]] * 5, [["0,5"], ["0.5"]]])
 def test_what_leaves_no_doubt_depends_on_no_style(others: list[list[str]]) -> None:
-    for typed, value in (("0,866", 0.866), ("0.866", 0.866), ("1,234.5", 1234.5), ("1.234,5", 1234.5), ("12", 12)):
+    for typed, value in (
+        ("0,866", 0.866),
+        ("0.866", 0.866),
+        ("1,234.5", 1234.5),
+        ("1.234,5", 1234.5),
+        ("12", 12),
+    ):
         found = reading(typed, [], others)
         assert (float(found.value or 0), found.remark) == (value, "")

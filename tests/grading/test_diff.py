@@ -67,7 +67,8 @@ def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
     assert comparison.changes == ()
     assert comparison_csv(comparison).decode() == ",".join(HEADER) + "\n"
     assert comparison_text(comparison) == (
-        "0 up, 0 down, 4 unchanged; mean change 0 points, 0 percentage points")
+        "0 up, 0 down, 4 unchanged; mean change 0 points, 0 percentage points"
+    )
 
 
 def test_who_changes_by_how_much_and_why(answered: Path) -> None:
@@ -83,17 +84,42 @@ def test_the_file_of_changes_has_verdicts_answers_and_reasons_of_both(answered: 
     result = kinegrade("diff", first, second, "-o", answered.parent / "changes.csv")
     assert (result.exit_code, result.stdout, result.stderr) == (0, f"{TABLE}\n", "")
     total, answer, *_ = rows_of(answered.parent / "changes.csv")
-    assert list(total.values()) == ["007", "王伟", "total", "5.5", "8", "+2.5", "9.5", "8", *[""] * 6]
+    assert list(total.values()) == [
+        "007",
+        "王伟",
+        "total",
+        "5.5",
+        "8",
+        "+2.5",
+        "9.5",
+        "8",
+        *[""] * 6,
+    ]
     assert list(answer.values()) == [
-        "007", "王伟", "q1.v_B", "0", "4", "+4", "4", "4", "wrong", "right", "1.76", "1.76",
+        "007",
+        "王伟",
+        "q1.v_B",
+        "0",
+        "4",
+        "+4",
+        "4",
+        "4",
+        "wrong",
+        "right",
+        "1.76",
+        "1.76",
         "key 1.73205, difference 0.0279492, allowed 0.0173205",
-        "key 1.73205, difference 0.0279492, allowed 0.034641 by the policy"]
+        "key 1.73205, difference 0.0279492, allowed 0.034641 by the policy",
+    ]
     again = kinegrade("diff", first, second, "-o", answered.parent / "changes.csv")
     assert (again.exit_code, "already exists" in again.stderr) == (2, True)
 
 
 def test_cells_of_the_file_do_not_run_in_a_spreadsheet(answered: Path) -> None:
-    first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2", "[questions.q2]\nvoid = 'drop'")
+    first, second = (
+        regraded(answered, "MARKS"),
+        regraded(answered, "MARKS2", "[questions.q2]\nvoid = 'drop'"),
+    )
     rows = list(csv.DictReader(comparison_csv(compare(first, second)).decode().splitlines()))
     assert {row["name"] for row in rows if row["student"] == "S9"} == {"'=HYPERLINK(1)"}
     assert [row["response_after"] for row in rows if row["student"] == "12"] == ["", "'=1+1"]
@@ -103,37 +129,69 @@ def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
     first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2")
     for name in ("grades.csv", "marks.csv"):
         lines = (second / name).read_text(encoding="utf-8").splitlines(keepends=True)
-        kept = [line.replace("0012,", "0013,") for line in lines if not line.startswith(("007,", "12,q2,a_B"))]
+        kept = [
+            line.replace("0012,", "0013,")
+            for line in lines
+            if not line.startswith(("007,", "12,q2,a_B"))
+        ]
         (second / name).write_text("".join(kept), encoding="utf-8")
     comparison = compare(first, second)
     told = [(change.student, *(ask.column for ask in change.asks)) for change in comparison.changes]
-    assert told == [("007", "q1.v_B", "q1.omega_AB", "q2.a_B"), ("0012", "q1.v_B", "q1.omega_AB", "q2.a_B"),
-                    ("12", "q2.a_B"), ("0013", "q1.v_B", "q1.omega_AB", "q2.a_B")]
+    assert told == [
+        ("007", "q1.v_B", "q1.omega_AB", "q2.a_B"),
+        ("0012", "q1.v_B", "q1.omega_AB", "q2.a_B"),
+        ("12", "q2.a_B"),
+        ("0013", "q1.v_B", "q1.omega_AB", "q2.a_B"),
+    ]
     text = comparison_text(comparison)
-    assert text.endswith("0 up, 0 down, 2 unchanged; 3 in one of the two only; "
-                         "mean change 0 points, 0 percentage points")
+    assert text.endswith(
+        "0 up, 0 down, 2 unchanged; 3 in one of the two only; "
+        "mean change 0 points, 0 percentage points"
+    )
     assert [line.split()[-3:] for line in text.splitlines() if " total " in line] == [
-        ["in", "the", "first"], ["in", "the", "first"], ["0", "0", "0"], ["in", "the", "second"]]
+        ["in", "the", "first"],
+        ["in", "the", "first"],
+        ["0", "0", "0"],
+        ["in", "the", "second"],
+    ]
 
 
 def test_an_answer_of_another_row_is_shown(answered: Path) -> None:
     with (answered.parent / "answers.csv").open("a", encoding="utf-8") as stream:
         stream.write("12,Ann,1.73,\x1b[31m,\n")
-    text = comparison_text(compare(regraded(answered, "MARKS", "attempts = 'first'"), regraded(answered, "MARKS2")))
+    text = comparison_text(
+        compare(regraded(answered, "MARKS", "attempts = 'first'"), regraded(answered, "MARKS2"))
+    )
     assert 'q1.v_B            0      4      +4  "" -> "1.73", blank -> right: key 1.73205' in text
     assert "\x1b" not in text
 
 
 def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
     first = regraded(answered, "MARKS")
-    second = regraded(answered, "MARKS2", "[questions.q1.asks.omega_AB]\nvoid = 'drop'", before=first)
-    assert [row["total"] for row in rows_of(second / "grades.csv")] == ["3.7632", "3.7632", "2.0527", "0"]
+    second = regraded(
+        answered, "MARKS2", "[questions.q1.asks.omega_AB]\nvoid = 'drop'", before=first
+    )
+    assert [row["total"] for row in rows_of(second / "grades.csv")] == [
+        "3.7632",
+        "3.7632",
+        "2.0527",
+        "0",
+    ]
     kept = rows_of(second / "kept.csv")
     assert list(kept[0].values()) == [
-        "007", "王伟", "5.5", "9.5", "2.5", "6.5", "3.7632",
-        "nobody is lowered: 5.5 of 9.5 before, 2.5 of 6.5 by this marking"]
+        "007",
+        "王伟",
+        "5.5",
+        "9.5",
+        "2.5",
+        "6.5",
+        "3.7632",
+        "nobody is lowered: 5.5 of 9.5 before, 2.5 of 6.5 by this marking",
+    ]
     assert [row["name"] for row in kept] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)"]
-    assert "nobody is lowered: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(compare(first, second))
+    assert "nobody is lowered: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
+        compare(first, second)
+    )
     assert moodle.export(second).splitlines()[1] == "007,王伟,3.7632,q1: 0/4; q2: 2.5/2.5"
 
 
@@ -145,34 +203,68 @@ def test_with_equal_points_the_earlier_total_itself_stands(answered: Path) -> No
     assert compare(first, second).down == 0
 
 
-def test_never_lower_through_the_command_line_may_replace_the_marks_it_looks_at(answered: Path) -> None:
+def test_never_lower_through_the_command_line_may_replace_the_marks_it_looks_at(
+    answered: Path,
+) -> None:
     policy = answered.parent / "policy.toml"
-    policy.write_text("[questions.q1.asks.omega_AB]\nvoid = 'full'\n[questions.q2]\nvoid = 'drop'\n", encoding="utf-8")
-    arguments = ("grade", answered, answered.parent / "answers.csv", "-o", answered.parent / "MARKS")
+    policy.write_text(
+        "[questions.q1.asks.omega_AB]\nvoid = 'full'\n[questions.q2]\nvoid = 'drop'\n",
+        encoding="utf-8",
+    )
+    arguments = (
+        "grade",
+        answered,
+        answered.parent / "answers.csv",
+        "-o",
+        answered.parent / "MARKS",
+    )
     assert kinegrade(*arguments).exit_code == 1
-    result = kinegrade(*arguments, "--policy", policy, "--never-lower", answered.parent / "MARKS", "--force")
+    result = kinegrade(
+        *arguments, "--policy", policy, "--never-lower", answered.parent / "MARKS", "--force"
+    )
     assert "kept.csv: 2 students keep an earlier total" in result.stderr
     assert kinegrade(*arguments, "--force").exit_code == 1
     assert not (answered.parent / "MARKS" / "kept.csv").exists()
 
 
 def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
-    marks, kept = never_lower(marked("007,2,0,30\n"), {"008": Total("Eve", Fraction(9), Fraction(9))})
+    marks, kept = never_lower(
+        marked("007,2,0,30\n"), {"008": Total("Eve", Fraction(9), Fraction(9))}
+    )
     assert kept == ()
     assert str(marks.complaints[0]) == (
-        'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to be kept')
+        'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to be kept'
+    )
 
 
-@pytest.mark.parametrize(("name", "content", "reason"), [
-    ("grades.csv", None, "cannot be read (No such file or directory) - expected a CSV file - check the name"),
-    ("grades.csv", "student,name,total\n1,x,2\n",
-     "no column out_of - expected the file as kinegrade grade wrote it - grade again"),
-    ("grades.csv", "student,name,total,out_of\n1,x,2,-3\n",
-     'grades.csv:2: out_of is "-3" - expected a number of zero or more - grade again'),
-    ("grades.csv", "student,name,total,out_of\n1,x,2\n",
-     "grades.csv:2: the line has 3 cells, the header 4 - the missing cells are taken as blank - grade again"),
-])
-def test_a_folder_that_is_none_of_marks_is_refused(tmp_path: Path, name: str, content: str | None, reason: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        (
+            "grades.csv",
+            None,
+            "cannot be read (No such file or directory) - expected a CSV file - check the name",
+        ),
+        (
+            "grades.csv",
+            "student,name,total\n1,x,2\n",
+            "no column out_of - expected the file as kinegrade grade wrote it - grade again",
+        ),
+        (
+            "grades.csv",
+            "student,name,total,out_of\n1,x,2,-3\n",
+            'grades.csv:2: out_of is "-3" - expected a number of zero or more - grade again',
+        ),
+        (
+            "grades.csv",
+            "student,name,total,out_of\n1,x,2\n",
+            "grades.csv:2: the line has 3 cells, the header 4 - the missing cells are taken as blank - grade again",
+        ),
+    ],
+)
+def test_a_folder_that_is_none_of_marks_is_refused(
+    tmp_path: Path, name: str, content: str | None, reason: str
+) -> None:
     if content is not None:
         (tmp_path / name).write_text(content, encoding="utf-8")
     with pytest.raises(TableError) as caught:
@@ -184,19 +276,27 @@ def test_a_folder_that_is_none_of_marks_is_refused(tmp_path: Path, name: str, co
 AMOUNTS = st.fractions(0, 1, max_denominator=60)
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.lists(st.tuples(AMOUNTS, st.integers(1, 40)), min_size=3, max_size=3),
-       st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2.asks.phi]\npoints = 7"]))
+@settings(
+    max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(
+    st.lists(st.tuples(AMOUNTS, st.integers(1, 40)), min_size=3, max_size=3),
+    st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2.asks.phi]\npoints = 7"]),
+)
 def test_never_lower_never_lowers(
     tmp_path: Path, earlier: list[tuple[Fraction, int]], policy: str
 ) -> None:
     new = marked("007,2,0,30\nS9,2,9,\n12,,,30\n", policy_of(policy, tmp_path))
-    before = {student: Total(student, (share * out_of * 10**4 // 1) / Fraction(10**4), Fraction(out_of))
-              for student, (share, out_of) in zip(("007", "S9", "12"), earlier, strict=True)}
+    before = {
+        student: Total(student, (share * out_of * 10**4 // 1) / Fraction(10**4), Fraction(out_of))
+        for student, (share, out_of) in zip(("007", "S9", "12"), earlier, strict=True)
+    }
     marks, kept = never_lower(new, before)
     for alone, grade in zip(new.grades, marks.grades, strict=True):
         old = before[grade.student].share
         assert grade.total >= alone.total
         assert round(grade.total, 4) >= old * grade.out_of - Fraction(1, 20000)
         assert grade.kept is None or grade.total / grade.out_of >= old
-    assert {each.grade.student for each in kept} == {grade.student for grade in marks.grades if grade.kept is not None}
+    assert {each.grade.student for each in kept} == {
+        grade.student for grade in marks.grades if grade.kept is not None
+    }

@@ -73,28 +73,49 @@ CHANGES: list[tuple[Change, str]] = [
         'exam.json: no list "questions" - expected one that is not empty',
     ),
     (lambda head, _: head.update(students=[]), 'exam.json: no list "students"'),
-    (lambda head, _: head["students"].append(7), 'exam.json: students 5: no "student" that is a text'),
-    (lambda head, _: head["students"][1].update(student=" "), 'exam.json: students 2: "student" is empty'),
-    (lambda head, _: head["students"][1].update(student="００７"), 'student "007" stands there 2 times'),
+    (
+        lambda head, _: head["students"].append(7),
+        'exam.json: students 5: no "student" that is a text',
+    ),
+    (
+        lambda head, _: head["students"][1].update(student=" "),
+        'exam.json: students 2: "student" is empty',
+    ),
+    (
+        lambda head, _: head["students"][1].update(student="００７"),
+        'student "007" stands there 2 times',
+    ),
     (
         lambda head, _: head["questions"][1].update(question="q1"),
         'key.jsonl: line 1: student "007": the asks differ',
     ),
-    (lambda head, _: head["questions"][1].update(question="total"), "questions 2: \"question\" is 'total'"),
-    (lambda head, _: head["questions"][1].update(question="<b>"), "questions 2: \"question\" is '<b>'"),
+    (
+        lambda head, _: head["questions"][1].update(question="total"),
+        "questions 2: \"question\" is 'total'",
+    ),
+    (
+        lambda head, _: head["questions"][1].update(question="<b>"),
+        "questions 2: \"question\" is '<b>'",
+    ),
     (lambda head, _: head["questions"][1].update(asks=[]), "questions 2: question q2 asks nothing"),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points=-1),
         '"points" is -1 - expected zero or more',
     ),
-    (lambda head, _: head["questions"][1]["asks"][0].update(sign=1), 'questions 2: no "sign" that is a text'),
+    (
+        lambda head, _: head["questions"][1]["asks"][0].update(sign=1),
+        'questions 2: no "sign" that is a text',
+    ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points="many"),
         "\"points\" is 'many' - expected a",
     ),
     (lambda _, papers: papers.pop(2), 'key.jsonl: no line for student "S9" - expected one'),
     (lambda _, papers: papers.append(paper("x")), 'key.jsonl: student "x" is not in exam.json'),
-    (lambda _, papers: papers.append(paper("007")), 'key.jsonl: student "007" stands there 2 times'),
+    (
+        lambda _, papers: papers.append(paper("007")),
+        'key.jsonl: student "007" stands there 2 times',
+    ),
     (
         lambda _, papers: asks(papers[1]).pop("v_B"),
         'line 2: student "0012": the asks differ from exam.json in q1.v_B',
@@ -135,7 +156,10 @@ CHANGES: list[tuple[Change, str]] = [
         lambda _, papers: asks(papers[1])["v_B"].update(decimal=None, value=None),
         'neither "decimal" nor "value"',
     ),
-    (lambda _, papers: asks(papers[1])["v_B"].pop("tolerance"), 'q1.v_B: no "tolerance" that is an object'),
+    (
+        lambda _, papers: asks(papers[1])["v_B"].pop("tolerance"),
+        'q1.v_B: no "tolerance" that is an object',
+    ),
     (
         lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(relative=-1),
         '"relative" is -1 - expected zero',
@@ -169,7 +193,11 @@ def test_all_faults_are_reported_at_once(tmp_path: Path) -> None:
         del papers[1]["questions"]
         asks(papers[3])["v_B"]["unit"] = "m"
 
-    assert [each.split(":")[1] for each in faults(tmp_path, change)] == [" line 1", " line 2", " line 4"]
+    assert [each.split(":")[1] for each in faults(tmp_path, change)] == [
+        " line 1",
+        " line 2",
+        " line 4",
+    ]
 
 
 @pytest.mark.parametrize("size", [100, 1500, 2**17])
@@ -210,7 +238,9 @@ def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
         (b'{"format": 1e999999999}', "is 1E+999999999 - expected"),
     ],
 )
-def test_broken_files_are_named(exam_folder: Path, name: str, content: bytes | None, fault: str) -> None:
+def test_broken_files_are_named(
+    exam_folder: Path, name: str, content: bytes | None, fault: str
+) -> None:
     (exam_folder / name).unlink()
     if content is not None:
         (exam_folder / name).write_bytes(content)
@@ -223,7 +253,9 @@ def test_broken_files_are_named(exam_folder: Path, name: str, content: bytes | N
 
 
 def test_a_number_too_large_to_be_one_is_refused(exam_folder: Path) -> None:
-    text = (exam_folder / "exam.json").read_text().replace('"points": 2.5}', '"points": 1e999999999}')
+    text = (
+        (exam_folder / "exam.json").read_text().replace('"points": 2.5}', '"points": 1e999999999}')
+    )
     (exam_folder / "exam.json").write_text(text)
     with pytest.raises(ExamError, match="expected a number"):
         read_exam(exam_folder)
@@ -237,7 +269,10 @@ def test_significant_figures_give_the_numbers_that_agree(tmp_path: Path) -> None
         asks(each)["omega_AB"]["tolerance"]["figures"] = 3
     keys = read_exam(write_exam(tmp_path / "EXAM", exam(), papers)).examinees[0].keys
     assert keys["q1.v_B"].interval == (Fraction("1.725"), Fraction("1.735"))  # of 1.73205
-    assert keys["q1.omega_AB"].interval == (Fraction("-0.002"), Fraction("0.002"))  # zero has no figures
+    assert keys["q1.omega_AB"].interval == (
+        Fraction("-0.002"),
+        Fraction("0.002"),
+    )  # zero has no figures
 
 
 def folder_with_mistakes(tmp_path: Path, mistakes: Any) -> Path:
@@ -246,23 +281,34 @@ def folder_with_mistakes(tmp_path: Path, mistakes: Any) -> Path:
     return write_exam(tmp_path / "EXAM", exam(), papers)
 
 
-@pytest.mark.parametrize(("mistakes", "fault"), [
-    ({"sense-reversed": "fast"}, "\"sense-reversed\" is 'fast'"),
-    (3, 'no "mistakes" that is an object'),
-])
+@pytest.mark.parametrize(
+    ("mistakes", "fault"),
+    [
+        ({"sense-reversed": "fast"}, "\"sense-reversed\" is 'fast'"),
+        (3, 'no "mistakes" that is an object'),
+    ],
+)
 def test_what_is_wrong_with_mistakes_is_found_where_an_answer_is_held_against_them(
     tmp_path: Path, mistakes: Any, fault: str
 ) -> None:
     folder = folder_with_mistakes(tmp_path, mistakes)
     with pytest.raises(ExamError) as caught:
         read_exam(folder)
-    assert str(caught.value).startswith(f'{folder}/key.jsonl: line 2: student "0012": q1.v_B: {fault} - expected ')
+    assert str(caught.value).startswith(
+        f'{folder}/key.jsonl: line 2: student "0012": q1.v_B: {fault} - expected '
+    )
     assert str(caught.value).endswith(" - restore the exam folder as it was generated")
 
 
-@pytest.mark.parametrize(("typed", "verdict"), [
-    ("1.7320508", "right"), ("1.9", "mistake"), ("0.33333", "mistake"), ("2.5", "wrong"),
-])
+@pytest.mark.parametrize(
+    ("typed", "verdict"),
+    [
+        ("1.7320508", "right"),
+        ("1.9", "mistake"),
+        ("0.33333", "mistake"),
+        ("2.5", "wrong"),
+    ],
+)
 def test_a_mistake_that_is_written_as_a_fraction_is_compared_too(
     tmp_path: Path, typed: str, verdict: str
 ) -> None:
@@ -270,21 +316,43 @@ def test_a_mistake_that_is_written_as_a_fraction_is_compared_too(
     assert mark_of(folder, typed)["verdict"] == verdict
 
 
-@pytest.mark.parametrize(("typed", "reason"), [
-    ("1.9", "coriolis-dropped: leads to 1.9, difference 0, allowed 0.019; so do sense-reversed, wrong-pole"),
-    ("1.92", "wrong-pole: leads to 1.905, difference 0.015, allowed 0.01905"),
-    ("-5", "other-branch: leads to -5, difference 0, allowed 0.05; so does transport-for-absolute"),
-])
-def test_all_mistakes_that_lead_to_an_answer_are_named(tmp_path: Path, typed: str, reason: str) -> None:
-    folder = folder_with_mistakes(tmp_path, {
-        "wrong-pole": "1.905", "sense-reversed": "1.9", "coriolis-dropped": "1.9", "transport-for-absolute": "-5.04",
-        "other-branch": "-5"})
+@pytest.mark.parametrize(
+    ("typed", "reason"),
+    [
+        (
+            "1.9",
+            "coriolis-dropped: leads to 1.9, difference 0, allowed 0.019; so do sense-reversed, wrong-pole",
+        ),
+        ("1.92", "wrong-pole: leads to 1.905, difference 0.015, allowed 0.01905"),
+        (
+            "-5",
+            "other-branch: leads to -5, difference 0, allowed 0.05; so does transport-for-absolute",
+        ),
+    ],
+)
+def test_all_mistakes_that_lead_to_an_answer_are_named(
+    tmp_path: Path, typed: str, reason: str
+) -> None:
+    folder = folder_with_mistakes(
+        tmp_path,
+        {
+            "wrong-pole": "1.905",
+            "sense-reversed": "1.9",
+            "coriolis-dropped": "1.9",
+            "transport-for-absolute": "-5.04",
+            "other-branch": "-5",
+        },
+    )
     assert mark_of(folder, typed)["reason"] == reason
 
 
 def mark_of(folder: Path, typed: str) -> dict[str, str]:
     sheet = folder.parent / "answers.csv"
-    sheet.write_text(f"student,q1.v_B,q1.omega_AB,q2.a_B\n0012,{typed},0,-0.125\n", encoding="utf-8")
+    sheet.write_text(
+        f"student,q1.v_B,q1.omega_AB,q2.a_B\n0012,{typed},0,-0.125\n", encoding="utf-8"
+    )
     grade(folder, sheet, folder.parent / "MARKS")
     with (folder.parent / "MARKS" / "marks.csv").open(encoding="utf-8") as stream:
-        return next(row for row in csv.DictReader(stream) if (row["student"], row["ask"]) == ("0012", "v_B"))
+        return next(
+            row for row in csv.DictReader(stream) if (row["student"], row["ask"]) == ("0012", "v_B")
+        )

@@ -28,8 +28,10 @@ WORDING = ExamWording(
     titles={"q1": "Crank $OA$ & rod"},
     meanings={"q1.v_B": "speed of $B$"},
     symbols={"q1.v_B": "v_{B}", "q1.omega_AB": r"\omega_{AB}"},
-    mistakes={"coriolis-dropped": "The Coriolis acceleration was left out.",
-              "sense-reversed": "The sense is reversed."},
+    mistakes={
+        "coriolis-dropped": "The Coriolis acceleration was left out.",
+        "sense-reversed": "The sense is reversed.",
+    },
 )
 
 
@@ -38,26 +40,37 @@ def sheets(folder: Path, *rows: tuple[str, ...], language: str = "en") -> list[F
     return [sheet for _, sheet in feedback_sheets(marks, exam, WORDING, language)]  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(("typed", "unit", "expected"), [
-    ("-2.5", "m/s", Hint("opposite")),
-    ("-2.49", "m/s", Hint("opposite")),
-    ("250", "m/s", Hint("power of ten", power=2)),
-    ("-0.25", "m/s", Hint("power of ten", True, -1)),
-    ("5", "m/s", Hint("twice")),
-    ("-1.25", "m/s", Hint("half", True)),
-    ("143.24", "rad/s", Hint("degrees for radians")),
-    ("143.24", "m/s", None),
-    ("0.043633", "deg", Hint("radians for degrees")),
-    ("23.873", "rad/s", Hint("revolutions per minute")),
-    ("0.39789", "rad/s", Hint("revolutions per second")),
-    ("23.873", "rad/s^2", None),
-    ("7", "m/s", Hint("another ask", column="q1.x")),
-    ("2.56", "m/s", Hint("close")),
-    ("3.3", "m/s", None),
-    ("0", "m/s", None),
-])
-def test_a_number_tells_what_probably_went_wrong(typed: str, unit: str, expected: Hint | None) -> None:
-    found = hint(Fraction(typed), Fraction("2.5"), Fraction("0.025"), unit, {"q1.x": Fraction(7), "q1.z": Fraction(0)})
+@pytest.mark.parametrize(
+    ("typed", "unit", "expected"),
+    [
+        ("-2.5", "m/s", Hint("opposite")),
+        ("-2.49", "m/s", Hint("opposite")),
+        ("250", "m/s", Hint("power of ten", power=2)),
+        ("-0.25", "m/s", Hint("power of ten", True, -1)),
+        ("5", "m/s", Hint("twice")),
+        ("-1.25", "m/s", Hint("half", True)),
+        ("143.24", "rad/s", Hint("degrees for radians")),
+        ("143.24", "m/s", None),
+        ("0.043633", "deg", Hint("radians for degrees")),
+        ("23.873", "rad/s", Hint("revolutions per minute")),
+        ("0.39789", "rad/s", Hint("revolutions per second")),
+        ("23.873", "rad/s^2", None),
+        ("7", "m/s", Hint("another ask", column="q1.x")),
+        ("2.56", "m/s", Hint("close")),
+        ("3.3", "m/s", None),
+        ("0", "m/s", None),
+    ],
+)
+def test_a_number_tells_what_probably_went_wrong(
+    typed: str, unit: str, expected: Hint | None
+) -> None:
+    found = hint(
+        Fraction(typed),
+        Fraction("2.5"),
+        Fraction("0.025"),
+        unit,
+        {"q1.x": Fraction(7), "q1.z": Fraction(0)},
+    )
     assert found == expected
 
 
@@ -66,68 +79,108 @@ def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_gu
     assert hint(Fraction("-2.2"), Fraction("2.5"), Fraction(1), "m/s", {}) is None
 
 
-@pytest.mark.parametrize(("exact", "decimal", "unit", "expected"), [
-    ("13/4", "3.25", "rad/s", "3.25\u202frad/s"),
-    ("2*sqrt(3)/3", "1.1547005383792515", "m/s^2", "2√3/3 ≈ 1.1547\u202fm/s²"),
-    ("10/3", "3.3333333333333333", "1", "10/3 ≈ 3.33333"),
-    (None, "-0.000123456789", "deg", "≈ −0.000123457°"),
-    ("sqrt(3)*" + "sqrt(2 + sqrt(5))*" * 9 + "2", "1.23456789", "m", "≈ 1.23457\u202fm"),
-    ("acos(1/3)", "70.528779", "deg", "≈ 70.5288°"),
-    ("60000000000", "60000000000", "m", "6E+10\u202fm"),
-])
-def test_a_right_answer_is_exact_where_that_is_short(exact: str, decimal: str, unit: str, expected: str) -> None:
+@pytest.mark.parametrize(
+    ("exact", "decimal", "unit", "expected"),
+    [
+        ("13/4", "3.25", "rad/s", "3.25\u202frad/s"),
+        ("2*sqrt(3)/3", "1.1547005383792515", "m/s^2", "2√3/3 ≈ 1.1547\u202fm/s²"),
+        ("10/3", "3.3333333333333333", "1", "10/3 ≈ 3.33333"),
+        (None, "-0.000123456789", "deg", "≈ −0.000123457°"),
+        ("sqrt(3)*" + "sqrt(2 + sqrt(5))*" * 9 + "2", "1.23456789", "m", "≈ 1.23457\u202fm"),
+        ("acos(1/3)", "70.528779", "deg", "≈ 70.5288°"),
+        ("60000000000", "60000000000", "m", "6E+10\u202fm"),
+    ],
+)
+def test_a_right_answer_is_exact_where_that_is_short(
+    exact: str, decimal: str, unit: str, expected: str
+) -> None:
     assert right_text(RightAnswer(Fraction(decimal), exact, unit, Fraction(0))) == expected
 
 
 def test_a_sheet_says_what_was_typed_how_it_was_read_what_is_right_and_why(tmp_path: Path) -> None:
-    sheet, = sheets(tmp_path, ("-1,732 m/s", "7 m/s", " "))
+    (sheet,) = sheets(tmp_path, ("-1,732 m/s", "7 m/s", " "))
     first, second = sheet.questions
     v_b, omega = first.rows
     assert (v_b.typed, v_b.read_as, v_b.right, v_b.verdict, v_b.points) == (
-        "-1,732 m/s", "−1.732\u202fm/s", "√3 ≈ 1.73205\u202fm/s", "wrong", "0 / 4")
+        "-1,732 m/s",
+        "−1.732\u202fm/s",
+        "√3 ≈ 1.73205\u202fm/s",
+        "wrong",
+        "0 / 4",
+    )
     assert "the sign is opposite: perhaps" in v_b.remark
-    assert (omega.verdict, omega.remark) == ("wrong unit", "The unit belongs to another kind of quantity.")
+    assert (omega.verdict, omega.remark) == (
+        "wrong unit",
+        "The unit belongs to another kind of quantity.",
+    )
     assert '"m/s" measures a speed' in omega.reason
-    assert (second.rows[0].typed.strip(), second.rows[0].verdict, second.rows[0].remark) == ("", "no answer", "")
+    assert (second.rows[0].typed.strip(), second.rows[0].verdict, second.rows[0].remark) == (
+        "",
+        "no answer",
+        "",
+    )
     assert (sheet.total, first.points, second.points) == ("0 / 9.5", "0 / 7", "0 / 2.5")
     assert (first.heading, first.title, second.title) == ("Question 1", "Crank $OA$ & rod", "")
 
 
 def test_a_close_answer_is_told_by_how_much_it_is_off(tmp_path: Path) -> None:
-    sheet, = sheets(tmp_path, ("1.76", "0", "-0.125"))
+    (sheet,) = sheets(tmp_path, ("1.76", "0", "-0.125"))
     assert "off by 1.6 % where 1 % is allowed" in sheet.questions[0].rows[0].remark
     assert sheet.guesses
 
 
 def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
-    sheet, = sheets(tmp_path, RIGHT)
-    assert not any(row.remark or row.reason for question in sheet.questions for row in question.rows)
+    (sheet,) = sheets(tmp_path, RIGHT)
+    assert not any(
+        row.remark or row.reason for question in sheet.questions for row in question.rows
+    )
     assert sheet.total == "9.5 / 9.5"
     assert not sheet.guesses
 
 
-@pytest.mark.parametrize(("besides", "language", "remark"), [
-    ("", "en", "The Coriolis acceleration was left out."),
-    ("; so does sense-reversed", "en", "The Coriolis acceleration was left out. Or: The sense is reversed."),
-    ("; so do sense-reversed, unheard-of", "zh", "The Coriolis acceleration was left out.或者：The sense is reversed."),
-])
+@pytest.mark.parametrize(
+    ("besides", "language", "remark"),
+    [
+        ("", "en", "The Coriolis acceleration was left out."),
+        (
+            "; so does sense-reversed",
+            "en",
+            "The Coriolis acceleration was left out. Or: The sense is reversed.",
+        ),
+        (
+            "; so do sense-reversed, unheard-of",
+            "zh",
+            "The Coriolis acceleration was left out.或者：The sense is reversed.",
+        ),
+    ],
+)
 def test_known_mistakes_are_told_by_their_sentences(
     tmp_path: Path, besides: str, language: Literal["en", "zh"], remark: str
 ) -> None:
     marked = f'mistake,2,4,"coriolis-dropped: leads to 1, difference 0, allowed 0.01{besides}"'
     row = row_marked_as(marked, tmp_path, language)
-    assert (row.verdict, row.points, row.remark) == ({"en": "wrong", "zh": "错误"}[language], "2 / 4", remark)
+    assert (row.verdict, row.points, row.remark) == (
+        {"en": "wrong", "zh": "错误"}[language],
+        "2 / 4",
+        remark,
+    )
 
 
-@pytest.mark.parametrize(("out_of", "language", "remark"), [
-    ("0", "en", "This was taken out of the marking."),
-    ("4", "en", "This was not marked: everybody who handed in gets the points."),
-    ("4", "zh", "该小问不评分，凡交卷者均得满分。"),
-])
+@pytest.mark.parametrize(
+    ("out_of", "language", "remark"),
+    [
+        ("0", "en", "This was taken out of the marking."),
+        ("4", "en", "This was not marked: everybody who handed in gets the points."),
+        ("4", "zh", "该小问不评分，凡交卷者均得满分。"),
+    ],
+)
 def test_a_void_answer_is_told_what_became_of_its_points(
     tmp_path: Path, out_of: str, language: Literal["en", "zh"], remark: str
 ) -> None:
-    assert row_marked_as(f"void,{out_of},{out_of},void by the policy", tmp_path, language).remark == remark
+    assert (
+        row_marked_as(f"void,{out_of},{out_of},void by the policy", tmp_path, language).remark
+        == remark
+    )
 
 
 def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> FeedbackRow:
@@ -137,7 +190,7 @@ def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> F
     lines = file.read_text(encoding="utf-8").splitlines()
     lines[1] = f"7,q1,v_B,1,1,m/s,{marked}"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    (_, sheet), = feedback_sheets(marks, exam, WORDING, language)
+    ((_, sheet),) = feedback_sheets(marks, exam, WORDING, language)
     return sheet.questions[0].rows[0]
 
 
@@ -145,7 +198,7 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     grades = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(grades.replace(",0,9.5,0", ",8,9.5,84.21"), encoding="utf-8")
-    (_, sheet), = feedback_sheets(marks, exam, WORDING, "en")
+    ((_, sheet),) = feedback_sheets(marks, exam, WORDING, "en")
     assert (sheet.total, sheet.kept) == ("8 / 9.5", True)
     assert sheet.words.kept in feedback_markdown(sheet)
     assert sheet.words.kept in feedback_html(sheet)
@@ -154,13 +207,18 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
 def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     record = json.loads((exam / "key.jsonl").read_text(encoding="utf-8"))
-    (exam / "key.jsonl").write_text(json.dumps(record | {"printed": ["q2", "q1"]}), encoding="utf-8")
-    (_, sheet), = feedback_sheets(marks, exam, WORDING, "en")
-    assert [question.heading for question in sheet.questions] == ["Question 1 (q2)", "Question 2 (q1)"]
+    (exam / "key.jsonl").write_text(
+        json.dumps(record | {"printed": ["q2", "q1"]}), encoding="utf-8"
+    )
+    ((_, sheet),) = feedback_sheets(marks, exam, WORDING, "en")
+    assert [question.heading for question in sheet.questions] == [
+        "Question 1 (q2)",
+        "Question 2 (q1)",
+    ]
 
 
 def test_chinese_sheets_are_chinese(tmp_path: Path) -> None:
-    sheet, = sheets(tmp_path, ("3.4641", "7 m/s", "?"), language="zh")
+    (sheet,) = sheets(tmp_path, ("3.4641", "7 m/s", "?"), language="zh")
     rows = [row for question in sheet.questions for row in question.rows]
     assert [row.verdict for row in rows] == ["错误", "单位不符", "无法识别"]
     assert [row.reason for row in rows] == ["", "", ""]
@@ -169,8 +227,8 @@ def test_chinese_sheets_are_chinese(tmp_path: Path) -> None:
 
 
 def test_nothing_a_student_typed_becomes_a_tag(tmp_path: Path) -> None:
-    plain, = sheets(tmp_path / "1", ("a", "b", "c"))
-    sheet, = sheets(tmp_path / "2", HOSTILE)
+    (plain,) = sheets(tmp_path / "1", ("a", "b", "c"))
+    (sheet,) = sheets(tmp_path / "2", HOSTILE)
     page = Page(feedback_html(sheet))
     assert page.tags == Page(feedback_html(plain)).tags
     assert page.tags.isdisjoint({"script", "a", "img", "link", "iframe"})
@@ -179,10 +237,24 @@ def test_nothing_a_student_typed_becomes_a_tag(tmp_path: Path) -> None:
 
 
 def test_nothing_a_student_typed_becomes_markdown(tmp_path: Path) -> None:
-    sheet, = sheets(tmp_path, HOSTILE)
-    rendered = MarkdownIt("commonmark", {"html": True}).enable("table").render(feedback_markdown(sheet))
+    (sheet,) = sheets(tmp_path, HOSTILE)
+    rendered = (
+        MarkdownIt("commonmark", {"html": True}).enable("table").render(feedback_markdown(sheet))
+    )
     page = Page(rendered)
-    assert page.tags <= {"h1", "h2", "p", "strong", "em", "table", "thead", "tbody", "tr", "th", "td"}
+    assert page.tags <= {
+        "h1",
+        "h2",
+        "p",
+        "strong",
+        "em",
+        "table",
+        "thead",
+        "tbody",
+        "tr",
+        "th",
+        "td",
+    }
     for typed in HOSTILE:
         assert typed in page.text
 
@@ -196,20 +268,30 @@ def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> No
     with pytest.raises(OutputError, match="already exists - expected a new folder"):
         write_feedback(exam, marks, tmp_path / "OUT", WORDING, "html", language="en")
     write_feedback(exam, marks, tmp_path / "OUT", WORDING, "html", language="zh", force=True)
-    assert sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir()) == ["007.html", "a%2Fb.html"]
+    assert sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir()) == [
+        "007.html",
+        "a%2Fb.html",
+    ]
 
 
 @pytest.mark.parametrize("form", ["html", "md"])
 def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> None:
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT})
-    with pytest.raises(ExamError, match=r"solutions/a%2Fb.pdf: cannot be read .* - generate the exam with --solutions"):
-        write_feedback(exam, marks, tmp_path / "OUT", WORDING, "html", language="en", solutions=True)
+    with pytest.raises(
+        ExamError,
+        match=r"solutions/a%2Fb.pdf: cannot be read .* - generate the exam with --solutions",
+    ):
+        write_feedback(
+            exam, marks, tmp_path / "OUT", WORDING, "html", language="en", solutions=True
+        )
     assert not (tmp_path / "OUT").exists()
     (exam / "solutions").mkdir()
     (exam / "solutions" / "a%2Fb.pdf").write_bytes(b"%PDF")
     write_feedback(exam, marks, tmp_path / "OUT", WORDING, form, language="en", solutions=True)  # type: ignore[arg-type]
     assert (tmp_path / "OUT" / "sheets" / "a%2Fb-solution.pdf").read_bytes() == b"%PDF"
-    assert "a%252Fb-solution.pdf" in (tmp_path / "OUT" / "sheets" / f"a%2Fb.{form}").read_text(encoding="utf-8")
+    assert "a%252Fb-solution.pdf" in (tmp_path / "OUT" / "sheets" / f"a%2Fb.{form}").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_the_same_marks_give_the_same_bytes(tmp_path: Path) -> None:
@@ -218,38 +300,60 @@ def test_the_same_marks_give_the_same_bytes(tmp_path: Path) -> None:
         write_feedback(exam, marks, tmp_path / name, WORDING, "html", language="en")
     files = [path.relative_to(tmp_path / "A") for path in (tmp_path / "A").rglob("*.*")]
     assert len(files) == 3
-    assert all((tmp_path / "A" / file).read_bytes() == (tmp_path / "B" / file).read_bytes() for file in files)
+    assert all(
+        (tmp_path / "A" / file).read_bytes() == (tmp_path / "B" / file).read_bytes()
+        for file in files
+    )
 
 
 def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
     exam, _ = mark_class(tmp_path / "1", {"7": RIGHT})
     _, marks = mark_class(tmp_path / "2", {"8": RIGHT})
-    with pytest.raises(ExamError, match='student "8" is not in exam.json and grades.csv - expected the marks of this'):
+    with pytest.raises(
+        ExamError,
+        match='student "8" is not in exam.json and grades.csv - expected the marks of this',
+    ):
         list(feedback_sheets(marks, exam, WORDING, "en"))
-    with pytest.raises(ExamError, match='no paper of student "8" - expected one for everybody who is marked'):
+    with pytest.raises(
+        ExamError, match='no paper of student "8" - expected one for everybody who is marked'
+    ):
         PaperRecords(exam).paper("8")
 
 
-def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_and_report(tmp_path: Path) -> None:
+def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_and_report(
+    tmp_path: Path,
+) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     file = marks / "marks.csv"
-    file.write_text(file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8")
-    message = (r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the marks of '
-               "this exam - name the exam folder by which they were made")
+    file.write_text(
+        file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8"
+    )
+    message = (
+        r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the marks of '
+        "this exam - name the exam folder by which they were made"
+    )
     with pytest.raises(ExamError, match=message):
         list(feedback_sheets(marks, exam, WORDING, "en"))
     with pytest.raises(ExamError, match=message):
         tally(marks, exam, read_exam_record(exam))
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("student,name\n", "no column question, ask, response"),
-    ("HEAD\n7,q1\n", r"marks.csv:2: 2 cells under 10 - expected the file as kinegrade grade wrote it - grade again"),
-    ("HEAD\n7,q1,a,1,1,m,right,much,4,\n", 'marks.csv:2: "much" stands where points should'),
-    ("HEAD\n7,q1,a,1,1,m,right,1/0,4,\n", 'marks.csv:2: "1/0" stands where points should'),
-    ('HEAD\n7,q1,a,"1"1,1,m,right,4,4,\n', "is not a CSV file in UTF-8"),
-])
-def test_marks_that_were_changed_by_hand_are_refused(tmp_path: Path, text: str, message: str) -> None:
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("student,name\n", "no column question, ask, response"),
+        (
+            "HEAD\n7,q1\n",
+            r"marks.csv:2: 2 cells under 10 - expected the file as kinegrade grade wrote it - grade again",
+        ),
+        ("HEAD\n7,q1,a,1,1,m,right,much,4,\n", 'marks.csv:2: "much" stands where points should'),
+        ("HEAD\n7,q1,a,1,1,m,right,1/0,4,\n", 'marks.csv:2: "1/0" stands where points should'),
+        ('HEAD\n7,q1,a,"1"1,1,m,right,4,4,\n', "is not a CSV file in UTF-8"),
+    ],
+)
+def test_marks_that_were_changed_by_hand_are_refused(
+    tmp_path: Path, text: str, message: str
+) -> None:
     head = "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
     (tmp_path / "marks.csv").write_text(text.replace("HEAD", head), encoding="utf-8")
     with pytest.raises(TableError, match=message):
@@ -257,35 +361,47 @@ def test_marks_that_were_changed_by_hand_are_refused(tmp_path: Path, text: str, 
 
 
 def test_marks_that_are_missing_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match=r"grades.csv: cannot be read \(No such file .* made by kinegrade grade"):
+    with pytest.raises(
+        TableError, match=r"grades.csv: cannot be read \(No such file .* made by kinegrade grade"
+    ):
         student_totals(tmp_path)
-    (tmp_path / "complaints.csv").write_text("file,line,column,content,problem,done\na,x,,,,\n", encoding="utf-8")
-    with pytest.raises(TableError, match='complaints.csv:2: line is "x" - expected the file as kinegrade'):
+    (tmp_path / "complaints.csv").write_text(
+        "file,line,column,content,problem,done\na,x,,,,\n", encoding="utf-8"
+    )
+    with pytest.raises(
+        TableError, match='complaints.csv:2: line is "x" - expected the file as kinegrade'
+    ):
         complaints(tmp_path)
 
 
 def test_what_was_made_safe_for_spreadsheets_is_shown_as_it_was_typed(tmp_path: Path) -> None:
     _, marks = mark_class(tmp_path, {"7": ("=1+1", "'=1", "-1")})
-    (_, answers), = answers_by_student(marks)
+    ((_, answers),) = answers_by_student(marks)
     assert [answer.typed for answer in answers] == ["=1+1", "'=1", "-1"]
     assert "'=1+1" in (marks / "marks.csv").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("line", ["{", "[]", '{"student": "7"}', '{"student": "7", "questions": [{}]}'])
+@pytest.mark.parametrize(
+    "line", ["{", "[]", '{"student": "7"}', '{"student": "7", "questions": [{}]}']
+)
 def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     (exam / "key.jsonl").write_text(line + "\n", encoding="utf-8")
     with pytest.raises(ExamError, match=r"key.jsonl.* is broken .* - restore the exam folder"):
         list(feedback_sheets(marks, exam, WORDING, "en"))
     (exam / "key.jsonl").unlink()
-    with pytest.raises(ExamError, match=r"key.jsonl: cannot be read .* - expected an exam folder made by kinegrade"):
+    with pytest.raises(
+        ExamError, match=r"key.jsonl: cannot be read .* - expected an exam folder made by kinegrade"
+    ):
         list(feedback_sheets(marks, exam, WORDING, "en"))
 
 
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     (exam / "exam.json").write_text('{"students": 3}', encoding="utf-8")
-    with pytest.raises(ExamError, match=r"exam.json: is broken \(TypeError.* - restore the exam folder"):
+    with pytest.raises(
+        ExamError, match=r"exam.json: is broken \(TypeError.* - restore the exam folder"
+    ):
         list(feedback_sheets(marks, exam, WORDING, "en"))
     (exam / "exam.json").unlink()
     with pytest.raises(ExamError, match=r"exam.json: cannot be read"):

@@ -23,7 +23,9 @@ NOTHING: Mapping[str, Fraction] = {}
 AS_PRINTED = Ruling()
 
 
-def consequence(student: str, question: str, own: Mapping[str, Fraction], later: str) -> Fraction | None:
+def consequence(
+    student: str, question: str, own: Mapping[str, Fraction], later: str
+) -> Fraction | None:
     """alpha = 2 omega^2, a_B = omega^2 + alpha + 12, phi = 175 omega: as long as they have something to follow from."""
     omega, alpha = own.get("omega_AB"), own.get("alpha_AB")
     if later == "a_B" and (omega or alpha):
@@ -36,15 +38,25 @@ def consequence(student: str, question: str, own: Mapping[str, Fraction], later:
 follows = Follows(consequence)
 
 
-def decided(typed: Mapping[str, str], ruling: Ruling = AS_PRINTED, mistakes: Mapping[str, Fraction] = NOTHING,
-            ) -> list[Decided]:
+def decided(
+    typed: Mapping[str, str],
+    ruling: Ruling = AS_PRINTED,
+    mistakes: Mapping[str, Fraction] = NOTHING,
+) -> list[Decided]:
     """The answers in the order of ASKS, as they are decided without follow-through."""
     found = []
     for name, unit in ASKS.items():
         key = RULE.key(KEYS[name], Fraction(360) if name == "phi" else None, mistakes)
         reading = read(typed.get(name, ""), unit)
-        found.append(Decided(Ask("q1", name, unit, Fraction(3)), reading, key, ruling,
-                             decide(reading, key, ruling, (), lambda text, unit=unit: read(text, unit))))
+        found.append(
+            Decided(
+                Ask("q1", name, unit, Fraction(3)),
+                reading,
+                key,
+                ruling,
+                decide(reading, key, ruling, (), lambda text, unit=unit: read(text, unit)),
+            )
+        )
     return found
 
 
@@ -53,33 +65,58 @@ def followed(ruling: Ruling = AS_PRINTED, **typed: str) -> dict[str, Decision]:
 
 
 def test_an_answer_that_follows_from_the_own_earlier_one_gets_all_points_and_a_reason() -> None:
-    assert followed(omega_AB="3.1", alpha_AB="19.3") == {"alpha_AB": (
-        Verdict("follow-through", "follows from the own q1.omega_AB = 3.1: 19.22, difference 0.08, allowed 0.1922"),
-        Fraction(1))}
+    assert followed(omega_AB="3.1", alpha_AB="19.3") == {
+        "alpha_AB": (
+            Verdict(
+                "follow-through",
+                "follows from the own q1.omega_AB = 3.1: 19.22, difference 0.08, allowed 0.1922",
+            ),
+            Fraction(1),
+        )
+    }
 
 
-@pytest.mark.parametrize(("typed", "kinds"), [
-    ("19.4122", ["alpha_AB"]), ("19.0278", ["alpha_AB"]), ("19.4123", []), ("19.0277", []), ("-19.22", []),
-    ("19.22 rad/s^2", ["alpha_AB"]), ("19.22 m", []), ("abc", []), ("", []), ("1922/100", ["alpha_AB"]),
-])
-def test_it_is_held_against_what_follows_by_the_rule_of_its_ask(typed: str, kinds: list[str]) -> None:
+@pytest.mark.parametrize(
+    ("typed", "kinds"),
+    [
+        ("19.4122", ["alpha_AB"]),
+        ("19.0278", ["alpha_AB"]),
+        ("19.4123", []),
+        ("19.0277", []),
+        ("-19.22", []),
+        ("19.22 rad/s^2", ["alpha_AB"]),
+        ("19.22 m", []),
+        ("abc", []),
+        ("", []),
+        ("1922/100", ["alpha_AB"]),
+    ],
+)
+def test_it_is_held_against_what_follows_by_the_rule_of_its_ask(
+    typed: str, kinds: list[str]
+) -> None:
     assert list(followed(omega_AB="3.1", alpha_AB=typed)) == kinds
 
 
 def test_the_key_is_tried_first() -> None:
     assert followed(omega_AB="3", alpha_AB="8", a_B="24") == {}
-    assert followed(omega_AB="2.01", alpha_AB="8.2") == {}  # right, and so no follow-through from it
+    assert (
+        followed(omega_AB="2.01", alpha_AB="8.2") == {}
+    )  # right, and so no follow-through from it
 
 
 @pytest.mark.parametrize("omega", ["", "abc", "3 m", "0", "-0", "2001", "0.0019", "1e40"])
 def test_nothing_follows_from_what_is_missing_zero_or_beyond_any_sense(omega: str) -> None:
     seen: list[str] = []
 
-    def asked(student: str, question: str, own: Mapping[str, Fraction], later: str) -> Fraction | None:
+    def asked(
+        student: str, question: str, own: Mapping[str, Fraction], later: str
+    ) -> Fraction | None:
         seen.append(later)
         return Fraction(5)
 
-    assert follow_through("007", decided({"omega_AB": omega, "alpha_AB": "5"}), Follows(asked)) == {}
+    assert (
+        follow_through("007", decided({"omega_AB": omega, "alpha_AB": "5"}), Follows(asked)) == {}
+    )
     assert seen == []
 
 
@@ -93,36 +130,57 @@ def test_an_answer_follows_from_those_before_it_only() -> None:
 
 def test_an_error_is_charged_once_however_far_it_goes() -> None:
     found = followed(omega_AB="3", alpha_AB="18", a_B="39")
-    assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
-        "alpha_AB": "follows from the own q1.omega_AB = 3: 18, difference 0, allowed 0.18",
-        "a_B": "follows from the own q1.omega_AB = 3: 39, difference 0, allowed 0.39",  # as alpha_AB does
-    }
+    assert (
+        {ask: verdict.reason for ask, (verdict, _) in found.items()}
+        == {
+            "alpha_AB": "follows from the own q1.omega_AB = 3: 18, difference 0, allowed 0.18",
+            "a_B": "follows from the own q1.omega_AB = 3: 39, difference 0, allowed 0.39",  # as alpha_AB does
+        }
+    )
 
 
 def test_a_new_error_is_charged_and_followed_too() -> None:
     found = followed(omega_AB="3", alpha_AB="20", a_B="41")
     assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
-        "a_B": "follows from the own q1.omega_AB = 3 and q1.alpha_AB = 20: 41, difference 0, allowed 0.41"}
+        "a_B": "follows from the own q1.omega_AB = 3 and q1.alpha_AB = 20: 41, difference 0, allowed 0.41"
+    }
 
 
 def test_somebody_may_go_on_from_one_own_answer_and_not_from_the_other() -> None:
     found = followed(omega_AB="3", alpha_AB="20", a_B="36")  # 2^2 + 20 + 12
-    assert found["a_B"][0].reason == "follows from the own q1.alpha_AB = 20: 36, difference 0, allowed 0.36"
+    assert (
+        found["a_B"][0].reason
+        == "follows from the own q1.alpha_AB = 20: 36, difference 0, allowed 0.36"
+    )
     found = followed(omega_AB="3", alpha_AB="20", phi="525")
-    assert found["phi"][0].reason == "follows from the own q1.omega_AB = 3: 525, difference 0, allowed 5.25"
+    assert (
+        found["phi"][0].reason
+        == "follows from the own q1.omega_AB = 3: 525, difference 0, allowed 5.25"
+    )
 
 
 def test_a_right_answer_in_between_stays_right() -> None:
     # with phi = 10 omega + alpha, where alpha would follow from omega: but this student has alpha right
-    def by_both(student: str, question: str, own: Mapping[str, Fraction], later: str) -> Fraction | None:
+    def by_both(
+        student: str, question: str, own: Mapping[str, Fraction], later: str
+    ) -> Fraction | None:
         omega = own.get("omega_AB", Fraction(2))
         value = 10 * omega + own.get("alpha_AB", 2 * omega**2)
         return value if later == "phi" and {"omega_AB", "alpha_AB"} & own.keys() else None
 
-    found = follow_through("007", decided({"omega_AB": "3", "alpha_AB": "7.99", "phi": "37.99"}), Follows(by_both))
-    assert found["phi"][0].reason == ("follows from the own q1.omega_AB = 3 and q1.alpha_AB = 7.99: 37.99, "
-                                      "difference 0, allowed 0.3799")
-    assert follow_through("007", decided({"a_B": "9", "alpha_AB": "7.95", "phi": "27.95"}), Follows(by_both)) == {}
+    found = follow_through(
+        "007", decided({"omega_AB": "3", "alpha_AB": "7.99", "phi": "37.99"}), Follows(by_both)
+    )
+    assert found["phi"][0].reason == (
+        "follows from the own q1.omega_AB = 3 and q1.alpha_AB = 7.99: 37.99, "
+        "difference 0, allowed 0.3799"
+    )
+    assert (
+        follow_through(
+            "007", decided({"a_B": "9", "alpha_AB": "7.95", "phi": "27.95"}), Follows(by_both)
+        )
+        == {}
+    )
 
 
 def test_angles_follow_with_any_number_of_turns() -> None:
@@ -138,7 +196,9 @@ def test_a_credit_of_the_policy() -> None:
 def test_the_best_credit_counts() -> None:
     mistakes = {"coriolis-halved": Fraction(18)}
     for share, kinds in (("1/2", ["alpha_AB"]), ("3/4", [])):
-        ruling = Ruling(follow_through=Fraction(2, 3), mistakes={"coriolis-halved": Fraction(share)})
+        ruling = Ruling(
+            follow_through=Fraction(2, 3), mistakes={"coriolis-halved": Fraction(share)}
+        )
         answers = decided({"omega_AB": "3", "alpha_AB": "18"}, ruling, mistakes)
         assert answers[1].decision[0].kind == "mistake"
         assert list(follow_through("007", answers, follows)) == kinds
@@ -147,24 +207,40 @@ def test_the_best_credit_counts() -> None:
 def test_a_tolerance_of_the_policy_holds_for_what_follows_too() -> None:
     wide = Ruling(room=Room(relative=Fraction(1, 10)))
     assert list(followed(wide, omega_AB="3", alpha_AB="19.7")) == ["alpha_AB"]
-    assert followed(wide, omega_AB="2.2", alpha_AB="9.68") == {}  # omega is right now, and what follows does not count
+    assert (
+        followed(wide, omega_AB="2.2", alpha_AB="9.68") == {}
+    )  # omega is right now, and what follows does not count
 
 
 def test_a_void_answer_stays_as_it_is() -> None:
     answers = decided({"omega_AB": "3", "alpha_AB": "18"})
-    void = Decided(answers[1].ask, answers[1].reading, answers[1].key, answers[1].ruling,
-                   (Verdict("void", ""), Fraction(0)))
+    void = Decided(
+        answers[1].ask,
+        answers[1].reading,
+        answers[1].key,
+        answers[1].ruling,
+        (Verdict("void", ""), Fraction(0)),
+    )
     assert follow_through("007", [answers[0], void], follows) == {}
 
 
-@pytest.mark.parametrize(("text", "shares"), [
-    ("", ("1", "1", "1")), ("credit.follow-through = '50 %'", ("1/2", "1/2", "1/2")),
-    ("credit.follow-through = 0", ("0", "0", "0")),
-    ("credit.follow-through = 0.5\n[questions.q1]\ncredit.follow-through = '1/4'\n[questions.q1.asks.v_B]\n"
-     "credit = { follow-through = 1 }", ("1", "1/4", "1/2")),
-    ("[questions.q1]\ncredit = { follow-through = 0, wrong-unit = 1 }", ("0", "0", "1")),
-])
-def test_what_stands_nearer_to_the_ask_goes_first(tmp_path: Path, text: str, shares: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(
+    ("text", "shares"),
+    [
+        ("", ("1", "1", "1")),
+        ("credit.follow-through = '50 %'", ("1/2", "1/2", "1/2")),
+        ("credit.follow-through = 0", ("0", "0", "0")),
+        (
+            "credit.follow-through = 0.5\n[questions.q1]\ncredit.follow-through = '1/4'\n[questions.q1.asks.v_B]\n"
+            "credit = { follow-through = 1 }",
+            ("1", "1/4", "1/2"),
+        ),
+        ("[questions.q1]\ncredit = { follow-through = 0, wrong-unit = 1 }", ("0", "0", "1")),
+    ],
+)
+def test_what_stands_nearer_to_the_ask_goes_first(
+    tmp_path: Path, text: str, shares: tuple[str, ...]
+) -> None:
     policy = policy_of(text, tmp_path)
     found = [policy.ruling(column).follow_through for column in ("q1.v_B", "q1.omega_AB", "q2.phi")]
     assert found == [Fraction(share) for share in shares]
@@ -174,4 +250,6 @@ def test_no_credit_for_going_on_from_next_to_nothing() -> None:
     # a_B = omega^2 + alpha + 12: with omega gone and alpha right, 20 is a forgotten omega^2, or one of 0.02^2
     assert followed(omega_AB="0.02", alpha_AB="8", a_B="20") == {}
     assert list(followed(omega_AB="3", alpha_AB="8", a_B="29")) == ["a_B"]
-    assert list(followed(omega_AB="0.02", phi="3.5")) == ["phi"]  # in proportion to it: nothing is forgotten
+    assert list(followed(omega_AB="0.02", phi="3.5")) == [
+        "phi"
+    ]  # in proportion to it: nothing is forgotten

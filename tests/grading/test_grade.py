@@ -31,7 +31,9 @@ CALCULATION = '"1+1" is a range or a calculation; one number was expected'
 def marked(exam: Path, content: str | bytes, *, force: bool = False) -> ClassGrades:
     answers = exam.parent / "answers.csv"
     answers.write_bytes(content.encode() if isinstance(content, str) else content)
-    return grade(exam, answers, exam.parent / "MARKS", force=force, exports={"moodle.csv": moodle.export})
+    return grade(
+        exam, answers, exam.parent / "MARKS", force=force, exports={"moodle.csv": moodle.export}
+    )
 
 
 def rows(exam: Path, name: str, folder: str = "MARKS") -> list[list[str]]:
@@ -60,13 +62,18 @@ def test_a_class_is_marked(exam_folder: Path) -> None:
         ["S9", "'=HYPERLINK(1)", "0", "2.5", "2.5", "9.5", "26.32"],
         ["12", "Ann", "0", "0", "0", "9.5", "0"],
     ]
-    assert marks.grades[1] == Grade("0012", "O'Neil, Zoë", (Fraction(4), Fraction(0)), Fraction(19, 2))
+    assert marks.grades[1] == Grade(
+        "0012", "O'Neil, Zoë", (Fraction(4), Fraction(0)), Fraction(19, 2)
+    )
 
 
 def test_marks_have_a_row_for_each_student_and_ask(exam_folder: Path) -> None:
     marked(exam_folder, HEADER + ROWS)
     header, *found = rows(exam_folder, "marks.csv")
-    assert ",".join(header) == "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
+    assert (
+        ",".join(header)
+        == "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
+    )
     assert len(found) == 12
     within = "key 1.73205, difference 0.00205081, allowed 0.0173205"
     assert found[0] == ["007", "q1", "v_B", "1,73", "1.73", "m/s", "right", "4", "4", within]
@@ -84,12 +91,21 @@ def test_unreadable_answers_are_complaints_and_blank_ones_are_not(exam_folder: P
         ("4", "q1.v_B", "1.7 rad/s", WRONG_UNIT),
         ("4", "q1.omega_AB", "'=1+1", CALCULATION),
     ]
-    assert rows(exam_folder, "complaints.csv")[0] == ["file", "line", "column", "content", "problem", "done"]
+    assert rows(exam_folder, "complaints.csv")[0] == [
+        "file",
+        "line",
+        "column",
+        "content",
+        "problem",
+        "done",
+    ]
 
 
 def test_moodle_gets_exact_ids_and_short_feedback(exam_folder: Path) -> None:
     marked(exam_folder, HEADER + ROWS)
-    assert (exam_folder.parent / "MARKS" / "moodle.csv").read_text(encoding="utf-8").splitlines()[:3] == [
+    assert (exam_folder.parent / "MARKS" / "moodle.csv").read_text(encoding="utf-8").splitlines()[
+        :3
+    ] == [
         "ID number,Full name,Grade,Feedback",
         "007,王伟,9.5,q1: 7/7; q2: 2.5/2.5",
         '0012,"O\'Neil, Zoë",4,q1: 4/7; q2: 0/2.5',
@@ -111,7 +127,9 @@ def test_a_student_who_is_not_in_the_exam_is_kept_whole(exam_folder: Path) -> No
     ]
 
 
-def test_an_id_without_its_zeros_is_not_matched_but_the_student_is_suggested(exam_folder: Path) -> None:
+def test_an_id_without_its_zeros_is_not_matched_but_the_student_is_suggested(
+    exam_folder: Path,
+) -> None:
     marks = marked(exam_folder, HEADER + "7,王伟,1,1,1\ns9,x,1,1,1\n00012,x,1,1,1\n")
     assert verdicts(exam_folder, "007") == ["blank"] * 3
     done = [complaint.done for complaint in marks.complaints if complaint.line]
@@ -131,14 +149,18 @@ def test_a_missing_student_is_listed_with_blank_answers(exam_folder: Path) -> No
 def test_of_differing_rows_the_last_counts_and_the_others_are_kept(exam_folder: Path) -> None:
     marked(exam_folder, HEADER + "007,王伟,9,9,9\n" + ROWS + "007,王伟, 1.73,0,\n")
     assert verdicts(exam_folder, "007") == ["right", "right", "blank"]
-    assert [complaint for complaint in complaints(exam_folder) if "another row" in complaint[3]] == [
+    assert [
+        complaint for complaint in complaints(exam_folder) if "another row" in complaint[3]
+    ] == [
         ("2", "", "007,王伟,9,9,9", "another row for this student stands on line 7"),
         ("3", "", '007,王伟,"1,73",0.002,-0.125', "another row for this student stands on line 7"),
     ]
 
 
 def test_a_repeated_row_with_the_same_answers_is_ignored(exam_folder: Path) -> None:
-    marks = marked(exam_folder, HEADER + ROWS + '007,W, "1,73" ,0.002,-0.125\n'.replace(' "1,73" ', RIGHT))
+    marks = marked(
+        exam_folder, HEADER + ROWS + '007,W, "1,73" ,0.002,-0.125\n'.replace(' "1,73" ', RIGHT)
+    )
     assert verdicts(exam_folder, "007") == ["right"] * 3
     assert [complaint.done for complaint in marks.complaints if complaint.line == 2] == [
         "ignored, the answers are the same"
@@ -146,7 +168,9 @@ def test_a_repeated_row_with_the_same_answers_is_ignored(exam_folder: Path) -> N
 
 
 def test_a_missing_column_counts_as_blank(exam_folder: Path) -> None:
-    marks = marked(exam_folder, "student,name,q1.v_B,q1.omega_AB\n007,x,1.73,0\n0012,x,,\nS9,x,,\n12,x,,\n")
+    marks = marked(
+        exam_folder, "student,name,q1.v_B,q1.omega_AB\n007,x,1.73,0\n0012,x,,\nS9,x,,\n12,x,,\n"
+    )
     assert verdicts(exam_folder, "007") == ["right", "right", "blank"]
     assert [str(complaint) for complaint in marks.complaints] == [
         "answers.csv: q2.a_B: no such column - all its answers count as blank"
@@ -183,7 +207,9 @@ def test_two_numbers_in_two_lines_of_a_cell_are_not_two_answers(exam_folder: Pat
 
 
 def test_another_encoding_is_read_and_said(exam_folder: Path) -> None:
-    marks = marked(exam_folder, (HEADER + ROWS.replace("Zoë", "")).replace("²", "^2").encode("gb18030"))
+    marks = marked(
+        exam_folder, (HEADER + ROWS.replace("Zoë", "")).replace("²", "^2").encode("gb18030")
+    )
     assert verdicts(exam_folder, "007") == ["right"] * 3
     assert marks.complaints[0].problem.startswith("not valid UTF-8 from this line on")
     assert marks.complaints[0].done.startswith("read as GB18030")
@@ -199,9 +225,20 @@ def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folde
     sheet = HEADER + '007,x,"1,732",0.001,\n0012,x,"1,732",0,\nS9,x,,0.001,\n12,x,,,\n'
     marked(exam_folder, sheet)
     assert [verdicts(exam_folder, student)[0] for student in ("007", "0012")] == ["wrong", "wrong"]
-    declared = grade(exam_folder, exam_folder.parent / "answers.csv", exam_folder.parent / "AGAIN", decimal="comma")
-    assert [verdicts(exam_folder, student, "AGAIN")[0] for student in ("007", "0012")] == ["right", "right"]
-    assert declared.complaints[0].problem == "read as 1.732: the decimal mark was declared to be the comma"
+    declared = grade(
+        exam_folder,
+        exam_folder.parent / "answers.csv",
+        exam_folder.parent / "AGAIN",
+        decimal="comma",
+    )
+    assert [verdicts(exam_folder, student, "AGAIN")[0] for student in ("007", "0012")] == [
+        "right",
+        "right",
+    ]
+    assert (
+        declared.complaints[0].problem
+        == "read as 1.732: the decimal mark was declared to be the comma"
+    )
 
 
 def test_units_roots_and_senses_flow_through(tmp_path: Path) -> None:
@@ -211,7 +248,10 @@ def test_units_roots_and_senses_flow_through(tmp_path: Path) -> None:
         each["questions"][0]["asks"]["omega_AB"].update(exact="-4", value=-4.0, decimal="-4")
     folder = write_exam(tmp_path / "EXAM", head, papers)
     rows_typed = "007,x,√3,4 rad/s clockwise,-1/8\n0012,x,173.2 cm/s,-38.2 rpm,-12.5 cm/s²\n"
-    marked(folder, HEADER + rows_typed + "S9,x,1.732 m/s,4 逆时针,0 m\n12,x,6.24 km/h,0.64 Hz,-0.125 ms^-2\n")
+    marked(
+        folder,
+        HEADER + rows_typed + "S9,x,1.732 m/s,4 逆时针,0 m\n12,x,6.24 km/h,0.64 Hz,-0.125 ms^-2\n",
+    )
     assert [verdicts(folder, student) for student in STUDENTS] == [
         ["right", "right", "right"], ["right", "right", "right"], ["right", "wrong", "wrong unit"],
         ["right", "wrong unit", "right"],
@@ -260,7 +300,8 @@ def test_a_faulty_exam_leaves_the_old_marks(exam_folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("amount", "text"), [("0", "0"), ("10", "10"), ("2.50", "2.5"), ("1/3", "0.3333"), ("1/20000", "0.0001")]
+    ("amount", "text"),
+    [("0", "0"), ("10", "10"), ("2.50", "2.5"), ("1/3", "0.3333"), ("1/20000", "0.0001")],
 )
 def test_points_are_shown_short(amount: str, text: str) -> None:
     assert amount_text(Fraction(amount)) == text
@@ -268,6 +309,10 @@ def test_points_are_shown_short(amount: str, text: str) -> None:
 
 def test_the_sheet_of_another_exam_is_refused(exam_folder: Path) -> None:
     sheet = exam_folder.parent / "other.csv"
-    sheet.write_text("student,name,q1.v_B,q1.v_D,q2.omega_DE,q3.x_S\n12,Ann,1,2,3,4\n", encoding="utf-8")
-    with pytest.raises(TableError, match=r"most answer columns are not asked in this exam \(q1.v_d, q2.omega_de"):
+    sheet.write_text(
+        "student,name,q1.v_B,q1.v_D,q2.omega_DE,q3.x_S\n12,Ann,1,2,3,4\n", encoding="utf-8"
+    )
+    with pytest.raises(
+        TableError, match=r"most answer columns are not asked in this exam \(q1.v_d, q2.omega_de"
+    ):
         grade(exam_folder, sheet, exam_folder.parent / "MARKS")

@@ -9,7 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.grading.equal_hardness import holm, kruskal_wallis, parameter_trends, ranks, spearman, thirds
+from kinegrade.grading.equal_hardness import (
+    holm,
+    kruskal_wallis,
+    parameter_trends,
+    ranks,
+    spearman,
+    thirds,
+)
 from kinegrade.grading.item_statistics import (
     correlation,
     discriminations,
@@ -34,12 +41,17 @@ def test_discrimination_leaves_the_ask_itself_out_of_the_total() -> None:
     rest = [5.0, 3.0, 0.0, 1.0]
     expected = np.corrcoef([1.0, 0.0, 1.0, 0.0], rest)[0, 1]
     assert discriminations(points)[0] == pytest.approx(expected)
-    assert discriminations(np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])) == pytest.approx((1.0, 1.0))
-    assert discriminations(np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])) == pytest.approx((-1.0, -1.0))
+    assert discriminations(np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])) == pytest.approx(
+        (1.0, 1.0)
+    )
+    assert discriminations(np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])) == pytest.approx(
+        (-1.0, -1.0)
+    )
 
 
 @pytest.mark.parametrize(
-    "points", [np.empty((0, 2)), np.ones((1, 2)), np.eye(2), np.ones((5, 2)), np.full((7, 2), 0.1)])
+    "points", [np.empty((0, 2)), np.ones((1, 2)), np.eye(2), np.ones((5, 2)), np.full((7, 2), 0.1)]
+)
 def test_what_too_few_or_too_equal_students_cannot_tell_is_none(points: np.ndarray) -> None:
     assert discriminations(points) == (None, None)
     assert reliability(points) is None
@@ -83,7 +95,9 @@ def test_ranks_of_equals_are_the_mean_of_their_places(values: list[int]) -> None
 
 
 @given(FEW_LEVELS, st.integers(2, 3))
-def test_h_is_the_share_of_the_ranks_variance_between_the_groups(values: list[int], groups: int) -> None:
+def test_h_is_the_share_of_the_ranks_variance_between_the_groups(
+    values: list[int], groups: int
+) -> None:
     names = [f"{place % groups}" for place in range(len(values))]
     test = kruskal_wallis(np.array(values, dtype=float), names)
     ranked = ranks(np.array(values, dtype=float))
@@ -133,11 +147,19 @@ def test_thirds_hold_everybody_and_keep_equal_numbers_together(numbers: list[int
     assert all(left.highest < right.lowest for left, right in pairwise(groups))
 
 
-def test_a_number_that_makes_papers_harder_stands_first_and_one_that_does_not_vary_is_left_out() -> None:
+def test_a_number_that_makes_papers_harder_stands_first_and_one_that_does_not_vary_is_left_out() -> (
+    None
+):
     numbers = np.arange(40.0)
-    found = parameter_trends({("q1", "k"): np.tile([1.0, 2.0], 20), ("q1", "r"): numbers, ("q1", "h"): np.ones(40),
-                              ("q2", "r"): np.full(40, np.nan)},
-                             {"q1": 1 - numbers / 40, "q2": np.ones(40)})
+    found = parameter_trends(
+        {
+            ("q1", "k"): np.tile([1.0, 2.0], 20),
+            ("q1", "r"): numbers,
+            ("q1", "h"): np.ones(40),
+            ("q2", "r"): np.full(40, np.nan),
+        },
+        {"q1": 1 - numbers / 40, "q2": np.ones(40)},
+    )
     assert [trend.parameter for trend in found] == ["r", "k"]
     assert found[0].correlation == pytest.approx(-1)
     assert found[0].adjusted == 2 * found[0].test.p

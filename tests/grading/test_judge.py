@@ -12,7 +12,9 @@ from kinegrade.grading.answers import read
 from kinegrade.grading.judge import judge
 from kinegrade.grading.key import Key
 
-ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))  # floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
+ONE_PERCENT = Key(
+    Fraction("1.2"), Fraction("0.012")
+)  # floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
 ZERO = Key(Fraction(0), Fraction("0.002"))
 ROOT = Fraction("0.8660254037844386467637231707529361834714")  # half the root of 3, to 40 digits
 EXACT = Key(Fraction(1, 8), Fraction(0))
@@ -54,7 +56,10 @@ def test_an_irrational_answer_on_the_bound_is_right(typed: str, key: Key, kind: 
 
 def test_a_wrong_unit_is_told_before_numbers_are_compared() -> None:
     verdict = judge(read("0 rad", "m/s"), ZERO)
-    assert (verdict.kind, verdict.reason) == ("wrong unit", '"rad" measures an angle; a speed was expected, in "m/s"')
+    assert (verdict.kind, verdict.reason) == (
+        "wrong unit",
+        '"rad" measures an angle; a speed was expected, in "m/s"',
+    )
 
 
 def test_the_reason_shows_which_of_the_two_is_larger() -> None:
@@ -64,7 +69,8 @@ def test_the_reason_shows_which_of_the_two_is_larger() -> None:
     )
     assert judge(read("1e99", "1"), ZERO).reason == "key 0, difference 1e+99, allowed 0.002"
     assert (
-        judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason == "key 100, difference 0, allowed 1"
+        judge(read("100", "1"), Key(Fraction(100), Fraction(1))).reason
+        == "key 100, difference 0, allowed 1"
     )
     assert judge(read("abc", "1"), ZERO).reason == '"abc" is not a number'
     assert judge(read("", "1"), ZERO).reason == ""
@@ -73,7 +79,9 @@ def test_the_reason_shows_which_of_the_two_is_larger() -> None:
 @given(
     st.fractions(max_denominator=10**6),
     st.fractions(min_value=0, max_denominator=10**6),
-    st.decimals(allow_nan=False, allow_infinity=False, places=8, min_value=-(10**6), max_value=10**6),
+    st.decimals(
+        allow_nan=False, allow_infinity=False, places=8, min_value=-(10**6), max_value=10**6
+    ),
 )
 def test_right_is_the_closed_interval_about_the_key(
     value: Fraction, tolerance: Fraction, typed: object
@@ -82,9 +90,17 @@ def test_right_is_the_closed_interval_about_the_key(
     assert right is (value - tolerance <= Fraction(str(typed)) <= value + tolerance)
 
 
-@pytest.mark.parametrize(("typed", "kind"), [
-    ("350", "right"), ("-10", "right"), ("710", "right"), ("-369.5", "right"), ("10", "wrong"), ("-12", "wrong"),
-])
+@pytest.mark.parametrize(
+    ("typed", "kind"),
+    [
+        ("350", "right"),
+        ("-10", "right"),
+        ("710", "right"),
+        ("-369.5", "right"),
+        ("10", "wrong"),
+        ("-12", "wrong"),
+    ],
+)
 def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) -> None:
     assert judge(read(typed, "deg"), Key(Fraction(350), Fraction(1), Fraction(360))).kind == kind
 
@@ -92,27 +108,52 @@ def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) 
 AGREEING = (Fraction("1.225"), Fraction("1.235"))  # to 3 significant figures with 1.2349
 
 
-@pytest.mark.parametrize(("typed", "kind"), [
-    ("1.23", "right"), ("1.225", "right"), ("1.235", "right"), ("1.2249", "wrong"), ("1.2351", "wrong"),
-    ("1.2", "wrong"), ("1.24", "wrong"), ("-1.23", "wrong"),
-])
+@pytest.mark.parametrize(
+    ("typed", "kind"),
+    [
+        ("1.23", "right"),
+        ("1.225", "right"),
+        ("1.235", "right"),
+        ("1.2249", "wrong"),
+        ("1.2351", "wrong"),
+        ("1.2", "wrong"),
+        ("1.24", "wrong"),
+        ("-1.23", "wrong"),
+    ],
+)
 def test_what_agrees_to_the_significant_figures_asked_for_is_right(typed: str, kind: str) -> None:
-    assert judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).kind == kind
-
-
-@pytest.mark.parametrize(("typed", "kind"), [("1.225", "right"), ("1.2449", "right"), ("1.24491", "wrong")])
-def test_each_bound_is_the_wider_of_tolerance_and_figures(typed: str, kind: str) -> None:
-    assert judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction("0.01"), agreeing=AGREEING)).kind == kind
-
-
-def test_the_reason_names_the_bounds_where_figures_are_asked_for() -> None:
-    assert judge(read("1.24", "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).reason == (
-        "key 1.2349, difference 0.0051, right from 1.225 to 1.235"
+    assert (
+        judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)).kind
+        == kind
     )
 
 
+@pytest.mark.parametrize(
+    ("typed", "kind"), [("1.225", "right"), ("1.2449", "right"), ("1.24491", "wrong")]
+)
+def test_each_bound_is_the_wider_of_tolerance_and_figures(typed: str, kind: str) -> None:
+    assert (
+        judge(read(typed, "1"), Key(Fraction("1.2349"), Fraction("0.01"), agreeing=AGREEING)).kind
+        == kind
+    )
+
+
+def test_the_reason_names_the_bounds_where_figures_are_asked_for() -> None:
+    assert judge(
+        read("1.24", "1"), Key(Fraction("1.2349"), Fraction(0), agreeing=AGREEING)
+    ).reason == ("key 1.2349, difference 0.0051, right from 1.225 to 1.235")
+
+
 def test_figures_and_full_turns_go_together() -> None:
-    key = Key(Fraction("359.96"), Fraction(0), Fraction(360), (Fraction("359.5"), Fraction("360.5")))
-    assert [judge(read(typed, "deg"), key).kind for typed in ("0.5", "-0.5", "360", "0.6", "719.4")] == [
-        "right", "right", "right", "wrong", "wrong",
+    key = Key(
+        Fraction("359.96"), Fraction(0), Fraction(360), (Fraction("359.5"), Fraction("360.5"))
+    )
+    assert [
+        judge(read(typed, "deg"), key).kind for typed in ("0.5", "-0.5", "360", "0.6", "719.4")
+    ] == [
+        "right",
+        "right",
+        "right",
+        "wrong",
+        "wrong",
     ]

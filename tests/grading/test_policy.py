@@ -30,13 +30,16 @@ def test_an_empty_policy_changes_nothing(tmp_path: Path) -> None:
     assert marked(rows, policy_of("# nothing\n", tmp_path)) == marked(rows)
 
 
-@pytest.mark.parametrize("policy", [
-    "tolerance = { relative = '5 %' }",
-    "[questions.q1]\ntolerance = { relative = 0.05 }",
-    "[questions.q1.asks.v_B]\ntolerance = { relative = '1/20' }",
-    "tolerance.relative = 0\n[questions.q1.asks.v_B]\ntolerance.relative = '5%'",
-    "tolerance.absolute = 0.1",
-])
+@pytest.mark.parametrize(
+    "policy",
+    [
+        "tolerance = { relative = '5 %' }",
+        "[questions.q1]\ntolerance = { relative = 0.05 }",
+        "[questions.q1.asks.v_B]\ntolerance = { relative = '1/20' }",
+        "tolerance.relative = 0\n[questions.q1.asks.v_B]\ntolerance.relative = '5%'",
+        "tolerance.absolute = 0.1",
+    ],
+)
 def test_a_tolerance_of_the_policy_is_closed(tmp_path: Path, policy: str) -> None:
     marks = marked("007,2.1,,\nS9,2.1000000000000000000000001,,\n", policy_of(policy, tmp_path))
     assert told(marks, "007") == ("right", 4, "key 2, difference 0.1, allowed 0.1 by the policy")
@@ -44,8 +47,14 @@ def test_a_tolerance_of_the_policy_is_closed(tmp_path: Path, policy: str) -> Non
 
 
 def test_what_a_policy_does_not_say_of_a_tolerance_stays(tmp_path: Path) -> None:
-    relative = marked("007,,0.002,\nS9,,0.0021,\n", policy_of("tolerance.relative = '2 %'", tmp_path))
-    assert told(relative, "007", 1) == ("right", 3, "key 0, difference 0.002, allowed 0.002 by the policy")
+    relative = marked(
+        "007,,0.002,\nS9,,0.0021,\n", policy_of("tolerance.relative = '2 %'", tmp_path)
+    )
+    assert told(relative, "007", 1) == (
+        "right",
+        3,
+        "key 0, difference 0.002, allowed 0.002 by the policy",
+    )
     assert told(relative, "S9", 1)[0] == "wrong"
     figures = marked("007,2.5,,\nS9,1.49,,\n", policy_of("tolerance.figures = 1", tmp_path))
     assert told(figures, "007")[2] == "key 2, difference 0.5, right from 1.5 to 2.5 by the policy"
@@ -53,36 +62,69 @@ def test_what_a_policy_does_not_say_of_a_tolerance_stays(tmp_path: Path) -> None
 
 
 def test_a_void_ask_gives_full_points_to_whoever_handed_in(tmp_path: Path) -> None:
-    marks = marked("007,1,,\nS9,,,\n", policy_of("[questions.q1.asks.v_B]\nvoid = 'full'", tmp_path))
+    marks = marked(
+        "007,1,,\nS9,,,\n", policy_of("[questions.q1.asks.v_B]\nvoid = 'full'", tmp_path)
+    )
     by_key = "by the key: wrong (key 2, difference 1, allowed 0.02)"
     assert told(marks, "007") == ("void", 4, f"full points to everybody who handed in; {by_key}")
-    assert told(marks, "S9") == ("void", 4, "full points to everybody who handed in; by the key: blank")
-    assert told(marks, "12") == ("void", 0, "full points to everybody who handed in; nothing was handed in")
+    assert told(marks, "S9") == (
+        "void",
+        4,
+        "full points to everybody who handed in; by the key: blank",
+    )
+    assert told(marks, "12") == (
+        "void",
+        0,
+        "full points to everybody who handed in; nothing was handed in",
+    )
     assert [grade.out_of for grade in marks.grades] == [Fraction(19, 2)] * 3
 
 
 def test_a_dropped_question_leaves_the_total(tmp_path: Path) -> None:
     marks = marked("007,2,0,30\n", policy_of("[questions.q1]\nvoid = 'drop'", tmp_path))
     assert told(marks, "007") == (
-        "void", 0, "no part of the total; by the key: right (key 2, difference 0, allowed 0.02)")
+        "void",
+        0,
+        "no part of the total; by the key: right (key 2, difference 0, allowed 0.02)",
+    )
     assert (marks.grades[0].points, marks.grades[0].out_of) == ((0, Fraction(5, 2)), Fraction(5, 2))
     assert marks.grades[0].percent == 100
 
 
 def test_points_are_weighed_anew(tmp_path: Path) -> None:
     marks = marked("007,2,9,30\n", policy_of("[questions.q1.asks.v_B]\npoints = 1.5", tmp_path))
-    assert (marks.grades[0].points, marks.grades[0].out_of) == ((Fraction(3, 2), Fraction(5, 2)), Fraction(7))
+    assert (marks.grades[0].points, marks.grades[0].out_of) == (
+        (Fraction(3, 2), Fraction(5, 2)),
+        Fraction(7),
+    )
 
 
-@pytest.mark.parametrize(("accepted", "typed", "points", "said"), [
-    ("{ value = '2*sqrt(3)' }", "√12", 4, "2*sqrt(3) = 3.4641, difference 0, allowed 0.034641"),
-    ("{ value = '360', unit = 'cm/s', credit = '1/2' }", "3.6", 2, "360 = 3.6, difference 0, allowed 0.036"),
-    ("{ value = '-v_B' }", "-2.02", 4, "-v_B = -2, difference 0.02, allowed 0.02"),
-    ("{ value = 'sin(pi/6) + v_B' }", "2.5", 4, "sin(pi/6) + v_B = 2.5, difference 0, allowed 0.025"),
-    ("{ value = 7, student = '007' }", "7", 4, "7 = 7, difference 0, allowed 0.07"),
-    ("{ value = 7.25, credit = '25 %', student = ['S9', '007'] }", "7.25", 1,
-     "7.25 = 7.25, difference 0, allowed 0.0725"),
-])
+@pytest.mark.parametrize(
+    ("accepted", "typed", "points", "said"),
+    [
+        ("{ value = '2*sqrt(3)' }", "√12", 4, "2*sqrt(3) = 3.4641, difference 0, allowed 0.034641"),
+        (
+            "{ value = '360', unit = 'cm/s', credit = '1/2' }",
+            "3.6",
+            2,
+            "360 = 3.6, difference 0, allowed 0.036",
+        ),
+        ("{ value = '-v_B' }", "-2.02", 4, "-v_B = -2, difference 0.02, allowed 0.02"),
+        (
+            "{ value = 'sin(pi/6) + v_B' }",
+            "2.5",
+            4,
+            "sin(pi/6) + v_B = 2.5, difference 0, allowed 0.025",
+        ),
+        ("{ value = 7, student = '007' }", "7", 4, "7 = 7, difference 0, allowed 0.07"),
+        (
+            "{ value = 7.25, credit = '25 %', student = ['S9', '007'] }",
+            "7.25",
+            1,
+            "7.25 = 7.25, difference 0, allowed 0.0725",
+        ),
+    ],
+)
 def test_an_accepted_answer_counts_and_the_reason_says_which(
     tmp_path: Path, accepted: str, typed: str, points: int, said: str
 ) -> None:
@@ -90,11 +132,19 @@ def test_an_accepted_answer_counts_and_the_reason_says_which(
     assert told(marks, "007") == ("accepted", points, f"accepted answer 1 of the policy, {said}")
 
 
-@pytest.mark.parametrize(("value", "typed"), [
-    ("2*sqrt(3)", "√12"), ("sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7)", "√2+√3+√5+√7"), ("1/3", "1/3"),
-    ("cos(pi/6)", "√3/2")])
+@pytest.mark.parametrize(
+    ("value", "typed"),
+    [
+        ("2*sqrt(3)", "√12"),
+        ("sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7)", "√2+√3+√5+√7"),
+        ("1/3", "1/3"),
+        ("cos(pi/6)", "√3/2"),
+    ],
+)
 def test_an_accepted_answer_is_exact(tmp_path: Path, value: str, typed: str) -> None:
-    policy = policy_of(f"tolerance.relative = 0\n{ACCEPTED.format(f'{{ value = {value!r} }}')}", tmp_path)
+    policy = policy_of(
+        f"tolerance.relative = 0\n{ACCEPTED.format(f'{{ value = {value!r} }}')}", tmp_path
+    )
     marks = marked(f"007,{typed},,\nS9,({typed})*1.000000000000000000000000000001,,\n", policy)
     assert [told(marks, student)[0] for student in ("007", "S9")] == ["accepted", "wrong"]
 
@@ -109,13 +159,19 @@ def test_an_accepted_answer_may_be_for_some_students_only(tmp_path: Path) -> Non
 def test_an_accepted_angle_is_an_angle_whatever_its_unit(tmp_path: Path, value: str) -> None:
     policy = policy_of(f"[questions.q2.asks.phi]\naccept = [{{ value = '{value}' }}]", tmp_path)
     marks = marked("007,,,60\nS9,,,-300\n12,,,1.0472\n", policy)
-    assert [told(marks, student, 2)[0] for student in ("007", "S9", "12")] == ["accepted", "accepted", "wrong"]
+    assert [told(marks, student, 2)[0] for student in ("007", "S9", "12")] == [
+        "accepted",
+        "accepted",
+        "wrong",
+    ]
 
 
 def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path) -> None:
     exam = drawn_exam(tmp_path / "EXAM")
     (tmp_path / "answers.csv").write_text(
-        "student,q1.v_B,q1.omega_AB,q2.a_B\n007,π,15 rpm,\n0012,2π,30 rpm,\nS9,3π,π/2,\n12,-4π,,\n", encoding="utf-8")
+        "student,q1.v_B,q1.omega_AB,q2.a_B\n007,π,15 rpm,\n0012,2π,30 rpm,\nS9,3π,π/2,\n12,-4π,,\n",
+        encoding="utf-8",
+    )
     policy = """
         [questions.q1.asks.v_B]
         accept = [{ value = "r*omega" }, { value = "-r*omega + 0*h", credit = 0.5 }]
@@ -124,17 +180,29 @@ def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path) ->
     """
     regraded(exam, "MARKS", policy)
     lines = (tmp_path / "MARKS" / "grades.csv").read_text(encoding="utf-8").splitlines()
-    assert [line.split(",")[-5:-3] for line in lines[1:]] == [["7", "0"], ["4", "0"], ["7", "0"], ["2", "0"]]
+    assert [line.split(",")[-5:-3] for line in lines[1:]] == [
+        ["7", "0"],
+        ["4", "0"],
+        ["7", "0"],
+        ["2", "0"],
+    ]
 
 
-@pytest.mark.parametrize(("typed", "policy", "expected"), [
-    ("3", "", ("mistake", 0)), ("3", "credit.mistakes = { transport-for-absolute = '1/2' }", ("mistake", 2)),
-    ("-2", "credit.mistakes = { transport-for-absolute = '1/2' }", ("mistake", 0)),
-    ("3.03", "credit.mistakes = { transport-for-absolute = 1 }", ("mistake", 4)),
-    ("3.04", "credit.mistakes = { transport-for-absolute = 1 }", ("wrong", 0)),
-    ("3", "credit.mistakes.transport-for-absolute = 1\n[questions.q1.credit.mistakes]\ntransport-for-absolute = 0.25",
-     ("mistake", 1)),
-])
+@pytest.mark.parametrize(
+    ("typed", "policy", "expected"),
+    [
+        ("3", "", ("mistake", 0)),
+        ("3", "credit.mistakes = { transport-for-absolute = '1/2' }", ("mistake", 2)),
+        ("-2", "credit.mistakes = { transport-for-absolute = '1/2' }", ("mistake", 0)),
+        ("3.03", "credit.mistakes = { transport-for-absolute = 1 }", ("mistake", 4)),
+        ("3.04", "credit.mistakes = { transport-for-absolute = 1 }", ("wrong", 0)),
+        (
+            "3",
+            "credit.mistakes.transport-for-absolute = 1\n[questions.q1.credit.mistakes]\ntransport-for-absolute = 0.25",
+            ("mistake", 1),
+        ),
+    ],
+)
 def test_a_known_mistake_is_named_and_gets_its_credit(
     tmp_path: Path, typed: str, policy: str, expected: tuple[str, int]
 ) -> None:
@@ -147,8 +215,13 @@ def unread(typed: str) -> Reading:
 
 
 @settings(max_examples=200, deadline=None)
-@given(st.fractions(-100, 100, max_denominator=1000), st.fractions(-100, 100, max_denominator=1000),
-       st.sampled_from([None, 1, 2, 3]), st.sampled_from(["0", "1/100", "1/2"]), st.sampled_from(["0", "1/10"]))
+@given(
+    st.fractions(-100, 100, max_denominator=1000),
+    st.fractions(-100, 100, max_denominator=1000),
+    st.sampled_from([None, 1, 2, 3]),
+    st.sampled_from(["0", "1/100", "1/2"]),
+    st.sampled_from(["0", "1/10"]),
+)
 def test_no_mistake_within_the_tolerance_is_overlooked(
     typed: Fraction, wrong: Fraction, figures: int | None, relative: str, absolute: str
 ) -> None:
@@ -157,38 +230,70 @@ def test_no_mistake_within_the_tolerance_is_overlooked(
     for value in bounds:
         reading = Reading("number", "x", value)
         right = judge(reading, stated.key(wrong)).kind == "right"
-        decided = decide(reading, stated.key(Fraction(1000), None, {"slip": wrong}), Ruling(), (), unread)
+        decided = decide(
+            reading, stated.key(Fraction(1000), None, {"slip": wrong}), Ruling(), (), unread
+        )
         assert decided[0].kind == ("mistake" if right else "wrong")
 
 
 def test_the_reason_names_the_mistake_and_the_best_credit_counts(tmp_path: Path) -> None:
     assert told(marked("007,3.01,,\n"), "007")[2] == (
-        "transport-for-absolute: leads to 3, difference 0.01, allowed 0.03")
-    both = ACCEPTED.format("{ value = 3, credit = 0.25 }") + "credit.mistakes = { transport-for-absolute = 0.5 }\n"
+        "transport-for-absolute: leads to 3, difference 0.01, allowed 0.03"
+    )
+    both = (
+        ACCEPTED.format("{ value = 3, credit = 0.25 }")
+        + "credit.mistakes = { transport-for-absolute = 0.5 }\n"
+    )
     assert told(marked("007,3,,\n", policy_of(both, tmp_path)), "007")[:2] == ("mistake", 2)
-    assert told(marked("007,3,,\n", policy_of(both.replace("0.5", "0.25"), tmp_path)), "007")[0] == "accepted"
+    assert (
+        told(marked("007,3,,\n", policy_of(both.replace("0.5", "0.25"), tmp_path)), "007")[0]
+        == "accepted"
+    )
 
 
-@pytest.mark.parametrize(("typed", "points"), [
-    ("2 rad/s", 2), ("2.02m", 2), ("√4 m/s²", 2), ("2.1 rad", 0), ("2 m/s", 4), ("2 apples", 0), ("v_B = 2 Hz", 2)])
-def test_the_right_number_in_a_wrong_unit_may_get_credit(tmp_path: Path, typed: str, points: int) -> None:
+@pytest.mark.parametrize(
+    ("typed", "points"),
+    [
+        ("2 rad/s", 2),
+        ("2.02m", 2),
+        ("√4 m/s²", 2),
+        ("2.1 rad", 0),
+        ("2 m/s", 4),
+        ("2 apples", 0),
+        ("v_B = 2 Hz", 2),
+    ],
+)
+def test_the_right_number_in_a_wrong_unit_may_get_credit(
+    tmp_path: Path, typed: str, points: int
+) -> None:
     marks = marked(f"007,{typed},,\n", policy_of("credit.wrong-unit = '50 %'", tmp_path))
     assert told(marks, "007")[1] == points
-    assert told(marks, "007")[2].endswith("; the number is right, credit by the policy") == (points == 2)
+    assert told(marks, "007")[2].endswith("; the number is right, credit by the policy") == (
+        points == 2
+    )
 
 
-@pytest.mark.parametrize(("attempts", "line", "total"), [
-    ("last", 4, Fraction(13, 2)), ("first", 2, 3), ("best", 3, Fraction(19, 2))])
+@pytest.mark.parametrize(
+    ("attempts", "line", "total"),
+    [("last", 4, Fraction(13, 2)), ("first", 2, 3), ("best", 3, Fraction(19, 2))],
+)
 def test_of_several_rows_the_policy_says_which_counts(
     tmp_path: Path, attempts: str, line: int, total: Fraction
 ) -> None:
     marks = marked(ATTEMPTS, policy_of(f"attempts = '{attempts}'", tmp_path))
     assert marks.grades[0].total == total
-    rows = [complaint for complaint in marks.complaints if complaint.problem.startswith("another row")]
-    assert [complaint.line for complaint in rows] == [number for number in (2, 3, 4) if number != line]
-    assert {complaint.done for complaint in rows} == {f"line {line} counts; this row is kept here only"}
+    rows = [
+        complaint for complaint in marks.complaints if complaint.problem.startswith("another row")
+    ]
+    assert [complaint.line for complaint in rows] == [
+        number for number in (2, 3, 4) if number != line
+    ]
+    assert {complaint.done for complaint in rows} == {
+        f"line {line} counts; this row is kept here only"
+    }
     assert [complaint.content for complaint in rows] == [
-        row for number, row in enumerate(ATTEMPTS.splitlines(), 2) if number != line]
+        row for number, row in enumerate(ATTEMPTS.splitlines(), 2) if number != line
+    ]
 
 
 def test_of_equally_good_rows_the_last_counts(tmp_path: Path) -> None:
@@ -215,10 +320,13 @@ asks = 3
 
 def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     (tmp_path / "key.jsonl").write_text(
-        '{"student": "007", "questions": [{"question": "q1", "parameters": {}}]}', encoding="utf-8")
+        '{"student": "007", "questions": [{"question": "q1", "parameters": {}}]}', encoding="utf-8"
+    )
     with pytest.raises(PolicyError) as caught:
         policy_of(CONTENT, tmp_path)
-    assert [problem.removeprefix(f"{tmp_path / 'policy.toml'}: ") for problem in caught.value.problems] == [
+    assert [
+        problem.removeprefix(f"{tmp_path / 'policy.toml'}: ") for problem in caught.value.problems
+    ] == [
         'unknown key "tolerence": did you mean "tolerance"? (known here: attempts, credit, questions, tolerance)',
         "attempts: expected last or first or best, not 'lst'",
         'credit: unknown key "wrong_unit": did you mean "wrong-unit"? '
@@ -248,29 +356,49 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("value", "reason"), [
-    ("1/(v_B - 2)", "division by zero"), ("sqrt(-v_B)", "sqrt(...): square root of a negative number"),
-    ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
-    ("1e99*1e99", "a value beyond 1e99 or below 1e-99"),
-    ("9**16**16", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
-    ("v_B + pi", '"+" between things that do not go together: '
-                 "angles go with angles, points with points, numbers with numbers"),
-])
-def test_an_accepted_answer_without_a_value_is_refused(tmp_path: Path, value: str, reason: str) -> None:
+@pytest.mark.parametrize(
+    ("value", "reason"),
+    [
+        ("1/(v_B - 2)", "division by zero"),
+        ("sqrt(-v_B)", "sqrt(...): square root of a negative number"),
+        ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
+        ("1e99*1e99", "a value beyond 1e99 or below 1e-99"),
+        ("9**16**16", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
+        (
+            "v_B + pi",
+            '"+" between things that do not go together: '
+            "angles go with angles, points with points, numbers with numbers",
+        ),
+    ],
+)
+def test_an_accepted_answer_without_a_value_is_refused(
+    tmp_path: Path, value: str, reason: str
+) -> None:
     policy = policy_of(ACCEPTED.format(f"{{ value = '{value}' }}"), tmp_path)
     with pytest.raises(PolicyError) as caught:
         marked("007,1,,\n", policy)
-    assert str(caught.value) == (f'policy: q1.v_B: accepted answer 1, "{value}", has no value for student "007" and 2 '
-                                 f"more ({reason}) - expected one number - mend it")
+    assert str(caught.value) == (
+        f'policy: q1.v_B: accepted answer 1, "{value}", has no value for student "007" and 2 '
+        f"more ({reason}) - expected one number - mend it"
+    )
 
 
-@pytest.mark.parametrize(("content", "reason"), [
-    (b"attempts = ", "Invalid value (at end of document) - expected TOML in UTF-8 - mend it"),
-    (b"\xff", "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte "
-              "- expected TOML in UTF-8 - mend it"),
-    (b"#" * 1_000_001, "too large - expected at most 1000000 bytes - check the name"),
-    (None, "cannot be read (No such file or directory) - expected a policy file - check the name"),
-])
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"attempts = ", "Invalid value (at end of document) - expected TOML in UTF-8 - mend it"),
+        (
+            b"\xff",
+            "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte "
+            "- expected TOML in UTF-8 - mend it",
+        ),
+        (b"#" * 1_000_001, "too large - expected at most 1000000 bytes - check the name"),
+        (
+            None,
+            "cannot be read (No such file or directory) - expected a policy file - check the name",
+        ),
+    ],
+)
 def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
     exam_folder: Path, content: bytes | None, reason: str
 ) -> None:
@@ -279,7 +407,12 @@ def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
         file.write_bytes(content)
     (exam_folder.parent / "answers.csv").write_text("student,q1.v_B\n007,1\n", encoding="utf-8")
     with pytest.raises(PolicyError) as caught:
-        mark_class(exam_folder, exam_folder.parent / "answers.csv", exam_folder.parent / "MARKS", policy=file)
+        mark_class(
+            exam_folder,
+            exam_folder.parent / "answers.csv",
+            exam_folder.parent / "MARKS",
+            policy=file,
+        )
     assert str(caught.value) == f"{file}: {reason}"
     assert not (exam_folder.parent / "MARKS").exists()
 
@@ -291,27 +424,65 @@ def test_numbers_drawn_are_needed_only_where_a_policy_names_them(exam_folder: Pa
         regraded(exam_folder, "MARKS2", ACCEPTED.format("{ value = 'r' }"))
     assert str(caught.value) == (
         f"{exam_folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the parameters of each question, "
-        "which the policy uses - restore the exam folder as it was generated, or write the accepted answers as numbers")
+        "which the policy uses - restore the exam folder as it was generated, or write the accepted answers as numbers"
+    )
 
 
-def test_the_policy_is_kept_beside_the_marks_and_the_same_one_gives_the_same_bytes(exam_folder: Path) -> None:
-    (exam_folder.parent / "answers.csv").write_text("student,q1.v_B\n007,9\n007,1.7\n", encoding="utf-8")
+def test_the_policy_is_kept_beside_the_marks_and_the_same_one_gives_the_same_bytes(
+    exam_folder: Path,
+) -> None:
+    (exam_folder.parent / "answers.csv").write_text(
+        "student,q1.v_B\n007,9\n007,1.7\n", encoding="utf-8"
+    )
     policy = "attempts = 'best' # 先\r\n" + ACCEPTED.format("{ value = 'v_B/2' }")
     first, second = (regraded(exam_folder, name, policy) for name in ("MARKS", "MARKS2"))
-    contents = [{file.name: file.read_bytes() for file in folder.iterdir()} for folder in (first, second)]
+    contents = [
+        {file.name: file.read_bytes() for file in folder.iterdir()} for folder in (first, second)
+    ]
     assert contents[0] == contents[1]
     assert contents[0]["policy.toml"] == (exam_folder.parent / "MARKS.toml").read_bytes()
     without = regraded(exam_folder, "MARKS3") / "policy.toml"
     assert without.read_text(encoding="utf-8") == "# No policy: marked as the papers say.\n"
 
 
-RESPONSES = st.sampled_from(["2", "2.03", "2.1", "-2", "3", "3.2", "0", "0.003", "5", "30", "31", "390", "60", "",
-                             "abc", "2 rad/s", "2 m/s", "√3"])
-ROWS = st.lists(st.tuples(st.sampled_from(["007", "S9", "12"]), RESPONSES, RESPONSES, RESPONSES), max_size=5)
+RESPONSES = st.sampled_from(
+    [
+        "2",
+        "2.03",
+        "2.1",
+        "-2",
+        "3",
+        "3.2",
+        "0",
+        "0.003",
+        "5",
+        "30",
+        "31",
+        "390",
+        "60",
+        "",
+        "abc",
+        "2 rad/s",
+        "2 m/s",
+        "√3",
+    ]
+)
+ROWS = st.lists(
+    st.tuples(st.sampled_from(["007", "S9", "12"]), RESPONSES, RESPONSES, RESPONSES), max_size=5
+)
 HUNDREDTHS = st.lists(st.integers(0, 60), min_size=2, max_size=2)
-REST = st.sampled_from(["", "attempts = 'best'", "attempts = 'first'", "credit.wrong-unit = 0.5",
-                        "credit.mistakes = { transport-for-absolute = 0.5, sense-reversed = 1 }"])
-QUICK = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+REST = st.sampled_from(
+    [
+        "",
+        "attempts = 'best'",
+        "attempts = 'first'",
+        "credit.wrong-unit = 0.5",
+        "credit.mistakes = { transport-for-absolute = 0.5, sense-reversed = 1 }",
+    ]
+)
+QUICK = settings(
+    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 
 
 def totals(marks: Marks) -> list[Fraction]:
@@ -327,8 +498,13 @@ def text_of(rows: list[tuple[str, ...]]) -> str:
 def test_a_wider_tolerance_lowers_nobody(
     tmp_path: Path, rows: list[tuple[str, ...]], hundredths: list[int], rest: str, kind: str
 ) -> None:
-    sizes = [f"'{size} %'" if kind == "relative" else str(size / 100) for size in sorted(hundredths)]
-    narrow, wide = (marked(text_of(rows), policy_of(f"{rest}\ntolerance.{kind} = {size}", tmp_path)) for size in sizes)
+    sizes = [
+        f"'{size} %'" if kind == "relative" else str(size / 100) for size in sorted(hundredths)
+    ]
+    narrow, wide = (
+        marked(text_of(rows), policy_of(f"{rest}\ntolerance.{kind} = {size}", tmp_path))
+        for size in sizes
+    )
     assert all(old <= new for old, new in zip(totals(narrow), totals(wide), strict=True))
 
 
@@ -338,12 +514,18 @@ def test_a_void_ask_gives_everybody_at_least_as_much(
     tmp_path: Path, rows: list[tuple[str, ...]], rest: str, place: str
 ) -> None:
     before = marked(text_of(rows), policy_of(rest, tmp_path))
-    after = marked(text_of(rows), policy_of(f"{rest}\n[questions.{place}]\nvoid = 'full'", tmp_path))
+    after = marked(
+        text_of(rows), policy_of(f"{rest}\n[questions.{place}]\nvoid = 'full'", tmp_path)
+    )
     assert all(old <= new for old, new in zip(totals(before), totals(after), strict=True))
 
 
 @QUICK
-@given(ROWS, REST, st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2]\nvoid = 'full'"]))
+@given(
+    ROWS,
+    REST,
+    st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2]\nvoid = 'full'"]),
+)
 def test_every_typed_answer_comes_out_and_points_add_up(
     tmp_path: Path, rows: list[tuple[str, ...]], rest: str, void: str
 ) -> None:
@@ -364,7 +546,9 @@ def test_the_credit_of_the_bank_holds_until_a_policy_says_otherwise(tmp_path: Pa
     assert (printed.wrong_unit, printed.follow_through) == (Fraction(1, 2), 0)
     assert printed.mistakes == {"sense-reversed": Fraction(1, 4)}
     (tmp_path / "policy.toml").write_text("credit = { wrong-unit = 0 }", encoding="utf-8")
-    regraded_by = read_policy(tmp_path / "policy.toml", CLASS, Givens(tmp_path), bank).ruling("q1.v_B")
+    regraded_by = read_policy(tmp_path / "policy.toml", CLASS, Givens(tmp_path), bank).ruling(
+        "q1.v_B"
+    )
     assert (regraded_by.wrong_unit, regraded_by.follow_through) == (0, 0)
     assert regraded_by.mistakes == printed.mistakes
 
@@ -373,5 +557,6 @@ def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
     with pytest.raises(PolicyError) as caught:
         stated_policy(CLASS, Givens(tmp_path), {"wrong-unit": "2"})
     assert str(caught.value) == (
-        f"{tmp_path / 'exam.json'}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, \"50 %\" or \"1/2\", "
-        "not '2' - restore the exam folder as it was generated")
+        f'{tmp_path / "exam.json"}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
+        "not '2' - restore the exam folder as it was generated"
+    )

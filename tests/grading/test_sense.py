@@ -18,7 +18,17 @@ WORDS: dict[Sense, tuple[str, ...]] = {
     "up": ("up", "upwards", "向上", "竖直向上", "↑"),
     "down": ("down", "downward", "向下", "铅直向下", "↓"),
 }  # fmt: skip
-FORMS = ("12 {}", "12 m/s {}", "12 m/s, {}", "12 m/s ({})", "12（{}）", "{} 12", "({}) 12", "{}: 12", "{}，12 m/s")
+FORMS = (
+    "12 {}",
+    "12 m/s {}",
+    "12 m/s, {}",
+    "12 m/s ({})",
+    "12（{}）",
+    "{} 12",
+    "({}) 12",
+    "{}: 12",
+    "{}，12 m/s",
+)
 
 
 @pytest.mark.parametrize("sense", get_args(Sense))
@@ -26,10 +36,14 @@ def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
     for word in WORDS[sense]:
         for form in FORMS:
             rest, found = without_sense(folded(form.format(word)))
-            assert (rest.strip(), found) == ("12 m/s" if "m/s" in form else "12", sense), form.format(word)
+            assert (rest.strip(), found) == ("12 m/s" if "m/s" in form else "12", sense), (
+                form.format(word)
+            )
 
 
-@pytest.mark.parametrize("typed", ["12 m/s", "12 rad/s", "12 mcw", "scw 12", "12 upper", "上 12", "12 rightful", ""])
+@pytest.mark.parametrize(
+    "typed", ["12 m/s", "12 rad/s", "12 mcw", "scw 12", "12 upper", "上 12", "12 rightful", ""]
+)
 def test_what_is_no_such_word_stays(typed: str) -> None:
     assert without_sense(typed) == (typed, None)
 
@@ -53,15 +67,25 @@ def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negati
             direction(sense, "", convention)
 
 
-@pytest.mark.parametrize("convention", [
-    "with its sign", "", "positive as a counter-clockwise rocker carries $D$",
-    "positive in the direction of $BO$ turned through $90^\\circ$ counter-clockwise",
-])
+@pytest.mark.parametrize(
+    "convention",
+    [
+        "with its sign",
+        "",
+        "positive as a counter-clockwise rocker carries $D$",
+        "positive in the direction of $BO$ turned through $90^\\circ$ counter-clockwise",
+    ],
+)
 def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> None:
     with pytest.raises(Unreadable, match="does not tell the sign of this answer"):
         direction("ccw", "", convention)
 
 
-@pytest.mark.parametrize("convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"])
+@pytest.mark.parametrize(
+    "convention", ["magnitude, not negative", "magnitude", "between 0° and 180°", "unsigned"]
+)
 def test_words_are_left_out_where_there_is_no_sign(convention: str) -> None:
-    assert direction("cw", "", convention) == (1, "a sense (clockwise) is not asked for; it was left out")
+    assert direction("cw", "", convention) == (
+        1,
+        "a sense (clockwise) is not asked for; it was left out",
+    )

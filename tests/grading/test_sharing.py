@@ -27,11 +27,22 @@ from tests.grading.sitting_class import ONE_PER_CENT, SittingClass, honest_slips
 HALF = ("q1.v", "q1.a", "q2.v", "q3.omega", "q3.a", "q4.a")
 
 
-def planted(sitting: SittingClass, *sharers: tuple[int, int], columns: tuple[str, ...] = HALF) -> list[Pair]:
+def planted(
+    sitting: SittingClass, *sharers: tuple[int, int], columns: tuple[str, ...] = HALF
+) -> list[Pair]:
     """The pairs told where everybody errs honestly and the first of each pair writes what is right for the second."""
     slips, copies = honest_slips(sitting, 7), dict(sharers)
-    return list(sharing(sitting.exam, sitting.answers(
-        lambda place: {**slips(place), **(sitting.copied(copies[place], *columns) if place in copies else {})})).told)
+    return list(
+        sharing(
+            sitting.exam,
+            sitting.answers(
+                lambda place: {
+                    **slips(place),
+                    **(sitting.copied(copies[place], *columns) if place in copies else {}),
+                }
+            ),
+        ).told
+    )
 
 
 def named(pairs: Iterable[Pair]) -> set[tuple[str, str]]:
@@ -53,8 +64,14 @@ def test_sharers_are_found_in_their_direction_with_what_is_expected_beside_it() 
 def test_the_mistakes_of_another_paper_are_copied_too() -> None:
     sitting = sitting_class(100, 2)
     doubled = {ask.column: 2 * sitting.key(9, ask.column) for ask in sitting.exam.asks}
-    (pair,) = sharing(sitting.exam, sitting.answers(lambda place: doubled if place == 4 else {})).told
-    assert (pair.student.student, pair.other.student, len(pair.answers)) == ("s4", "s9", len(doubled))
+    (pair,) = sharing(
+        sitting.exam, sitting.answers(lambda place: doubled if place == 4 else {})
+    ).told
+    assert (pair.student.student, pair.other.student, len(pair.answers)) == (
+        "s4",
+        "s9",
+        len(doubled),
+    )
     assert sum(answer.as_key for answer in pair.answers) < 3
 
 
@@ -75,65 +92,99 @@ def test_right_blank_explained_and_zero_answers_are_never_counted() -> None:
     answers = list(sitting.answers(lambda place: sitting.copied(8, *HALF) if place == 2 else {}))
     assert len(sharing(sitting.exam, answers).told) == 1
     for verdict in ("right", "blank", "mistake", "accepted", "unreadable", "wrong unit", "void"):
-        assert not sharing(sitting.exam, [replace(answer, verdict=verdict) for answer in answers]).told
+        assert not sharing(
+            sitting.exam, [replace(answer, verdict=verdict) for answer in answers]
+        ).told
     for text in ("", "0.000", "1e999"):
         assert not sharing(sitting.exam, [replace(answer, read_as=text) for answer in answers]).told
 
 
 def test_equal_papers_are_no_hint_and_the_report_says_so() -> None:
     sitting = sitting_class(100, 4, paper=lambda place: place % 4)
-    found = sharing(sitting.exam, sitting.answers(lambda place: sitting.copied(9, *HALF) if place == 4 else {}))
+    found = sharing(
+        sitting.exam, sitting.answers(lambda place: sitting.copied(9, *HALF) if place == 4 else {})
+    )
     assert (found.told, found.papers) == ((), 4)
-    assert "100 students had 4 different papers: answers passed on between equal papers leave no trace" \
+    assert (
+        "100 students had 4 different papers: answers passed on between equal papers leave no trace"
         in sharing_text(found)
+    )
 
 
 def test_the_level_is_that_of_the_whole_class() -> None:
     sitting = sitting_class(100, 5)
-    answers = list(sitting.answers(lambda place: sitting.copied(9, "q1.v", "q1.a", "q2.v") if place == 4 else {}))
+    answers = list(
+        sitting.answers(
+            lambda place: sitting.copied(9, "q1.v", "q1.a", "q2.v") if place == 4 else {}
+        )
+    )
     (pair,) = sharing(sitting.exam, answers, 1).told[:1]
     mean = pair.as_key_expected
-    assert pair.chance == pytest.approx(min(1, 2 * 100 * 99 * min(tail(3, mean), tail(3, pair.expected))))
+    assert pair.chance == pytest.approx(
+        min(1, 2 * 100 * 99 * min(tail(3, mean), tail(3, pair.expected)))
+    )
     assert sharing(sitting.exam, answers, pair.chance / 2).told == ()
 
 
 def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("kinegrade.grading.sharing.MOST", 5)
     sitting = sitting_class(60, 6)
-    found = sharing(sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {}))
+    found = sharing(
+        sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {})
+    )
     assert (found.found, len(found.told)) == (59, 5)
-    assert f"The file has the {MOST:,} most striking ones." in sharing_text(replace(found, found=MOST + 1))
+    assert f"The file has the {MOST:,} most striking ones." in sharing_text(
+        replace(found, found=MOST + 1)
+    )
 
 
 def test_a_class_of_two_thousand_in_seconds() -> None:
     sitting = sitting_class(2000, 8)
     everything = tuple(ask.column for ask in sitting.exam.asks)
-    assert named(planted(sitting, (3, 1999), (1500, 20), columns=everything)) == {("s3", "s1999"), ("s1500", "s20")}
+    assert named(planted(sitting, (3, 1999), (1500, 20), columns=everything)) == {
+        ("s3", "s1999"),
+        ("s1500", "s20"),
+    }
 
 
 @pytest.mark.parametrize(("count", "mean"), [(1, 0.2), (3, 0.05), (7, 2.5), (4, 3.9)])
 def test_the_tail_of_the_poisson_distribution(count: int, mean: float) -> None:
-    assert tail(count, mean) == pytest.approx(1 - sum(exp(-mean) * mean**each / factorial(each)
-                                                      for each in range(count)))
+    assert tail(count, mean) == pytest.approx(
+        1 - sum(exp(-mean) * mean**each / factorial(each) for each in range(count))
+    )
 
 
 def test_what_fits_is_what_would_be_right_there() -> None:
-    keys = [ONE_PER_CENT.key(Fraction(2)), rule(Fraction(0), Fraction(0), 3).key(Fraction("2.034")),
-            rule(Fraction(1, 100), Fraction(1, 2)).key(Fraction("0.4")), ONE_PER_CENT.key(Fraction(0))]
+    keys = [
+        ONE_PER_CENT.key(Fraction(2)),
+        rule(Fraction(0), Fraction(0), 3).key(Fraction("2.034")),
+        rule(Fraction(1, 100), Fraction(1, 2)).key(Fraction("0.4")),
+        ONE_PER_CENT.key(Fraction(0)),
+    ]
     found = windows(keys, mistakes=False)
-    assert [found.papers(number) for number in (2.0199, 2.0201, 2.0251, 2.0349, 2.0351, 0.4, 0.0)] \
-        == [{0}, set(), {1}, {1}, set(), set(), set()]
+    assert [
+        found.papers(number) for number in (2.0199, 2.0201, 2.0251, 2.0349, 2.0351, 0.4, 0.0)
+    ] == [{0}, set(), {1}, {1}, set(), set(), set()]
 
 
 def test_angles_are_compared_without_full_turns() -> None:
     keys = [ONE_PER_CENT.key(Fraction(value), Fraction(360)) for value in (359, -90, 20)]
     found = windows(keys, mistakes=False)
-    assert [found.papers(number) for number in (1.0, -1.0, 270.0, -450.0, 740.1)] == [{0}, {0}, {1}, {1}, {2}]
+    assert [found.papers(number) for number in (1.0, -1.0, 270.0, -450.0, 740.1)] == [
+        {0},
+        {0},
+        {1},
+        {1},
+        {2},
+    ]
 
 
 def test_marks_of_another_exam_are_refused() -> None:
     sitting, larger = sitting_class(3, 1), sitting_class(4, 1)
-    with pytest.raises(ExamError, match=r'^marks.csv: student "s3" is not in the exam - expected marks made from this'):
+    with pytest.raises(
+        ExamError,
+        match=r'^marks.csv: student "s3" is not in the exam - expected marks made from this',
+    ):
         sharing(sitting.exam, larger.answers(lambda place: {}))
 
 
@@ -146,22 +197,35 @@ def test_marks_that_are_not_as_written_are_refused_with_all_faults_at_once() -> 
         'marks.csv: student "s0", q1.v: "=1" stands where a number should - expected the file as kinegrade grade wrote '
         "it - grade again",
         'marks.csv: ask "q1.x" is not in the exam - expected marks made from this exam folder - name the folder by '
-        "which they were made")
+        "which they were made",
+    )
 
 
 def test_nobody_is_accused_and_no_cell_runs() -> None:
     sitting = sitting_class(60, 9, name=lambda place: f"=HYPERLINK({place})")
-    found = sharing(sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {}))
+    found = sharing(
+        sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
+    )
     header, row = csv.reader(io.StringIO(sharing_csv(found).decode()))
     told = dict(zip(header, row, strict=True))
     assert tuple(header) == HEADER
-    assert (told["student"], told["name"], told["other"], told["other_name"]) \
-        == ("s2", "'=HYPERLINK(2)", "s1", "'=HYPERLINK(1)")
+    assert (told["student"], told["name"], told["other"], told["other_name"]) == (
+        "s2",
+        "'=HYPERLINK(2)",
+        "s1",
+        "'=HYPERLINK(1)",
+    )
     assert told["note"] == NOTE == "worth a look; not evidence of anything by itself"
-    assert (told["fit_the_other_paper"], told["right_there"], float(told["expected_by_chance"]) < 2) == ("6", "6", True)
+    assert (
+        told["fit_the_other_paper"],
+        told["right_there"],
+        float(told["expected_by_chance"]) < 2,
+    ) == ("6", "6", True)
     assert told["answers"].startswith("q1.v ")
     text = sharing_text(found)
-    assert text.startswith("1 pair is worth a look, of 3,540: more of a student's wrong answers fit the other's paper")
+    assert text.startswith(
+        "1 pair is worth a look, of 3,540: more of a student's wrong answers fit the other's paper"
+    )
     assert "not evidence of anything by itself" in text
     for word in ("cheat", "copied", "suspect", "fraud", "guilty", "dishonest"):
         assert word not in text.lower() + sharing_csv(found).decode().lower()
@@ -175,7 +239,9 @@ def test_the_command_reads_the_folders_and_writes_the_file(tmp_path: Path) -> No
     exam, marks = mark_class(tmp_path, {f"s{place}": ("9.99", "5", "7") for place in range(4)})
     result = command_line(exam, marks, "-o", tmp_path / "sharing.csv")
     assert (result.exit_code, result.stdout) == (0, "")
-    assert result.stderr.startswith("No pair of students stands out, of 12, at the level of 1 % for the whole class.")
+    assert result.stderr.startswith(
+        "No pair of students stands out, of 12, at the level of 1 % for the whole class."
+    )
     assert (tmp_path / "sharing.csv").read_text(encoding="utf-8") == f"{','.join(HEADER)}\n"
     again = command_line(exam, marks, "-o", tmp_path / "sharing.csv")
     assert (again.exit_code, "--force" in again.stderr) == (2, True)
@@ -183,12 +249,16 @@ def test_the_command_reads_the_folders_and_writes_the_file(tmp_path: Path) -> No
 
 
 def test_the_command_finds_who_shares(tmp_path: Path) -> None:
-    exam, marks = mark_class(tmp_path, {f"s{place}": RIGHT_OF_ONE if place == 2 else () for place in range(40)})
+    exam, marks = mark_class(
+        tmp_path, {f"s{place}": RIGHT_OF_ONE if place == 2 else () for place in range(40)}
+    )
     keyed_apart(exam)
     result = command_line(exam, marks, "-o", tmp_path / "sharing.csv", "--level", "50")
     assert result.exit_code == 0, result.stderr
     rows = list(csv.DictReader(io.StringIO((tmp_path / "sharing.csv").read_text(encoding="utf-8"))))
-    assert [(row["student"], row["other"], row["fit_the_other_paper"]) for row in rows] == [("s2", "s1", "3")]
+    assert [(row["student"], row["other"], row["fit_the_other_paper"]) for row in rows] == [
+        ("s2", "s1", "3")
+    ]
 
 
 RIGHT_OF_ONE = ("17.3", "11", "-1.25")
@@ -196,10 +266,19 @@ RIGHT_OF_ONE = ("17.3", "11", "-1.25")
 
 def keyed_apart(exam: Path) -> None:
     """Every paper gets answers of its own; those of s1 are `RIGHT_OF_ONE`."""
-    lines = [json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()]
+    lines = [
+        json.loads(line) for line in (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()
+    ]
     for place, line in enumerate(lines):
         asks = chain.from_iterable(question["asks"].values() for question in line["questions"])
         for ask, text in zip(asks, RIGHT_OF_ONE, strict=True):
             value = float(text) if place == 1 else 1000 + 37 * place
-            ask.update(exact=None, value=value, decimal=repr(value), tolerance={"relative": 0.01, "absolute": 0})
-    (exam / "key.jsonl").write_text("".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8")
+            ask.update(
+                exact=None,
+                value=value,
+                decimal=repr(value),
+                tolerance={"relative": 0.01, "absolute": 0},
+            )
+    (exam / "key.jsonl").write_text(
+        "".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8"
+    )

@@ -64,7 +64,10 @@ def test_an_unknown_unit_is_told(typed: str, unit: str, reason: str) -> None:
     assert str(told.value) == reason
 
 
-@given(st.text(max_size=30) | st.text("mskcrad/^²-1()· 秒", max_size=20), st.sampled_from(["m/s", "deg", "1", ""]))
+@given(
+    st.text(max_size=30) | st.text("mskcrad/^²-1()· 秒", max_size=20),
+    st.sampled_from(["m/s", "deg", "1", ""]),
+)
 def test_any_text_is_converted_or_refused(typed: str, unit: str) -> None:
     told = ""
     try:

@@ -65,15 +65,21 @@ def changed(part: Any, change: Any) -> Any:
     if isinstance(part, Vector):
         return Vector(change(part.x), change(part.y))
     if is_dataclass(part) and not isinstance(part, type) and not hasattr(part, "level"):
-        return replace(part, **{entry.name: changed(getattr(part, entry.name), change) for entry in fields(part)})
+        return replace(
+            part,
+            **{entry.name: changed(getattr(part, entry.name), change) for entry in fields(part)},
+        )
     return part if isinstance(part, (str, bool, tuple)) else change(part)
 
 
 def with_numbers(mechanism: Mechanism, change: Any) -> Mechanism:
     """The same mechanism in other numbers."""
-    return Mechanism({name: changed(point, change) for name, point in mechanism.points.items()}, mechanism.bodies,
-                     tuple(changed(joint, change) for joint in mechanism.joints),
-                     tuple(changed(driver, change) for driver in mechanism.drivers))
+    return Mechanism(
+        {name: changed(point, change) for name, point in mechanism.points.items()},
+        mechanism.bodies,
+        tuple(changed(joint, change) for joint in mechanism.joints),
+        tuple(changed(driver, change) for driver in mechanism.drivers),
+    )
 
 
 @cache
@@ -124,10 +130,15 @@ def number(text: str) -> Any:
 
 def fulfils(template: Template, values: Mapping[str, str]) -> bool:
     """Whether values fulfil a template's conditions, by doubles and clear of the border."""
-    known = {name: parameter_value(parameter, read(values[name]), FLOATS)
-             for name, parameter in template.parameters.items()} | {"pi": FLOATS.turns(1)}
-    return all(evaluate(condition.left, known, elementary(FLOATS), FLOATS) + 1e-9
-               < evaluate(condition.right, known, elementary(FLOATS), FLOATS) for condition in template.conditions)
+    known = {
+        name: parameter_value(parameter, read(values[name]), FLOATS)
+        for name, parameter in template.parameters.items()
+    } | {"pi": FLOATS.turns(1)}
+    return all(
+        evaluate(condition.left, known, elementary(FLOATS), FLOATS) + 1e-9
+        < evaluate(condition.right, known, elementary(FLOATS), FLOATS)
+        for condition in template.conditions
+    )
 
 
 @st.composite

@@ -52,7 +52,10 @@ class Growth:
     cranks: dict[str, str] = field(default_factory=dict)
 
     def mechanism(self) -> Mechanism:
-        bodies = tuple(Body(name, tuple(marked), name in self.particles) for name, marked in self.bodies.items())
+        bodies = tuple(
+            Body(name, tuple(marked), name in self.particles)
+            for name, marked in self.bodies.items()
+        )
         return Mechanism(self.points, bodies, tuple(self.joints), tuple(self.drivers))
 
     def point(self, where: Vector | None = None) -> str:
@@ -70,14 +73,18 @@ class Growth:
 
     def host(self) -> tuple[str, str]:
         """A moving body that is no particle, and a new point on it."""
-        body = self.draw(st.sampled_from([name for name in self.bodies if name not in self.particles]))
+        body = self.draw(
+            st.sampled_from([name for name in self.bodies if name not in self.particles])
+        )
         point = self.point()
         self.bodies[body].append(point)
         return body, point
 
     def frame(self) -> str:
         """The ground, or a moving body that is no particle."""
-        return self.draw(st.sampled_from([GROUND, *(name for name in self.bodies if name not in self.particles)]))
+        return self.draw(
+            st.sampled_from([GROUND, *(name for name in self.bodies if name not in self.particles)])
+        )
 
     def line(self, point: str) -> Line:
         """A line through a point."""
@@ -108,7 +115,9 @@ def block(growth: Growth) -> None:
     point = growth.point()
     name, line = growth.body(point), growth.line(point)
     growth.joints.append(Sleeve(name, line, GROUND))
-    growth.drivers.append(Component(point, name, line.direction / length(line.direction), *growth.imposed()))
+    growth.drivers.append(
+        Component(point, name, line.direction / length(line.direction), *growth.imposed())
+    )
 
 
 def wheel(growth: Growth) -> None:
@@ -130,7 +139,9 @@ def track(growth: Growth, centre: str, radius: Any) -> tuple[Line | Circle, bool
     kind = growth.draw(st.sampled_from(["line", "outside", "inside"]))
     if kind == "line":
         normal = growth.draw(DIRECTIONS)
-        return Line(growth.points[centre] + normal * radius, normal.turned() * growth.draw(RADII)), False
+        return Line(
+            growth.points[centre] + normal * radius, normal.turned() * growth.draw(RADII)
+        ), False
     other = growth.draw(RADII.filter(lambda other: other != radius))
     distance = radius + other if kind == "outside" else other - radius
     return Circle(growth.away(centre, distance), other), kind == "inside"
@@ -172,9 +183,16 @@ def three_at_a_pin(growth: Growth) -> None:
     """Two bars and a driven arm at one pin of a host."""
     host, joint = growth.host()
     fixed, end = growth.point(), growth.point()
-    first, second, third = growth.body(joint), growth.body(joint, end), growth.body(joint, growth.point())
-    growth.joints += [Pin(joint, (host, first, second, third)), Slide(end, second, growth.line(end), GROUND),
-                      Slide(fixed, GROUND, growth.line(fixed), first)]
+    first, second, third = (
+        growth.body(joint),
+        growth.body(joint, end),
+        growth.body(joint, growth.point()),
+    )
+    growth.joints += [
+        Pin(joint, (host, first, second, third)),
+        Slide(end, second, growth.line(end), GROUND),
+        Slide(fixed, GROUND, growth.line(fixed), first),
+    ]
     growth.drivers.append(Rotation(third, *growth.imposed(), of=first))
 
 
@@ -208,8 +226,10 @@ def arc_slot(growth: Growth) -> None:
     host, joint = growth.host()
     pivot, radius = growth.point(), growth.draw(RADII)
     rocker = growth.body(pivot)
-    growth.joints += [Pin(pivot, (GROUND, rocker)), Arc(joint, host, Circle(growth.away(joint, radius), radius),
-                                                        rocker)]
+    growth.joints += [
+        Pin(pivot, (GROUND, rocker)),
+        Arc(joint, host, Circle(growth.away(joint, radius), radius), rocker),
+    ]
 
 
 def pushed_rocker(growth: Growth) -> None:
@@ -218,7 +238,10 @@ def pushed_rocker(growth: Growth) -> None:
     pivot, radius = growth.point(), growth.draw(RADII)
     rocker = growth.body(pivot)
     on, inside = track(growth, centre, radius)
-    growth.joints += [Pin(pivot, (GROUND, rocker)), Contact(host, Circle(centre, radius), rocker, on, inside)]
+    growth.joints += [
+        Pin(pivot, (GROUND, rocker)),
+        Contact(host, Circle(centre, radius), rocker, on, inside),
+    ]
 
 
 def flat_follower(growth: Growth) -> None:
@@ -227,8 +250,11 @@ def flat_follower(growth: Growth) -> None:
     point, radius, normal = growth.point(), growth.draw(RADII), growth.draw(DIRECTIONS)
     follower = growth.body(point)
     face = Line(growth.points[centre] + normal * radius, normal.turned())
-    growth.joints += [Parallel(follower, GROUND), Slide(point, follower, growth.line(point), GROUND),
-                      Contact(host, Circle(centre, radius), follower, face)]
+    growth.joints += [
+        Parallel(follower, GROUND),
+        Slide(point, follower, growth.line(point), GROUND),
+        Contact(host, Circle(centre, radius), follower, face),
+    ]
 
 
 def rod_and_wheel(growth: Growth) -> None:
@@ -251,8 +277,10 @@ def planet(growth: Growth) -> None:
     centre = growth.away(growth.cranks[arm], sun - own if inside else sun + own)
     growth.bodies[arm].append(centre)
     gear = growth.body(centre)
-    growth.joints += [Pin(centre, (arm, gear)),
-                      Roll(gear, Circle(centre, own), GROUND, Circle(growth.cranks[arm], sun), inside)]
+    growth.joints += [
+        Pin(centre, (arm, gear)),
+        Roll(gear, Circle(centre, own), GROUND, Circle(growth.cranks[arm], sun), inside),
+    ]
 
 
 def geared_pair(growth: Growth) -> None:
@@ -263,9 +291,14 @@ def geared_pair(growth: Growth) -> None:
     second = growth.away(first, other - own if inside else other + own)
     growth.bodies[carrier].append(second)
     driven, gear = growth.body(first), growth.body(second, growth.point())
-    growth.joints += [Pin(first, (carrier, driven)), Pin(second, (carrier, gear)),
-                      Mesh(gear, Circle(second, own), driven, Circle(first, other), carrier, inside)]
-    growth.drivers.append(Rotation(driven, *growth.imposed(), of=growth.draw(st.sampled_from([carrier, GROUND]))))
+    growth.joints += [
+        Pin(first, (carrier, driven)),
+        Pin(second, (carrier, gear)),
+        Mesh(gear, Circle(second, own), driven, Circle(first, other), carrier, inside),
+    ]
+    growth.drivers.append(
+        Rotation(driven, *growth.imposed(), of=growth.draw(st.sampled_from([carrier, GROUND])))
+    )
 
 
 def platform(growth: Growth) -> None:
@@ -288,7 +321,9 @@ def particle_in_a_slot(growth: Growth) -> None:
     host, point = growth.host()
     name, line = growth.body(point, particle=True), growth.line(point)
     growth.joints.append(Slide(point, name, line, host))
-    growth.drivers.append(Component(point, name, line.direction / length(line.direction), *growth.imposed(), of=host))
+    growth.drivers.append(
+        Component(point, name, line.direction / length(line.direction), *growth.imposed(), of=host)
+    )
 
 
 def steered_particle(growth: Growth) -> None:
@@ -300,9 +335,24 @@ def steered_particle(growth: Growth) -> None:
 
 
 STARTS = (crank, block, wheel)
-GROUPS = (rod_and_slider, rod_and_rocker, slotted_rocker, bar_past_a_fixed_point, bar_through_a_sleeve, arc_slot,
-          pushed_rocker, flat_follower, rod_and_wheel, planet, geared_pair, platform, driven_arm, particle_in_a_slot,
-          steered_particle, three_at_a_pin)
+GROUPS = (
+    rod_and_slider,
+    rod_and_rocker,
+    slotted_rocker,
+    bar_past_a_fixed_point,
+    bar_through_a_sleeve,
+    arc_slot,
+    pushed_rocker,
+    flat_follower,
+    rod_and_wheel,
+    planet,
+    geared_pair,
+    platform,
+    driven_arm,
+    particle_in_a_slot,
+    steered_particle,
+    three_at_a_pin,
+)
 
 
 @st.composite

@@ -157,12 +157,20 @@ class PositionModel:
                 yield cross(unit(place(line.direction)), minus(now, origin))
                 yield turn[body] - turn[of]
             case Arc(point, body, circle, of):
-                yield self.distance(circle, self.path(poses, point, body, of)) - precise(circle.radius)
+                yield self.distance(circle, self.path(poses, point, body, of)) - precise(
+                    circle.radius
+                )
             case Contact(body, circle, of, on, inside):
                 yield self.touching(self.path(poses, circle.centre, body, of), circle, on, inside)
             case Roll(body, circle, of, on, inside):
                 yield self.touching(self.path(poses, circle.centre, body, of), circle, on, inside)
-                yield self.slip(self.path(poses, circle.centre, body, of), turn[body] - turn[of], circle, on, inside)
+                yield self.slip(
+                    self.path(poses, circle.centre, body, of),
+                    turn[body] - turn[of],
+                    circle,
+                    on,
+                    inside,
+                )
             case Mesh(body, circle, of, on, carrier, inside):
                 own, other = turn[body] - turn[carrier], turn[of] - turn[carrier]
                 sense = -1 if inside else 1
@@ -223,8 +231,12 @@ class PositionModel:
         for index in range(self.count):
             moved = list(zero)
             moved[index] = mpf(TINY)
-            columns.append([float((value - rest) / mpf(TINY))
-                            for value, rest in zip(self.conditions(moved, mpf(0)), at_rest, strict=True)])
+            columns.append(
+                [
+                    float((value - rest) / mpf(TINY))
+                    for value, rest in zip(self.conditions(moved, mpf(0)), at_rest, strict=True)
+                ]
+            )
         return np.array(columns).T
 
     @cached_property
@@ -245,8 +257,10 @@ class PositionModel:
             values = self.conditions(unknowns, time)
             if max(map(abs, values)) < mpf(SOLVED):
                 return self.poses(unknowns)
-            unknowns = [unknown - sum(entry * value for entry, value in zip(row, values, strict=True))
-                        for unknown, row in zip(unknowns, back, strict=True)]
+            unknowns = [
+                unknown - sum(entry * value for entry, value in zip(row, values, strict=True))
+                for unknown, row in zip(unknowns, back, strict=True)
+            ]
         raise ArithmeticError(f"the conditions on positions are not met: {max(map(abs, values))}")
 
 
@@ -257,15 +271,24 @@ def moving(mechanism: Mechanism) -> Motion:
         before, after = model.solved(-step), model.solved(step)
 
         def rates(at: Callable[[dict[str, Pose]], Any], now: Any) -> tuple[Any, Any]:
-            return (at(after) - at(before)) / (2 * step), (at(after) + at(before) - 2 * now) / step**2
+            return (at(after) - at(before)) / (2 * step), (
+                at(after) + at(before) - 2 * now
+            ) / step**2
 
         motion = Motion({}, {}, {}, {})
         for body in mechanism.bodies:
-            motion.omega[body.name], motion.alpha[body.name] = rates(lambda poses, b=body.name: poses[b][2], mpf(0))
+            motion.omega[body.name], motion.alpha[body.name] = rates(
+                lambda poses, b=body.name: poses[b][2], mpf(0)
+            )
             for point in body.points:
                 key, start = (point, body.name), model.start[point]
-                parts = [rates(lambda poses, b=body.name, s=start, i=i: model.moved(poses, b, s)[i], start[i])
-                         for i in (0, 1)]
+                parts = [
+                    rates(
+                        lambda poses, b=body.name, s=start, i=i: model.moved(poses, b, s)[i],
+                        start[i],
+                    )
+                    for i in (0, 1)
+                ]
                 motion.velocity[key] = parts[0][0], parts[1][0]
                 motion.acceleration[key] = parts[0][1], parts[1][1]
         return motion

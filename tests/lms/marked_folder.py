@@ -6,17 +6,25 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.lms.cells import Cell, read_cells
 from kinegrade.lms.dialect import Dialect, ExportOptions
 from kinegrade.lms.fill_in import Filled, fill_in
 from kinegrade.lms.from_scratch import Fresh, new_file
 from kinegrade.lms.grades import ClassGrades, read_grades
-from kinegrade.tables import csv_text
 
-STUDENTS = {"0012345": ("王伟", "w1@example.invalid"), "0012346": ("O'Neil, Zoë", "W2@example.invalid"),
-            "0012347": ("'=HYPERLINK(1)", "w3@example.invalid"), "0012348": ("Some Blank", "")}
-POINTS = {"0012345": ("7", "1.25", "8.25"), "0012346": ("4", "0", "4"), "0012347": ("0", "0", "0"),
-          "0012348": ("6.6667", "3", "9.6667")}
+STUDENTS = {
+    "0012345": ("王伟", "w1@example.invalid"),
+    "0012346": ("O'Neil, Zoë", "W2@example.invalid"),
+    "0012347": ("'=HYPERLINK(1)", "w3@example.invalid"),
+    "0012348": ("Some Blank", ""),
+}
+POINTS = {
+    "0012345": ("7", "1.25", "8.25"),
+    "0012346": ("4", "0", "4"),
+    "0012347": ("0", "0", "0"),
+    "0012348": ("6.6667", "3", "9.6667"),
+}
 TYPED = {"0012345": "'=1+1", "0012346": "-", "0012347": "-", "0012348": "6"}
 OUT_OF = {"q1": "7", "q2": "3"}
 
@@ -31,12 +39,29 @@ def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> P
         grades.append((who, name, *POINTS[student], "10", "0"))
         for question, points in zip(OUT_OF, POINTS[student], strict=False):
             typed = TYPED[student] if question == "q2" else ("" if student == "0012347" else "1,5")
-            marks.append((who, question, "v_B", typed, "", "m/s", "wrong", points, OUT_OF[question], "why"))
-    header = ("student", "question", "ask", "response", "read_as", "unit", "verdict", "points", "out_of", "reason")
-    texts = {"grades": csv_text(("student", "name", "q1", "q2", "total", "out_of", "percent"), grades),
-             "marks": csv_text(header, marks),
-             "complaints": csv_text(("file", "line", "column", "content", "problem", "done"),
-                                    [("a.csv", "7", "q1.v_B", "'@x", "unreadable", "no points")])}
+            marks.append(
+                (who, question, "v_B", typed, "", "m/s", "wrong", points, OUT_OF[question], "why")
+            )
+    header = (
+        "student",
+        "question",
+        "ask",
+        "response",
+        "read_as",
+        "unit",
+        "verdict",
+        "points",
+        "out_of",
+        "reason",
+    )
+    texts = {
+        "grades": csv_text(("student", "name", "q1", "q2", "total", "out_of", "percent"), grades),
+        "marks": csv_text(header, marks),
+        "complaints": csv_text(
+            ("file", "line", "column", "content", "problem", "done"),
+            [("a.csv", "7", "q1.v_B", "'@x", "unreadable", "no points")],
+        ),
+    }
     for name, text in texts.items():
         (folder / f"{name}.csv").write_text(text, encoding="utf-8", newline="")
     return folder
@@ -61,7 +86,9 @@ def fresh(folder: Path, dialect: Dialect, options: ExportOptions | None = None) 
     return new_file(dialect, grades_of(folder), options or ExportOptions())
 
 
-def filled(folder: Path, dialect: Dialect, content: bytes | str, options: ExportOptions | None = None) -> Filled:
+def filled(
+    folder: Path, dialect: Dialect, content: bytes | str, options: ExportOptions | None = None
+) -> Filled:
     """The class's grades filled into a download of these bytes; what is no grade or comment has to stay."""
     path = folder / "download.csv"
     path.write_bytes(content.encode() if isinstance(content, str) else content)
@@ -73,11 +100,21 @@ def filled(folder: Path, dialect: Dialect, content: bytes | str, options: Export
 def changed(folder: Path) -> dict[tuple[int, str], str]:
     """The cells that a filling changed, by line and header; every byte between changed cells is the same."""
     before, after = read_cells(folder / "download.csv"), read_cells(folder / "filled.csv")
-    cells = [[(row.line, title, cell) for row in table.rows
-              for title, cell in zip(table.titles, row.cells, strict=True)] for table in (before, after)]
-    differing = [(one, other) for one, other in zip(*cells, strict=True) if one[2].text != other[2].text]
-    rests = [remainder(table.text, [pair[side][2] for pair in differing])
-             for side, table in enumerate((before, after))]
+    cells = [
+        [
+            (row.line, title, cell)
+            for row in table.rows
+            for title, cell in zip(table.titles, row.cells, strict=True)
+        ]
+        for table in (before, after)
+    ]
+    differing = [
+        (one, other) for one, other in zip(*cells, strict=True) if one[2].text != other[2].text
+    ]
+    rests = [
+        remainder(table.text, [pair[side][2] for pair in differing])
+        for side, table in enumerate((before, after))
+    ]
     if rests[0] != rests[1] or before.encoding != after.encoding:
         raise ValueError("something besides cells has changed")
     return {(line, title): cell.text for _, (line, title, cell) in differing}

@@ -18,13 +18,20 @@ ASKS = {"q1": ("v_B", "omega_AB"), "q2": ("a_B",)}
 STUDENTS = {"0012345": "Wei@Example.org", "0012346": "zoe@example.org", "S9": "", "=2": ""}
 
 
-def write_asks(folder: Path, asks: Mapping[str, Sequence[str]] = ASKS, students: Mapping[str, str] = STUDENTS) -> Path:
+def write_asks(
+    folder: Path, asks: Mapping[str, Sequence[str]] = ASKS, students: Mapping[str, str] = STUDENTS
+) -> Path:
     """An exam folder with nothing but what is read of exam.json."""
     exam = folder / "EXAM"
     exam.mkdir(exist_ok=True)
     record = {
-        "questions": [{"question": name, "asks": [{"ask": ask} for ask in each]} for name, each in asks.items()],
-        "students": [{"student": student, "name": "x", "email": email} for student, email in students.items()],
+        "questions": [
+            {"question": name, "asks": [{"ask": ask} for ask in each]}
+            for name, each in asks.items()
+        ],
+        "students": [
+            {"student": student, "name": "x", "email": email} for student, email in students.items()
+        ],
     }
     (exam / "exam.json").write_text(json.dumps(record), encoding="utf-8")
     return exam
@@ -37,7 +44,9 @@ def csv_text(*rows: Sequence[str]) -> str:
     return text.getvalue()
 
 
-def responses(folder: Path, content: str | bytes, source: str | None = None, **options: Any) -> Responses:
+def responses(
+    folder: Path, content: str | bytes, source: str | None = None, **options: Any
+) -> Responses:
     """A download with that content, read for the exam in the folder, which is written where there is none."""
     exam = folder / "EXAM"
     if not exam.exists():

@@ -17,11 +17,16 @@ from tests.lms.marked_folder import changed, filled, fresh
 
 HEADER = "Student,ID,SIS User ID,SIS Login ID,Section,Notes (old),Kinematics quiz (1234),Final Score (77),Sum (9)\n"
 POSSIBLE = "    Points Possible,,,,,,10.00,(read only),(read only)\n"
-DOWNLOAD = HEADER + ",,,,,,Manual Posting,,\n" + POSSIBLE + (
-    '"伟, 王",501,0012345,wangwei,A,,3.00,3.00,3.00\n'
-    "\"O'Neil, Zoë\",502,0012346,zoneil,A,,EX,,\n"
-    "Nobody,503,0012347,nobody,A,,,,\n"
-    "Some Blank,504,0012348,sblank,A,,,,\n"
+DOWNLOAD = (
+    HEADER
+    + ",,,,,,Manual Posting,,\n"
+    + POSSIBLE
+    + (
+        '"伟, 王",501,0012345,wangwei,A,,3.00,3.00,3.00\n'
+        '"O\'Neil, Zoë",502,0012346,zoneil,A,,EX,,\n'
+        "Nobody,503,0012347,nobody,A,,,,\n"
+        "Some Blank,504,0012348,sblank,A,,,,\n"
+    )
 )
 QUIZ = "Kinematics quiz (1234)"
 
@@ -31,12 +36,20 @@ def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
 
 
 @pytest.mark.parametrize("by", [None, "id", "login"])
-def test_a_new_file_begins_as_canvas_allows_and_is_nobodys_by_name(tmp_path: Path, by: str | None) -> None:
+def test_a_new_file_begins_as_canvas_allows_and_is_nobodys_by_name(
+    tmp_path: Path, by: str | None
+) -> None:
     text = fresh(tmp_path, CANVAS, ExportOptions(by=(by,) if by else ())).text  # type: ignore[arg-type]
     header, first, *_ = csv.reader(io.StringIO(text))
     assert header == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Kinematics quiz"]
     keys = ["", "0012345"] if by == "login" else ["0012345", ""]
-    assert first == ["王伟 [0012345]", "", *keys, "", "8.25"]  # ID is Canvas's own number; the name is no one's
+    assert first == [
+        "王伟 [0012345]",
+        "",
+        *keys,
+        "",
+        "8.25",
+    ]  # ID is Canvas's own number; the name is no one's
     assert not text.startswith("\ufeff")
     assert '""' not in text  # a quoted empty cell counts as a change there
     assert "Points Possible" not in text  # it would change the points of an assignment that exists
@@ -47,41 +60,64 @@ def test_an_existing_assignment_is_named_by_its_whole_header(tmp_path: Path) -> 
     assert text.splitlines()[0].endswith(f",{QUIZ}")
 
 
-@pytest.mark.parametrize(("title", "reason"), [
-    ("Final Score of May", "Canvas ignores every column with these words"),
-    ("My Override Grade", "Canvas ignores every column with these words"),
-    ("Midterm (2026)", "Canvas takes the number at its end for the id of an assignment"),
-])
-def test_titles_that_canvas_ignores_or_cuts_are_refused(tmp_path: Path, title: str, reason: str) -> None:
+@pytest.mark.parametrize(
+    ("title", "reason"),
+    [
+        ("Final Score of May", "Canvas ignores every column with these words"),
+        ("My Override Grade", "Canvas ignores every column with these words"),
+        ("Midterm (2026)", "Canvas takes the number at its end for the id of an assignment"),
+    ],
+)
+def test_titles_that_canvas_ignores_or_cuts_are_refused(
+    tmp_path: Path, title: str, reason: str
+) -> None:
     with pytest.raises(TableError, match=re.escape(f'the title "{title}" does not fit: {reason}')):
         fresh(tmp_path, CANVAS, ExportOptions(title=title))
 
 
 def test_only_the_scores_of_matched_students_change(tmp_path: Path) -> None:
     result = filled(tmp_path, CANVAS, DOWNLOAD)
-    assert changed(tmp_path) == {(4, QUIZ): "8.25", (7, QUIZ): "9.67"}  # two decimals are kept there
+    assert changed(tmp_path) == {
+        (4, QUIZ): "8.25",
+        (7, QUIZ): "9.67",
+    }  # two decimals are kept there
     assert result.students == 2
     assert [str(each) for each in result.complaints] == [
-        f'download.csv:5: {QUIZ}: student "0012346" is excused there (EX) - left as it is; 4 would be the grade']
+        f'download.csv:5: {QUIZ}: student "0012346" is excused there (EX) - left as it is; 4 would be the grade'
+    ]
 
 
 def test_semicolons_line_ends_and_an_unquoted_mark_are_kept(tmp_path: Path) -> None:
-    plain = DOWNLOAD.replace('"伟, 王"', "王").replace("\"O'Neil, Zoë\"", "Zoë")
+    plain = DOWNLOAD.replace('"伟, 王"', "王").replace('"O\'Neil, Zoë"', "Zoë")
     filled(tmp_path, CANVAS, "\ufeff" + plain.replace(",", ";").replace("\n", "\r\n"))
     assert changed(tmp_path) == {(4, QUIZ): "8.25", (7, QUIZ): "9.67"}
 
 
-@pytest.mark.parametrize("beginning", [
-    "Student,ID,SIS User ID,Section", "ID,Student,Section", "Student,Section", "student,ID,SIS Login ID,Section"])
+@pytest.mark.parametrize(
+    "beginning",
+    [
+        "Student,ID,SIS User ID,Section",
+        "ID,Student,Section",
+        "Student,Section",
+        "student,ID,SIS Login ID,Section",
+    ],
+)
 def test_a_header_that_canvas_calls_invalid_is_refused(tmp_path: Path, beginning: str) -> None:
     row = ",".join("0012345" for _ in beginning.split(","))
-    with pytest.raises(TableError, match="expected those of Canvas, in their order - download it again"):
+    with pytest.raises(
+        TableError, match="expected those of Canvas, in their order - download it again"
+    ):
         filled(tmp_path, CANVAS, f"{beginning},{QUIZ}\n{row},1\n")
 
 
-@pytest.mark.parametrize("beginning", [
-    "Student,ID,SIS Login ID,Section", "Student,ID,SIS User ID,SIS Login ID,Integration ID,Root Account,Section",
-    "LastName,FirstName,ID,SIS User ID,SIS Login ID,Section"])
+@pytest.mark.parametrize(
+    "beginning",
+    [
+        "Student,ID,SIS Login ID,Section",
+        "Student,ID,SIS User ID,SIS Login ID,Integration ID,Root Account,Section",
+        "LastName,FirstName,ID,SIS User ID,SIS Login ID,Section",
+    ],
+)
 def test_all_headers_that_canvas_allows_are_taken(tmp_path: Path, beginning: str) -> None:
     row = ",".join("0012345" if "SIS Login" in name else "x" for name in beginning.split(","))
     filled(tmp_path, CANVAS, f"{beginning},{QUIZ}\n{row},1\n")
@@ -89,39 +125,58 @@ def test_all_headers_that_canvas_allows_are_taken(tmp_path: Path, beginning: str
 
 
 def test_a_mark_before_a_quotation_mark_would_fail_there(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match="begins with a byte-order mark that Canvas takes for data"):
+    with pytest.raises(
+        TableError, match="begins with a byte-order mark that Canvas takes for data"
+    ):
         filled(tmp_path, CANVAS, "\ufeff" + DOWNLOAD.replace("Student,", '"Student",', 1))
 
 
 def test_another_encoding_than_utf_8_would_fail_there(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match=r"download.csv: is GB18030 - expected UTF-8, or Canvas refuses it"):
-        filled(tmp_path, CANVAS, DOWNLOAD.replace("ë", "").replace("伟, 王", "王伟，力学一班的学生").encode("gb18030"))
+    with pytest.raises(
+        TableError, match=r"download.csv: is GB18030 - expected UTF-8, or Canvas refuses it"
+    ):
+        filled(
+            tmp_path,
+            CANVAS,
+            DOWNLOAD.replace("ë", "").replace("伟, 王", "王伟，力学一班的学生").encode("gb18030"),
+        )
 
 
 def test_a_thousand_with_a_comma_is_read_as_one(tmp_path: Path) -> None:
     result = filled(tmp_path, CANVAS, DOWNLOAD.replace("A,,3.00", 'A,"1,000",3.00'))
-    assert ('download.csv:4: Notes (old): Canvas reads "1,000" as 1.000 - left as it is; correct it before you import'
-            in map(str, result.complaints))
+    assert (
+        'download.csv:4: Notes (old): Canvas reads "1,000" as 1.000 - left as it is; correct it before you import'
+        in map(str, result.complaints)
+    )
 
 
 def test_read_only_and_ignored_columns_cannot_be_named(tmp_path: Path) -> None:
     for header in ("Final Score (77)", "Sum (9)", "Section"):
-        with pytest.raises(TableError, match="is no column from which Canvas takes grades - expected one that is"):
+        with pytest.raises(
+            TableError, match="is no column from which Canvas takes grades - expected one that is"
+        ):
             filled(tmp_path, CANVAS, DOWNLOAD, ExportOptions(columns={"": header}))
 
 
 def test_other_points_are_refused_unless_scaled(tmp_path: Path) -> None:
     twenty = DOWNLOAD.replace("10.00", "20")
-    with pytest.raises(TableError, match=r"counts 20 there, 10 in the exam - expected the same - add --scale"):
+    with pytest.raises(
+        TableError, match=r"counts 20 there, 10 in the exam - expected the same - add --scale"
+    ):
         filled(tmp_path, CANVAS, twenty)
     filled(tmp_path, CANVAS, twenty, ExportOptions(scale=True))
     assert changed(tmp_path)[4, QUIZ] == "16.5"
 
 
 def test_canvas_takes_no_comments_in_this_file(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match="--feedback: Canvas takes none in this file - expected a file with a column"):
+    with pytest.raises(
+        TableError,
+        match="--feedback: Canvas takes none in this file - expected a file with a column",
+    ):
         fresh(tmp_path, CANVAS, ExportOptions(feedback=True))
-    with pytest.raises(TableError, match="no column for feedback on the total - expected one, as Canvas has it"):
+    with pytest.raises(
+        TableError, match="no column for feedback on the total - expected one, as Canvas has it"
+    ):
         filled(tmp_path, CANVAS, DOWNLOAD, ExportOptions(feedback=True))
 
 
@@ -130,5 +185,8 @@ def test_a_new_assignment_needs_a_title(tmp_path: Path) -> None:
     from kinegrade.lms.grades import read_grades
     from tests.lms.marked_folder import write_marks
 
-    with pytest.raises(TableError, match="Canvas: the item has no title - expected one - give it by --title, or name"):
+    with pytest.raises(
+        TableError,
+        match="Canvas: the item has no title - expected one - give it by --title, or name",
+    ):
         new_file(CANVAS, read_grades(write_marks(tmp_path)), ExportOptions())

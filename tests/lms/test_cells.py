@@ -37,17 +37,31 @@ class Style:
 
     def written(self, lines: list[list[str]]) -> bytes:
         stream = io.StringIO()
-        quoting = csv.QUOTE_ALL if self.end == "\r" else self.quoting  # or the csv module leaves a line feed bare
-        csv.writer(stream, delimiter=self.separator, lineterminator=self.end, quoting=quoting).writerows(lines)
+        quoting = (
+            csv.QUOTE_ALL if self.end == "\r" else self.quoting
+        )  # or the csv module leaves a line feed bare
+        csv.writer(
+            stream, delimiter=self.separator, lineterminator=self.end, quoting=quoting
+        ).writerows(lines)
         return stream.getvalue().encode(self.encoding)
 
 
-STYLES = st.builds(Style, st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "gb18030"]), st.sampled_from(",;\t"),
-                   st.sampled_from(["\n", "\r\n", "\r"]), st.sampled_from([csv.QUOTE_ALL, csv.QUOTE_MINIMAL]))
+STYLES = st.builds(
+    Style,
+    st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "gb18030"]),
+    st.sampled_from(",;\t"),
+    st.sampled_from(["\n", "\r\n", "\r"]),
+    st.sampled_from([csv.QUOTE_ALL, csv.QUOTE_MINIMAL]),
+)
 ROWS = st.lists(st.lists(TEXT, min_size=2, max_size=2), min_size=1, max_size=4)
 
 
-@given(rows=ROWS, new=st.lists(TEXT, min_size=8, max_size=8), style=STYLES, picked=st.sets(st.integers(0, 7)))
+@given(
+    rows=ROWS,
+    new=st.lists(TEXT, min_size=8, max_size=8),
+    style=STYLES,
+    picked=st.sets(st.integers(0, 7)),
+)
 def test_only_the_cells_that_change_are_written(
     rows: list[list[str]], new: list[str], style: Style, picked: set[int]
 ) -> None:
@@ -60,10 +74,18 @@ def test_only_the_cells_that_change_are_written(
         cells = [cell for row in table.rows for cell in row.cells[1:]]
         changes = {cell: new[place] for place, cell in enumerate(cells) if place in picked}
         after = read(Path(folder), table.with_cells(changes))
-    assert texts(after)[1:] == [[changes.get(cell, cell.text) for cell in row.cells] for row in table.rows]
-    assert between(table, changes) == between(after, {
-        now for row, other in zip(table.rows, after.rows, strict=True)
-        for old, now in zip(row.cells, other.cells, strict=True) if old in changes})
+    assert texts(after)[1:] == [
+        [changes.get(cell, cell.text) for cell in row.cells] for row in table.rows
+    ]
+    assert between(table, changes) == between(
+        after,
+        {
+            now
+            for row, other in zip(table.rows, after.rows, strict=True)
+            for old, now in zip(row.cells, other.cells, strict=True)
+            if old in changes
+        },
+    )
 
 
 def texts(table: CellTable) -> list[list[str]]:
@@ -90,13 +112,24 @@ def test_lines_are_counted_as_they_stand(tmp_path: Path) -> None:
     assert [row.line for row in table.rows] == [3, 5]
 
 
-@pytest.mark.parametrize(("content", "message"), [
-    ('a,b\n1,"2\n3,4\n', "a.csv:2: a quotation mark is not closed where its cell ends"),
-    ('a,b\n1,"2"3\n', "a.csv:2: a quotation mark is not closed where its cell ends"),
-    ("a,b\n1,2,3\n4\n", "a.csv:2: has 3 cells, the header 2 - expected the same number on every line"),
-    (b"a,b\n\xff\xfe\x81,2\n\x81\x8d,3\n", "a.csv: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030"),
-])
-def test_what_could_not_be_written_back_is_refused(tmp_path: Path, content: bytes | str, message: str) -> None:
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ('a,b\n1,"2\n3,4\n', "a.csv:2: a quotation mark is not closed where its cell ends"),
+        ('a,b\n1,"2"3\n', "a.csv:2: a quotation mark is not closed where its cell ends"),
+        (
+            "a,b\n1,2,3\n4\n",
+            "a.csv:2: has 3 cells, the header 2 - expected the same number on every line",
+        ),
+        (
+            b"a,b\n\xff\xfe\x81,2\n\x81\x8d,3\n",
+            "a.csv: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030",
+        ),
+    ],
+)
+def test_what_could_not_be_written_back_is_refused(
+    tmp_path: Path, content: bytes | str, message: str
+) -> None:
     with pytest.raises(TableError, match=message):
         read(tmp_path, content)
 

@@ -31,43 +31,96 @@ def test_every_system_gets_a_file_from_scratch(tmp_path: Path, system: str) -> N
 
 
 def test_it_says_who_is_left_alone(tmp_path: Path) -> None:
-    assert "out.csv: grades of 3 students for Moodle; 1 handed in nothing and are left alone" in export(
-        tmp_path, "--to", "moodle").stderr
-    assert "grades of 4 students for Moodle\n" in export(tmp_path, "--to", "moodle", "--ungraded", "--force").stderr
+    assert (
+        "out.csv: grades of 3 students for Moodle; 1 handed in nothing and are left alone"
+        in export(tmp_path, "--to", "moodle").stderr
+    )
+    assert (
+        "grades of 4 students for Moodle\n"
+        in export(tmp_path, "--to", "moodle", "--ungraded", "--force").stderr
+    )
 
 
 def test_filling_in_with_complaints_ends_with_status_1(tmp_path: Path) -> None:
-    result = export(tmp_path, "--to", "moodle", "--into", SAMPLE, "--by", "email", "--exam", tmp_path / "EXAM")
+    result = export(
+        tmp_path, "--to", "moodle", "--into", SAMPLE, "--by", "email", "--exam", tmp_path / "EXAM"
+    )
     assert result.exit_code == 1
-    assert "complaint: moodle-gradebook-en.csv:4: nobody of the marked class has Email address" in result.stderr
-    before, after = SAMPLE.read_text(encoding="utf-8"), (tmp_path / "out.csv").read_text(encoding="utf-8")
+    assert (
+        "complaint: moodle-gradebook-en.csv:4: nobody of the marked class has Email address"
+        in result.stderr
+    )
+    before, after = (
+        SAMPLE.read_text(encoding="utf-8"),
+        (tmp_path / "out.csv").read_text(encoding="utf-8"),
+    )
     assert after == before.replace('2.94,"29.41 %",,', '4,"29.41 %",q1: 4/7; q2: 0/3,', 1).replace(
-        '5.29,"52.94 %",,', '8.25,"52.94 %",q1: 7/7; q2: 1.25/3,')
+        '5.29,"52.94 %",,', '8.25,"52.94 %",q1: 7/7; q2: 1.25/3,'
+    )
 
 
 def test_questions_of_their_own(tmp_path: Path) -> None:
-    assert export(tmp_path, "--to", "canvas", "--per-question", "--column", "q1=A (1)", "--column", "q2=B=C (2)",
-                  "--title", "x").exit_code == 0
-    assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[0].endswith(",A (1),B=C (2)")
+    assert (
+        export(
+            tmp_path,
+            "--to",
+            "canvas",
+            "--per-question",
+            "--column",
+            "q1=A (1)",
+            "--column",
+            "q2=B=C (2)",
+            "--title",
+            "x",
+        ).exit_code
+        == 0
+    )
+    assert (
+        (tmp_path / "out.csv")
+        .read_text(encoding="utf-8")
+        .splitlines()[0]
+        .endswith(",A (1),B=C (2)")
+    )
 
 
 def test_a_spreadsheet_for_people(tmp_path: Path) -> None:
-    assert kinegrade("export", write_marks(tmp_path / "M"), "--to", "xlsx", "-o", tmp_path / "m.xlsx").exit_code == 0
+    assert (
+        kinegrade(
+            "export", write_marks(tmp_path / "M"), "--to", "xlsx", "-o", tmp_path / "m.xlsx"
+        ).exit_code
+        == 0
+    )
     assert load_workbook(tmp_path / "m.xlsx")["grades"]["A2"].value == "0012345"
 
 
-@pytest.mark.parametrize(("arguments", "message"), [
-    (("--to", "edx"), "error: Open edX: its rows are known by numbers that only it gives"),
-    (("--to", "canvas"), "error: Canvas: the item has no title"),
-    (("--to", "moodle", "--column", "a", "--column", "b"), "expected one for the total; several need --per-question"),
-    (("--to", "moodle", "--per-question", "--column", "q9=a"),
-     '"q9=a": expected QUESTION=HEADER, once for each of q1, q2'),
-    (("--to", "moodle", "--maximum", "ten"), '"ten": expected a number above zero, like 10 or 12.5'),
-    (("--to", "moodle", "--maximum", "0"), '"0": expected a number above zero'),
-    (("--to", "xlsx", "--into", "a.csv"), "--into: a spreadsheet is written anew - leave it out, or choose a system"),
-    (("--to", "moodle", "--into", "missing.csv"), "error: missing.csv: cannot be read"),
-])
-def test_what_cannot_be_done_ends_with_status_2(tmp_path: Path, arguments: tuple[str, ...], message: str) -> None:
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--to", "edx"), "error: Open edX: its rows are known by numbers that only it gives"),
+        (("--to", "canvas"), "error: Canvas: the item has no title"),
+        (
+            ("--to", "moodle", "--column", "a", "--column", "b"),
+            "expected one for the total; several need --per-question",
+        ),
+        (
+            ("--to", "moodle", "--per-question", "--column", "q9=a"),
+            '"q9=a": expected QUESTION=HEADER, once for each of q1, q2',
+        ),
+        (
+            ("--to", "moodle", "--maximum", "ten"),
+            '"ten": expected a number above zero, like 10 or 12.5',
+        ),
+        (("--to", "moodle", "--maximum", "0"), '"0": expected a number above zero'),
+        (
+            ("--to", "xlsx", "--into", "a.csv"),
+            "--into: a spreadsheet is written anew - leave it out, or choose a system",
+        ),
+        (("--to", "moodle", "--into", "missing.csv"), "error: missing.csv: cannot be read"),
+    ],
+)
+def test_what_cannot_be_done_ends_with_status_2(
+    tmp_path: Path, arguments: tuple[str, ...], message: str
+) -> None:
     result = export(tmp_path, *arguments)
     assert result.exit_code == 2
     assert message in result.stderr

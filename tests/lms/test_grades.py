@@ -30,13 +30,21 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
     assert [each.email for each in grades.students][::3] == ["w1@example.invalid", ""]
 
 
-@pytest.mark.parametrize(("content", "message"), [
-    (None, r"exam.json: cannot be read \(No such file"),
-    ("[", r"exam.json: is broken \(JSONDecodeError\) - expected an exam"),
-    ('{"students": [1]}', r"exam.json: is broken \(TypeError\)"),
-    ('{"students": []}', r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by which'),
-])
-def test_a_damaged_or_another_exam_is_refused(tmp_path: Path, content: str | None, message: str) -> None:
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, r"exam.json: cannot be read \(No such file"),
+        ("[", r"exam.json: is broken \(JSONDecodeError\) - expected an exam"),
+        ('{"students": [1]}', r"exam.json: is broken \(TypeError\)"),
+        (
+            '{"students": []}',
+            r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by which',
+        ),
+    ],
+)
+def test_a_damaged_or_another_exam_is_refused(
+    tmp_path: Path, content: str | None, message: str
+) -> None:
     if content is not None:
         (tmp_path / "exam.json").write_text(content, encoding="utf-8")
     with pytest.raises(ExamError, match=message):

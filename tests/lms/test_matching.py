@@ -17,17 +17,25 @@ GRADE = "Quiz (Real)"
 
 
 def told(folder: Path, rows: str, header: str = "ID number", by: tuple[str, ...] = ()) -> list[str]:
-    text = f"{header},{GRADE}\n0012346,\n{rows}" if header == "ID number" else f"{header},{GRADE}\n{rows}"
+    text = (
+        f"{header},{GRADE}\n0012346,\n{rows}"
+        if header == "ID number"
+        else f"{header},{GRADE}\n{rows}"
+    )
     result = filled(folder, MOODLE, text, ExportOptions(by=by, feedback=False))  # type: ignore[arg-type]
     return [str(each).removeprefix("download.csv").lstrip(":") for each in result.complaints]
 
 
-@pytest.mark.parametrize("cell", [
-    "12345", "００12345", '"=""0012345"""', "'0012345", "#0012345", "0012345.0", "00012345"])
+@pytest.mark.parametrize(
+    "cell",
+    ["12345", "００12345", '"=""0012345"""', "'0012345", "#0012345", "0012345.0", "00012345"],
+)
 def test_what_is_likely_the_same_is_suggested_and_not_made(tmp_path: Path, cell: str) -> None:
     complaints = told(tmp_path, f"{cell},\n0012348,\n")
     assert set(changed(tmp_path)) == {(2, GRADE), (4, GRADE)}
-    assert complaints[0].startswith(' no row for student "0012345" by ID number - not exported; line 3 has ID number "')
+    assert complaints[0].startswith(
+        ' no row for student "0012345" by ID number - not exported; line 3 has ID number "'
+    )
     assert complaints[0].endswith('", probably the same: correct one of the two and export again')
     assert complaints[1].startswith('3: nobody of the marked class has ID number "')
     assert len(complaints) == 2
@@ -47,14 +55,17 @@ def test_a_number_in_short_form_is_nobody_certain(tmp_path: Path) -> None:
     complaints = [str(each) for each in result.complaints]
     assert result.content.decode().splitlines()[1:] == ["2.021E+11,", "202100000003,9.6667"]
     for complaint in complaints[:2]:
-        assert ('line 2 has ID number "2.021E+11", a number that a spreadsheet has cut: download the file again and '
-                "leave it as it is") in complaint
+        assert (
+            'line 2 has ID number "2.021E+11", a number that a spreadsheet has cut: download the file again and '
+            "leave it as it is"
+        ) in complaint
     assert len(complaints) == 3
 
 
 def test_two_rows_of_one_student_are_both_left(tmp_path: Path) -> None:
     assert told(tmp_path, "0012345,\n0012345,\n0012348,\n") == [
-        '3: student "0012345" is found on lines 3 and 4 by ID number - none of these lines was changed']
+        '3: student "0012345" is found on lines 3 and 4 by ID number - none of these lines was changed'
+    ]
     assert set(changed(tmp_path)) == {(2, GRADE), (5, GRADE)}
 
 
@@ -65,13 +76,16 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
         'download.csv:2: student "0012345" is found on lines 2 and 3 by ID number or Username - none of these lines '
         "was changed",
         'download.csv:2: is the row of students "0012345" and "0012346" alike - the line was not changed',
-        'download.csv:3: is the row of students "0012345" and "0012348" alike - the line was not changed')
+        'download.csv:3: is the row of students "0012345" and "0012348" alike - the line was not changed',
+    )
     told(tmp_path, "0012345,0012346,\n0012348,0012345,\n", "ID number,Username", by=("id",))
     assert changed(tmp_path) == {(2, GRADE): "8.25", (3, GRADE): "9.6667"}
 
 
 def test_a_name_alone_matches_nobody(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match="no column by which Moodle knows people - expected one of: ID number"):
+    with pytest.raises(
+        TableError, match="no column by which Moodle knows people - expected one of: ID number"
+    ):
         told(tmp_path, "王伟,\n", "Full name")
 
 
@@ -79,5 +93,7 @@ def test_nobody_at_all_is_refused_with_the_reasons(tmp_path: Path) -> None:
     with pytest.raises(TableError) as caught:
         told(tmp_path, "7,\n12345,\n", "Username")
     first, *others = caught.value.problems
-    assert first.startswith("download.csv: no grade can be filled in - expected rows of the students who were marked")
+    assert first.startswith(
+        "download.csv: no grade can be filled in - expected rows of the students who were marked"
+    )
     assert any("probably the same" in problem for problem in others)

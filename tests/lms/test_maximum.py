@@ -25,12 +25,17 @@ def test_a_given_maximum_scales_and_is_stated(tmp_path: Path) -> None:
 
 
 def test_a_maximum_that_the_file_denies_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match='"Midterm \\[20\\]": counts 20 there, --maximum says 50 - expected the same'):
+    with pytest.raises(
+        TableError,
+        match='"Midterm \\[20\\]": counts 20 there, --maximum says 50 - expected the same',
+    ):
         filled(tmp_path, SAKAI, ITEMS, ExportOptions(columns={"": "Midterm"}, maximum=Fraction(50)))
 
 
 def test_scaling_needs_a_maximum(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match='"成绩": states no maximum - expected one to scale to - say what'):
+    with pytest.raises(
+        TableError, match='"成绩": states no maximum - expected one to scale to - say what'
+    ):
         fresh(tmp_path, GENERIC, ExportOptions(scale=True))
 
 
@@ -49,14 +54,30 @@ def test_all_faults_of_columns_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(TableError) as caught:
         filled(tmp_path, SAKAI, ITEMS, ExportOptions(per_question=True))
     assert [problem.split(" - ")[0] for problem in caught.value.problems] == [
-        "download.csv: no grade columns for question q1", "download.csv: no grade columns for question q2"]
+        "download.csv: no grade columns for question q1",
+        "download.csv: no grade columns for question q2",
+    ]
     with pytest.raises(TableError, match="is meant for several questions - expected one for each"):
-        filled(tmp_path, SAKAI, ITEMS, ExportOptions(columns={"q1": "Midterm", "q2": "Midterm"}, per_question=True))
-    with pytest.raises(TableError, match='no column "Midtern" - expected one of the file - did you mean "Midterm'):
+        filled(
+            tmp_path,
+            SAKAI,
+            ITEMS,
+            ExportOptions(columns={"q1": "Midterm", "q2": "Midterm"}, per_question=True),
+        )
+    with pytest.raises(
+        TableError, match='no column "Midtern" - expected one of the file - did you mean "Midterm'
+    ):
         filled(tmp_path, SAKAI, ITEMS, ExportOptions(columns={"": "Midtern"}))
-    with pytest.raises(TableError, match='2 columns are called "Midterm \\[20\\]" - expected one - rename the items'):
-        filled(tmp_path, SAKAI, ITEMS.replace("q1 [7]", "[20]").replace("Midterm [20]", "Midterm [20]"),
-               ExportOptions(columns={"": "Midterm [20]"}))
+    with pytest.raises(
+        TableError,
+        match='2 columns are called "Midterm \\[20\\]" - expected one - rename the items',
+    ):
+        filled(
+            tmp_path,
+            SAKAI,
+            ITEMS.replace("q1 [7]", "[20]").replace("Midterm [20]", "Midterm [20]"),
+            ExportOptions(columns={"": "Midterm [20]"}),
+        )
 
 
 def test_a_header_can_state_one_maximum_only(tmp_path: Path) -> None:
@@ -66,9 +87,16 @@ def test_a_header_can_state_one_maximum_only(tmp_path: Path) -> None:
 
     grades = grades_of(tmp_path)
     first, *others = grades.students
-    less = replace(first, points={**first.points, "": Fraction(1)}, out_of={**first.out_of, "": Fraction(5)})
+    less = replace(
+        first, points={**first.points, "": Fraction(1)}, out_of={**first.out_of, "": Fraction(5)}
+    )
     mixed = replace(grades, students=(less, *others))
-    with pytest.raises(TableError, match="not everybody could get the same points - expected one maximum - say it by"):
+    with pytest.raises(
+        TableError,
+        match="not everybody could get the same points - expected one maximum - say it by",
+    ):
         new_file(SAKAI, mixed, ExportOptions())
-    lines = new_file(SAKAI, mixed, ExportOptions(maximum=Fraction(10), feedback=False)).text.splitlines()
+    lines = new_file(
+        SAKAI, mixed, ExportOptions(maximum=Fraction(10), feedback=False)
+    ).text.splitlines()
     assert lines[1] == "0012345,王伟,2"

@@ -66,7 +66,9 @@ def test_feedback_holds_no_html(tmp_path: Path) -> None:
     assert "&lt;b&gt;: 4/7" in export(marked)
 
 
-def test_who_handed_in_nothing_is_left_out_because_an_empty_grade_erases_one(tmp_path: Path) -> None:
+def test_who_handed_in_nothing_is_left_out_because_an_empty_grade_erases_one(
+    tmp_path: Path,
+) -> None:
     assert "0012347" not in export(write_marks(tmp_path))
     everybody = fresh(tmp_path, MOODLE, ExportOptions(ungraded=True))
     assert "0012347,'=HYPERLINK(1),0,q1: 0/7; q2: 0/3\n" in everybody.text
@@ -83,20 +85,28 @@ def test_lines_are_of_one_length_not_blank_and_without_the_export_time(tmp_path:
 
 def test_a_grade_above_the_maximum_would_stop_the_whole_import(tmp_path: Path) -> None:
     more = folder(tmp_path, GRADES.replace("4,3,7,10", "4,3,11,10"))
-    with pytest.raises(TableError, match='student "0012345": 11 points of 10 - expected no more than there are'):
+    with pytest.raises(
+        TableError, match='student "0012345": 11 points of 10 - expected no more than there are'
+    ):
         export(more)
 
 
 def test_questions_in_columns_of_their_own(tmp_path: Path) -> None:
     assert fresh(tmp_path, MOODLE, ExportOptions(per_question=True)).text.splitlines()[:2] == [
-        "ID number,Full name,Grade q1,Grade q2", "0012345,王伟,7,1.25"]
+        "ID number,Full name,Grade q1,Grade q2",
+        "0012345,王伟,7,1.25",
+    ]
 
 
 def test_by_email_those_without_one_are_told(tmp_path: Path) -> None:
     made = fresh(tmp_path, MOODLE, ExportOptions(by=("email",), feedback=False))
-    assert made.text.splitlines()[:2] == ["Email address,Full name,Grade", "w1@example.invalid,王伟,8.25"]
+    assert made.text.splitlines()[:2] == [
+        "Email address,Full name,Grade",
+        "w1@example.invalid,王伟,8.25",
+    ]
     assert [str(each) for each in made.complaints] == [
-        'exam.json: student "0012348" has no e-mail - not exported; give it in the roster, or match by id']
+        'exam.json: student "0012348" has no e-mail - not exported; give it in the roster, or match by id'
+    ]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -107,8 +117,12 @@ def test_a_downloaded_gradebook_keeps_every_byte_but_grades_and_feedback(
     result = filled(tmp_path, MOODLE, sample(language), ExportOptions(by=(by,)))  # type: ignore[arg-type]
     title = {"en": "Quiz: ", "de": "Test:\u00a0", "zh_cn": "测验："}[language] + "Kinematics quiz"
     grade, feedback = (f"{title} ({word})" for word in LANGUAGES[language])
-    expected = {(3, grade): "4", (3, feedback): "q1: 4/7; q2: 0/3", (5, grade): "8.25",
-                (5, feedback): "q1: 7/7; q2: 1.25/3"}
+    expected = {
+        (3, grade): "4",
+        (3, feedback): "q1: 4/7; q2: 0/3",
+        (5, grade): "8.25",
+        (5, feedback): "q1: 7/7; q2: 1.25/3",
+    }
     if by == "id":
         expected |= {(4, grade): "9.6667", (4, feedback): "q1: 6.6667/7; q2: 3/3"}
     assert changed(tmp_path) == expected
@@ -123,13 +137,16 @@ def test_a_maximum_that_only_points_beside_per_cent_tell_is_not_overlooked(tmp_p
         filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",)))
     assert refusal.value.problems == (
         'download.csv: "Quiz: Kinematics quiz (Real)": counts 20 there, 10 in the exam - expected the same - add '
-        "--scale to scale the grades, or correct the item",)
+        "--scale to scale the grades, or correct the item",
+    )
     filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",), scale=True))
     assert changed(tmp_path)[5, "Quiz: Kinematics quiz (Real)"] == "16.5"
 
 
 def test_an_encoding_that_moodle_can_be_told_is_kept(tmp_path: Path) -> None:
-    result = filled(tmp_path, MOODLE, sample("zh_cn").decode().encode("gb18030"), ExportOptions(by=("id",)))
+    result = filled(
+        tmp_path, MOODLE, sample("zh_cn").decode().encode("gb18030"), ExportOptions(by=("id",))
+    )
     assert len(changed(tmp_path)) == 6
     assert "测验：Kinematics quiz (反馈)".encode("gb18030") in result.content
 
@@ -146,12 +163,15 @@ def test_ids_are_exact_texts_and_lost_zeros_are_only_suggested(tmp_path: Path) -
     assert [str(each) for each in result.complaints] == [
         'download.csv: no row for student "0012345" by ID number - not exported; line 5 has ID number "12345", '
         "probably the same: correct one of the two and export again",
-        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not changed']
+        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not changed',
+    ]
 
 
 def test_a_column_in_a_language_that_is_not_known_can_be_named(tmp_path: Path) -> None:
     other = sample("en").replace(b"(Real)", b"(Brut)")
-    with pytest.raises(TableError, match="no grade columns to fill in - expected one - name it by --column HEADER"):
+    with pytest.raises(
+        TableError, match="no grade columns to fill in - expected one - name it by --column HEADER"
+    ):
         filled(tmp_path, MOODLE, other)
     filled(tmp_path, MOODLE, other, ExportOptions(columns={"": "Quiz: Kinematics quiz (Brut)"}))
     assert changed(tmp_path)[5, "Quiz: Kinematics quiz (Brut)"] == "8.25"
@@ -162,31 +182,49 @@ def test_a_column_in_a_language_that_is_not_known_can_be_named(tmp_path: Path) -
 def test_the_assignment_worksheet_is_filled_by_email_and_keeps_its_marks(tmp_path: Path) -> None:
     result = filled(tmp_path, MOODLE, WORKSHEET)
     assert changed(tmp_path) == {
-        (2, "Grade"): "8.25", (2, "Feedback comments"): "q1: 7/7; q2: 1.25/3",
-        (3, "Grade"): "4", (3, "Feedback comments"): "q1: 4/7; q2: 0/3"}
+        (2, "Grade"): "8.25",
+        (2, "Feedback comments"): "q1: 7/7; q2: 1.25/3",
+        (3, "Grade"): "4",
+        (3, "Feedback comments"): "q1: 4/7; q2: 0/3",
+    }
     assert result.content.startswith(b"\xef\xbb\xbfIdentifier")
-    assert '3.00,10.00,Yes,-,-,"old, and ""long"""'.replace("3.00", "4").replace(
-        'old, and ""long""', "q1: 4/7; q2: 0/3").encode() in result.content
+    assert (
+        '3.00,10.00,Yes,-,-,"old, and ""long"""'.replace("3.00", "4")
+        .replace('old, and ""long""', "q1: 4/7; q2: 0/3")
+        .encode()
+        in result.content
+    )
     assert [str(each) for each in result.complaints] == [
-        'download.csv: no row for student "0012348" by Email address - not exported']
+        'download.csv: no row for student "0012348" by Email address - not exported'
+    ]
 
 
-def test_a_row_of_the_worksheet_that_moodle_would_pass_over_in_silence_is_told(tmp_path: Path) -> None:
-    result = filled(tmp_path, MOODLE, WORKSHEET.replace('3.00,10.00,Yes', '3.00,10.00,No'))
+def test_a_row_of_the_worksheet_that_moodle_would_pass_over_in_silence_is_told(
+    tmp_path: Path,
+) -> None:
+    result = filled(tmp_path, MOODLE, WORKSHEET.replace("3.00,10.00,Yes", "3.00,10.00,No"))
     assert {line for line, _ in changed(tmp_path)} == {2}
     assert str(result.complaints[-1]) == (
         'download.csv:3: Grade: student "0012346" has "No" under "Grade can be changed" (3.00) - left as it is; 4 '
-        "would be the grade")
+        "would be the grade"
+    )
 
 
 def test_where_nobodys_address_is_known_the_exam_is_asked_for(tmp_path: Path) -> None:
     (tmp_path / "download.csv").write_text(WORKSHEET, encoding="utf-8", newline="")
-    with pytest.raises(TableError, match=r"other keys \(--by\), or the exam that knows the addresses \(--exam\)"):
-        fill_in(MOODLE, read_grades(write_marks(tmp_path)), tmp_path / "download.csv", ExportOptions())
+    with pytest.raises(
+        TableError, match=r"other keys \(--by\), or the exam that knows the addresses \(--exam\)"
+    ):
+        fill_in(
+            MOODLE, read_grades(write_marks(tmp_path)), tmp_path / "download.csv", ExportOptions()
+        )
 
 
 def test_a_worksheet_states_its_maximum(tmp_path: Path) -> None:
-    with pytest.raises(TableError, match='"Grade": counts 20 there, 10 in the exam - expected the same - add --scale'):
+    with pytest.raises(
+        TableError,
+        match='"Grade": counts 20 there, 10 in the exam - expected the same - add --scale',
+    ):
         filled(tmp_path, MOODLE, WORKSHEET.replace("10.00", "20.00"))
     filled(tmp_path, MOODLE, WORKSHEET.replace("10.00", "20.00"), ExportOptions(scale=True))
     assert changed(tmp_path)[2, "Grade"] == "16.5"
@@ -200,9 +238,13 @@ def test_moodle_keeps_five_decimals(tmp_path: Path) -> None:
 def test_a_damaged_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(TableError, match="grades.csv: cannot be read"):
         export(tmp_path)
-    with pytest.raises(TableError, match="grades.csv: no column total - expected the file as kinegrade"):
+    with pytest.raises(
+        TableError, match="grades.csv: no column total - expected the file as kinegrade"
+    ):
         export(folder(tmp_path, grades=GRADES.replace("total", "sum")))
     with pytest.raises(TableError, match="grades.csv: .*the line has 1 cells, the header 7"):
         export(folder(tmp_path, grades=GRADES + "7\n"))
-    with pytest.raises(TableError, match='marks.csv:6: out_of is "x" - expected a number - grade again'):
+    with pytest.raises(
+        TableError, match='marks.csv:6: out_of is "x" - expected a number - grade again'
+    ):
         export(folder(tmp_path, marks=MARKS.replace("0,4,", "0,x,")))

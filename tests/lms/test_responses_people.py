@@ -17,26 +17,63 @@ def form(*people: tuple[str, str]) -> str:
     return csv_text(HEADER, *(("", email, student, "1", "2", "3") for email, student in people))
 
 
-@pytest.mark.parametrize(("email", "student", "who"), [
-    ("", "0012345", "0012345"), ("", '="0012345"', "0012345"), ("", "'0012345", "0012345"), ("", "#0012345", "0012345"),
-    ("", " ００12345\u3000", "0012345"), ("", "=2", "=2"), ("", "'=2", "=2"), ("wei@EXAMPLE.org ", "", "0012345"),
-    ("anonymous", "S9", "S9"), ("wei@example.org", "0012345", "0012345"), ("wei@example.org", "?", "0012345"),
-    ("", "Zoe@Example.org", "0012346"),
-])
-def test_students_are_found_by_id_or_address(tmp_path: Path, email: str, student: str, who: str) -> None:
+@pytest.mark.parametrize(
+    ("email", "student", "who"),
+    [
+        ("", "0012345", "0012345"),
+        ("", '="0012345"', "0012345"),
+        ("", "'0012345", "0012345"),
+        ("", "#0012345", "0012345"),
+        ("", " ００12345\u3000", "0012345"),
+        ("", "=2", "=2"),
+        ("", "'=2", "=2"),
+        ("wei@EXAMPLE.org ", "", "0012345"),
+        ("anonymous", "S9", "S9"),
+        ("wei@example.org", "0012345", "0012345"),
+        ("wei@example.org", "?", "0012345"),
+        ("", "Zoe@Example.org", "0012346"),
+    ],
+)
+def test_students_are_found_by_id_or_address(
+    tmp_path: Path, email: str, student: str, who: str
+) -> None:
     assert cells(responses(tmp_path, form((email, student))))[1] == (who, "1", "2", "3")
 
 
-@pytest.mark.parametrize(("email", "student", "problem", "done"), [
-    ("", "12345", 'no student "12345" in the exam', 'not graded; probably "0012345": correct the file and grade again'),
-    ("", "s9", 'no student "s9" in the exam', 'not graded; probably "S9": correct the file and grade again'),
-    ("s9@example.org", "", 'no student "s9@example.org" in the exam',
-     'not graded; probably "S9": correct the file and grade again'),
-    ("", "x", 'no student "x" in the exam', "not graded"),
-    ("", "", "no student id and no e-mail address", "not graded"),
-    ("wei@example.org", "S9", "id and e-mail address are those of different students (0012345 and S9)", "not graded"),
-])
-def test_nobody_is_guessed(tmp_path: Path, email: str, student: str, problem: str, done: str) -> None:
+@pytest.mark.parametrize(
+    ("email", "student", "problem", "done"),
+    [
+        (
+            "",
+            "12345",
+            'no student "12345" in the exam',
+            'not graded; probably "0012345": correct the file and grade again',
+        ),
+        (
+            "",
+            "s9",
+            'no student "s9" in the exam',
+            'not graded; probably "S9": correct the file and grade again',
+        ),
+        (
+            "s9@example.org",
+            "",
+            'no student "s9@example.org" in the exam',
+            'not graded; probably "S9": correct the file and grade again',
+        ),
+        ("", "x", 'no student "x" in the exam', "not graded"),
+        ("", "", "no student id and no e-mail address", "not graded"),
+        (
+            "wei@example.org",
+            "S9",
+            "id and e-mail address are those of different students (0012345 and S9)",
+            "not graded",
+        ),
+    ],
+)
+def test_nobody_is_guessed(
+    tmp_path: Path, email: str, student: str, problem: str, done: str
+) -> None:
     read = responses(tmp_path, form((email, student), ("", "0012346")))
     assert [row.cells[0] for row in read.table.rows] == ["0012346"]
     assert told(read) == [(2, problem, done)]
@@ -46,33 +83,68 @@ def test_nobody_is_guessed(tmp_path: Path, email: str, student: str, problem: st
 def test_an_address_of_two_students_is_nobody(tmp_path: Path) -> None:
     write_asks(tmp_path, students={"1": "wei@example.org", "2": "WEI@example.org", "3": ""})
     read = responses(tmp_path, form(("wei@example.org", ""), ("", "3")))
-    assert told(read) == [(2, 'several students of the exam have the e-mail address "wei@example.org"', "not graded")]
+    assert told(read) == [
+        (2, 'several students of the exam have the e-mail address "wei@example.org"', "not graded")
+    ]
 
 
 def test_names_tell_nobody(tmp_path: Path) -> None:
     write_asks(tmp_path, students={"Ann": "", "Bob": ""})
-    header = ("Last name", "First name", "Email", "Status", "Grade/10.00", "Response 1", "Response 2", "Response 3")
-    with pytest.raises(TableError, match="no column tells whose answers these are - expected the ids or the e-mail "
-                                         "addresses of the exam's students - download the file with them"):
-        responses(tmp_path, csv_text(header, ("Ann", "Bob", "x@example.org", "Finished", "3", "1", "2", "3")))
+    header = (
+        "Last name",
+        "First name",
+        "Email",
+        "Status",
+        "Grade/10.00",
+        "Response 1",
+        "Response 2",
+        "Response 3",
+    )
+    with pytest.raises(
+        TableError,
+        match="no column tells whose answers these are - expected the ids or the e-mail "
+        "addresses of the exam's students - download the file with them",
+    ):
+        responses(
+            tmp_path,
+            csv_text(header, ("Ann", "Bob", "x@example.org", "Finished", "3", "1", "2", "3")),
+        )
 
 
 def test_a_column_that_knows_more_students_goes_before_another(tmp_path: Path) -> None:
     write_asks(tmp_path, students={str(number): "" for number in range(1, 5)})
-    header = ("Last name", "First name", "Department", "ID", "State", "Grade/10.00", "Response 1", "Response 2",
-              "Response 3")
+    header = (
+        "Last name",
+        "First name",
+        "Department",
+        "ID",
+        "State",
+        "Grade/10.00",
+        "Response 1",
+        "Response 2",
+        "Response 3",
+    )
     rows = [("x", "y", "4", str(number), "Finished", "3", "1", "2", "3") for number in (1, 2, 3)]
-    assert [row.cells[0] for row in responses(tmp_path, csv_text(header, *rows)).table.rows] == ["1", "2", "3"]
+    assert [row.cells[0] for row in responses(tmp_path, csv_text(header, *rows)).table.rows] == [
+        "1",
+        "2",
+        "3",
+    ]
 
 
 def test_rows_of_one_student_keep_their_order(tmp_path: Path) -> None:
     content = form(("", "S9"), ("", "0012345"), ("", "#S9")).replace("1,2,3", "1,2,3", 1)
     assert [(row.line, row.cells[0]) for row in responses(tmp_path, content).table.rows] == [
-        (2, "S9"), (3, "0012345"), (4, "S9")]
+        (2, "S9"),
+        (3, "0012345"),
+        (4, "S9"),
+    ]
 
 
 @pytest.mark.parametrize("declared", ["cp1252", "utf-16-le", "shift_jis"])
-def test_a_declared_encoding_is_believed_where_the_file_is_not_utf_8(tmp_path: Path, declared: str) -> None:
+def test_a_declared_encoding_is_believed_where_the_file_is_not_utf_8(
+    tmp_path: Path, declared: str
+) -> None:
     typed = "\u2013 3" if declared == "cp1252" else "３０度"
     content = form(("", "S9")).replace("1,2,3", f"{typed},2,3")
     read = responses(tmp_path, content.encode(declared), encoding=declared)
@@ -84,13 +156,23 @@ def test_a_declared_encoding_is_believed_where_the_file_is_not_utf_8(tmp_path: P
 def test_utf_8_and_byte_order_marks_go_before_what_is_declared(tmp_path: Path) -> None:
     content = form(("", "S9")).replace("1,2,3", "３０度,2,3")
     for written in ("utf-8", "utf-8-sig", "utf-16"):
-        assert cells(responses(tmp_path, content.encode(written), encoding="cp1252"))[1][1] == "３０度"
+        assert (
+            cells(responses(tmp_path, content.encode(written), encoding="cp1252"))[1][1] == "３０度"
+        )
 
 
-@pytest.mark.parametrize(("content", "declared"), [(b"student,x\nS9,\xff\n", "ascii"), (b"student\n\xff\n", "rot13"),
-                                                   (b"student\n\xff\n", "klingon")])
+@pytest.mark.parametrize(
+    ("content", "declared"),
+    [
+        (b"student,x\nS9,\xff\n", "ascii"),
+        (b"student\n\xff\n", "rot13"),
+        (b"student\n\xff\n", "klingon"),
+    ],
+)
 def test_a_wrong_declaration_is_refused(tmp_path: Path, content: bytes, declared: str) -> None:
-    with pytest.raises(TableError, match=rf"is not in the declared encoding {declared} \(.*\) - expected text"):
+    with pytest.raises(
+        TableError, match=rf"is not in the declared encoding {declared} \(.*\) - expected text"
+    ):
         responses(tmp_path, content, encoding=declared)
 
 

@@ -25,7 +25,14 @@ def test_ids_names_and_answers_are_text_cells(tmp_path: Path) -> None:
     typed = [row[3] for row in book["marks"]][1:]
     assert [cell.value for cell in typed[:3]] == ["1,5", "=1+1", "1,5"]
     assert {(cell.data_type, cell.number_format) for cell in typed if cell.value} == {("s", "@")}
-    assert [cell.value for cell in book["complaints"][2]] == ["a.csv", 7, "q1.v_B", "@x", "unreadable", "no points"]
+    assert [cell.value for cell in book["complaints"][2]] == [
+        "a.csv",
+        7,
+        "q1.v_B",
+        "@x",
+        "unreadable",
+        "no points",
+    ]
 
 
 def test_the_file_does_not_say_when_it_was_made(tmp_path: Path) -> None:
@@ -37,7 +44,10 @@ def test_the_file_does_not_say_when_it_was_made(tmp_path: Path) -> None:
 def test_what_a_spreadsheet_cannot_hold_is_shown_otherwise(tmp_path: Path) -> None:
     marks = write_marks(tmp_path)
     path = marks / "marks.csv"
-    path.write_text(path.read_text(encoding="utf-8").replace("why", f'"a\x07b{"x" * 40_000}"', 1), encoding="utf-8")
+    path.write_text(
+        path.read_text(encoding="utf-8").replace("why", f'"a\x07b{"x" * 40_000}"', 1),
+        encoding="utf-8",
+    )
     cell = load_workbook(io.BytesIO(workbook(marks)))["marks"]["J2"]
     assert cell.value.startswith("a·bxx")
     assert len(cell.value) == 32_767

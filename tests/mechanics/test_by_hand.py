@@ -18,9 +18,17 @@ from kinegrade.mechanics.vector import Vector
 
 def slotted_rocker() -> Motion:
     """The crank OA (0.3 m, straight up, 2 rad/s) drives a block in the slot of CA, pinned 0.7 m to the left of O."""
-    points = {"O": Vector(fmpq(0), fmpq(0)), "A": Vector(fmpq(0), fmpq(3, 10)), "C": Vector(fmpq(-7, 10), fmpq(0))}
+    points = {
+        "O": Vector(fmpq(0), fmpq(0)),
+        "A": Vector(fmpq(0), fmpq(3, 10)),
+        "C": Vector(fmpq(-7, 10), fmpq(0)),
+    }
     slot = Line(points["C"], points["A"] - points["C"])
-    joints = (Pin("O", (GROUND, "crank")), Pin("C", (GROUND, "rocker")), Slide("A", "crank", slot, "rocker"))
+    joints = (
+        Pin("O", (GROUND, "crank")),
+        Pin("C", (GROUND, "rocker")),
+        Slide("A", "crank", slot, "rocker"),
+    )
     bodies = (Body("crank", ("O", "A")), Body("rocker", ("C",)))
     return solve(Mechanism(points, bodies, joints, (Rotation("crank", fmpq(2), fmpq(0)),)), Field())
 
@@ -37,8 +45,12 @@ def test_doubles_say_what_the_exact_motion_says() -> None:
 def test_with_all_figures_the_plan_gives_the_exact_motion_again() -> None:
     exact = slotted_rocker()
     worked = solve_by_hand(in_doubles(exact), Rounded(14))
-    assert worked.rates == pytest.approx({name: float(rate) for name, rate in exact.rates.items()}, rel=1e-12)
-    assert worked.changes == pytest.approx({name: float(change) for name, change in exact.changes.items()}, rel=1e-12)
+    assert worked.rates == pytest.approx(
+        {name: float(rate) for name, rate in exact.rates.items()}, rel=1e-12
+    )
+    assert worked.changes == pytest.approx(
+        {name: float(change) for name, change in exact.changes.items()}, rel=1e-12
+    )
 
 
 def test_every_rate_and_every_term_is_written_down() -> None:
@@ -50,7 +62,9 @@ def test_every_rate_and_every_term_is_written_down() -> None:
     assert term.velocity(rates) == (-0.68, 0.18)  # -0.684, 0.1845
     assert term.normal(rates) == (-0.28, -1.0)  # -0.27675, -1.026
     assert term.coriolis(rates) == (-0.11, -0.42)  # 2 * 0.31 * (-0.18, -0.68)
-    assert term.acceleration(rates, {"rate": 2.0}) == pytest.approx((-0.28 - 0.91 - 0.11, -1.0 + 0.25 - 0.42))
+    assert term.acceleration(rates, {"rate": 2.0}) == pytest.approx(
+        (-0.28 - 0.91 - 0.11, -1.0 + 0.25 - 0.42)
+    )
 
 
 def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vectors() -> None:
@@ -62,7 +76,8 @@ def test_a_relative_motion_that_was_solved_for_is_no_difference_of_rounded_vecto
     seen = worked.relative_acceleration("A", "crank", "rocker")
     assert seen.x * 0.3 == pytest.approx(seen.y * 0.7, rel=0.05)  # along the slot
     assert worked.relative_velocity("C", "rocker", "crank") == (
-        worked.velocity("C", "rocker") - worked.velocity("C", "crank"))
+        worked.velocity("C", "rocker") - worked.velocity("C", "crank")
+    )
 
 
 def test_a_pose_has_nothing_to_be_worked_out() -> None:

@@ -28,14 +28,21 @@ def slider_crank() -> Mechanism:
     """OA of 1 m at 60 degrees turns with -1 rad/s; AB of sqrt(3) m at a right angle to it; B at (2, 0) on the level."""
     points = {"O": Vector(0.0, 0.0), "A": Vector(0.5, ROOT / 2), "B": Vector(2.0, 0.0)}
     joints = (Pin("O", (GROUND, "OA")), Pin("A", ("OA", "AB")), Slide("B", "AB", LEVEL, GROUND))
-    return Mechanism(points, (Body("OA", ("O", "A")), Body("AB", ("A", "B"))), joints, (Rotation("OA", -1.0, 0.0),))
+    return Mechanism(
+        points,
+        (Body("OA", ("O", "A")), Body("AB", ("A", "B"))),
+        joints,
+        (Rotation("OA", -1.0, 0.0),),
+    )
 
 
 def slotted_rocker() -> Mechanism:
     """OA of 0.3 m, straight up, turns with 2 rad/s; its block at A runs in the slot of CA, pinned 0.7 m to the left."""
     points = {"O": Vector(0.0, 0.0), "A": Vector(0.0, 0.3), "C": Vector(-0.7, 0.0)}
     joints = (Pin("O", (GROUND, "OA")), Pin("C", (GROUND, "CA")), Slide("A", "OA", SLOT, "CA"))
-    return Mechanism(points, (Body("OA", ("O", "A")), Body("CA", ("C",))), joints, (Rotation("OA", 2.0, 0.0),))
+    return Mechanism(
+        points, (Body("OA", ("O", "A")), Body("CA", ("C",))), joints, (Rotation("OA", 2.0, 0.0),)
+    )
 
 
 def follow(mechanism: Mechanism, *own: OwnValue) -> FollowedMotion:
@@ -47,6 +54,7 @@ def follow(mechanism: Mechanism, *own: OwnValue) -> FollowedMotion:
 
 def when(read: Read) -> Callable[[FollowedMotion], float | None]:
     """The reading, None as long as something of it is not determined."""
+
     def determined(motion: FollowedMotion) -> float | None:
         try:
             return float(read(motion))
@@ -74,7 +82,9 @@ def test_the_slider_goes_on_from_the_own_angular_velocity_of_the_rod() -> None:
     assert motion.omega("AB") == pytest.approx(0.5)
     assert motion.alpha("AB") == pytest.approx(ROOT / 4)
     assert motion.acceleration("B", "AB") == pytest.approx((-0.5, 0))
-    assert motion.velocity("B", "AB") == pytest.approx((2 * ROOT / 3, 0))  # of the same step: as it was found
+    assert motion.velocity("B", "AB") == pytest.approx(
+        (2 * ROOT / 3, 0)
+    )  # of the same step: as it was found
 
 
 def test_the_slider_goes_on_from_the_own_speed_of_the_crank_pin() -> None:
@@ -105,8 +115,12 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
     assert follow(slotted_rocker(), turning).alpha("CA") == pytest.approx(-0.42 / 0.58)
     right = follow(slotted_rocker())
     part = coriolis_share("A", "CA")
-    halved = OwnValue(when(lambda m: size(m.coriolis("A", "OA", "CA"))), size(right.coriolis("A", "OA", "CA")) / 2,
-                      "acceleration", part=part)
+    halved = OwnValue(
+        when(lambda m: size(m.coriolis("A", "OA", "CA"))),
+        size(right.coriolis("A", "OA", "CA")) / 2,
+        "acceleration",
+        part=part,
+    )
     motion = follow(slotted_rocker(), halved)
     assert motion.share(part) == pytest.approx(0.5)
     assert motion.alpha("CA") == pytest.approx(-0.84 / 0.58 + 0.18 / 0.58 * 0.42 / 0.58)
@@ -116,7 +130,12 @@ def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acc
 def test_an_own_normal_part_leaves_the_angular_velocity_alone() -> None:
     # twice the normal part of AB: a_B = -2 omega^2 as if omega^2 were 2/9, although omega is 1/3
     part = normal_share("B", "A")
-    own = OwnValue(when(lambda m: ROOT * m.omega("AB") ** 2 * m.share(part)), 2 * ROOT / 9, "acceleration", part=part)
+    own = OwnValue(
+        when(lambda m: ROOT * m.omega("AB") ** 2 * m.share(part)),
+        2 * ROOT / 9,
+        "acceleration",
+        part=part,
+    )
     motion = follow(slider_crank(), own)
     assert motion.acceleration("B", "AB") == pytest.approx((-4 / 9, 0))
     assert motion.omega("AB") == pytest.approx(1 / 3)
@@ -124,18 +143,27 @@ def test_an_own_normal_part_leaves_the_angular_velocity_alone() -> None:
 
 def test_an_own_acceleration_of_a_point_goes_on_to_what_hangs_on_it() -> None:
     # twice a_A, at a right angle to AB: it only turns AB more, with alpha = (2 - 1/9)/sqrt 3
-    own = OwnValue(when(lambda m: size(m.acceleration("A", "OA"))), 2.0, "acceleration", ("OA", "A"))
+    own = OwnValue(
+        when(lambda m: size(m.acceleration("A", "OA"))), 2.0, "acceleration", ("OA", "A")
+    )
     motion = follow(slider_crank(), own)
     assert motion.alpha("AB") == pytest.approx(17 / 9 / ROOT)
     assert motion.acceleration("B", "AB") == pytest.approx((-2 / 9, 0))
 
 
-@pytest.mark.parametrize("own", [
-    OwnValue(when(lambda m: abs(m.rates["omega AB"])), -0.5, "velocity"),  # no magnitude is negative
-    OwnValue(when(lambda m: m.omega("AB") ** 2), 0.25, "velocity"),  # no straight way to it
-    OwnValue(when(lambda m: m.rates["omega OA"]), 2.0, "velocity"),  # given
-    OwnValue(when(lambda m: m.rates["slide B AB/ground"] + m.omega("AB")), 2.0, "velocity"),  # of two rates
-    OwnValue(lambda motion: None, 2.0, "velocity"),
-])
+@pytest.mark.parametrize(
+    "own",
+    [
+        OwnValue(
+            when(lambda m: abs(m.rates["omega AB"])), -0.5, "velocity"
+        ),  # no magnitude is negative
+        OwnValue(when(lambda m: m.omega("AB") ** 2), 0.25, "velocity"),  # no straight way to it
+        OwnValue(when(lambda m: m.rates["omega OA"]), 2.0, "velocity"),  # given
+        OwnValue(
+            when(lambda m: m.rates["slide B AB/ground"] + m.omega("AB")), 2.0, "velocity"
+        ),  # of two rates
+        OwnValue(lambda motion: None, 2.0, "velocity"),
+    ],
+)
 def test_what_cannot_be_put_in_changes_nothing(own: OwnValue) -> None:
     assert follow(slider_crank(), own).rates == pytest.approx(follow(slider_crank()).rates)

@@ -27,40 +27,67 @@ def construct(text: str, field: Field | None = None) -> Any:
     return evaluate(read(text), values, functions, field)
 
 
-@pytest.mark.parametrize(("text", "expected"), [
-    ("polar(A, 2, pi/2)", "(3, 2)"), ("polar(O, 2, phi)", "(sqrt(3), 1)"), ("midpoint(A, B)", "(3/2, 2)"),
-    ("A + B - O", "(3, 4)"), ("2*A", "(6, 0)"), ("A*2", "(6, 0)"), ("-A", "(-3, 0)"), ("(A + 2*B)/3", "(1, 8/3)"),
-    ("turned(A)", "(0, 3)"), ("foot(O, line(A, B))", "(48/25, 36/25)"), ("toward(A, B, 10)", "(-3, 8)"),
-    ("meet(line(O, pi/4), line(A, pi/2))", "(3, 3)"), ("meet(line(A, B), line(O, pi/4))", "(12/7, 12/7)"),
-    ("meet(circle(O, 5), line(A, pi/2), upper)", "(3, 4)"), ("meet(line(A, pi/2), circle(O, 5), lower)", "(3, -4)"),
-    ("meet(circle(B, 5), line(O, 0), right)", "(3, 0)"), ("meet(circle(B, 5), line(O, 0), left)", "(-3, 0)"),
-    ("meet(circle(O, 3), circle(B, 5), right)", "(3, 0)"), ("meet(circle(O, 3), circle(B, 5), left)", "(-3, 0)"),
-    ("meet(circle(O, 3), circle(B, 5), clockwise)", "(3, 0)"),  # to the right of the way from O to B
-    ("meet(circle(O, 3), circle(B, 5), counterclockwise)", "(-3, 0)"),
-    ("meet(circle(O, 3), line(A, pi/2), upper)", "(3, 0)"),  # touching
-])
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("polar(A, 2, pi/2)", "(3, 2)"),
+        ("polar(O, 2, phi)", "(sqrt(3), 1)"),
+        ("midpoint(A, B)", "(3/2, 2)"),
+        ("A + B - O", "(3, 4)"),
+        ("2*A", "(6, 0)"),
+        ("A*2", "(6, 0)"),
+        ("-A", "(-3, 0)"),
+        ("(A + 2*B)/3", "(1, 8/3)"),
+        ("turned(A)", "(0, 3)"),
+        ("foot(O, line(A, B))", "(48/25, 36/25)"),
+        ("toward(A, B, 10)", "(-3, 8)"),
+        ("meet(line(O, pi/4), line(A, pi/2))", "(3, 3)"),
+        ("meet(line(A, B), line(O, pi/4))", "(12/7, 12/7)"),
+        ("meet(circle(O, 5), line(A, pi/2), upper)", "(3, 4)"),
+        ("meet(line(A, pi/2), circle(O, 5), lower)", "(3, -4)"),
+        ("meet(circle(B, 5), line(O, 0), right)", "(3, 0)"),
+        ("meet(circle(B, 5), line(O, 0), left)", "(-3, 0)"),
+        ("meet(circle(O, 3), circle(B, 5), right)", "(3, 0)"),
+        ("meet(circle(O, 3), circle(B, 5), left)", "(-3, 0)"),
+        (
+            "meet(circle(O, 3), circle(B, 5), clockwise)",
+            "(3, 0)",
+        ),  # to the right of the way from O to B
+        ("meet(circle(O, 3), circle(B, 5), counterclockwise)", "(-3, 0)"),
+        ("meet(circle(O, 3), line(A, pi/2), upper)", "(3, 0)"),  # touching
+    ],
+)
 def test_points(text: str, expected: str) -> None:
     field = Field()
     assert construct(text, field) == construct(expected, field)
 
 
-@pytest.mark.parametrize(("text", "expected"), [
-    ("distance(A, B)", "5"), ("distance(O, line(A, B))", "12/5"), ("x(B) + y(B)", "4"),
-    ("sin(direction(A, B))", "4/5"), ("cos(direction(O, B))", "0"),
-])
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("distance(A, B)", "5"),
+        ("distance(O, line(A, B))", "12/5"),
+        ("x(B) + y(B)", "4"),
+        ("sin(direction(A, B))", "4/5"),
+        ("cos(direction(O, B))", "0"),
+    ],
+)
 def test_numbers(text: str, expected: str) -> None:
     assert construct(text) == construct(expected)
 
 
 @given(rationals, rationals, DIRECTIONS, RADII, RADII)
-def test_both_common_points_of_a_line_and_a_circle_lie_on_both(x: Any, y: Any, along: Vector, radius: Any,
-                                                               depth: Any) -> None:
+def test_both_common_points_of_a_line_and_a_circle_lie_on_both(
+    x: Any, y: Any, along: Vector, radius: Any, depth: Any
+) -> None:
     field = Field()
     build = constructions(field, {})
     centre = Vector(x, y)
     through = centre + along.turned() * (radius * depth / (depth + 1))
     line, circle = build["line"](through, through + along), build["circle"](centre, radius)
-    sides = (["right", "left"] if along.x != 0 else []) + (["upper", "lower"] if along.y != 0 else [])
+    sides = (["right", "left"] if along.x != 0 else []) + (
+        ["upper", "lower"] if along.y != 0 else []
+    )
     points = [build["meet"](line, circle, side) for side in sides]
     for point in points:
         assert (point - centre).squared() == radius * radius
@@ -73,7 +100,8 @@ def test_both_common_points_of_a_line_and_a_circle_lie_on_both(x: Any, y: Any, a
 
 @given(rationals, rationals, DIRECTIONS, RADII, st.sampled_from(["clockwise", "counterclockwise"]))
 def test_the_named_turn_is_the_side_of_the_way_from_the_first_centre_to_the_second(
-        x: Any, y: Any, along: Vector, radius: Any, turn: str) -> None:
+    x: Any, y: Any, along: Vector, radius: Any, turn: str
+) -> None:
     field = Field()
     build = constructions(field, {})
     first, second = Vector(x, y), Vector(x, y) + along * radius

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from kinegrade.mechanics.joints import GROUND, Arc, Contact, Mesh, Parallel, Pin, Roll, Sleeve, Slide
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Contact,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.motion import solve
 from tests.laws.position import moving
 from tests.mechanics.writing import Paper
@@ -13,7 +23,9 @@ X, Y = (1, 0), (0, 1)
 def test_pin_a_crank_of_two_metres() -> None:
     # v = 3*2 = 6 upwards; a = (-9*2, 4*2)
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (2, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 3, 4)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (2, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 3, 4)]
+    )
     assert motion.velocity("A", "OA") == (0, 6)
     assert motion.acceleration("A", "OA") == (-18, 8)
 
@@ -21,11 +33,17 @@ def test_pin_a_crank_of_two_metres() -> None:
 def test_pin_four_bars_of_a_parallelogram() -> None:
     # the coupler translates, so B moves as A does: v = (0, 2*1), a = (-4*1, 5*1)
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 0), "B": (4, 1), "C": (3, 1)},
-                      {"OA": "O A", "AB": "A B", "CB": "C B"},
-                      [Pin("O", (GROUND, "OA")), Pin("A", ("OA", "AB")), Pin("B", ("AB", "CB")),
-                       Pin("C", ("CB", GROUND))],
-                      [p.turns("OA", 2, 5)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 0), "B": (4, 1), "C": (3, 1)},
+        {"OA": "O A", "AB": "A B", "CB": "C B"},
+        [
+            Pin("O", (GROUND, "OA")),
+            Pin("A", ("OA", "AB")),
+            Pin("B", ("AB", "CB")),
+            Pin("C", ("CB", GROUND)),
+        ],
+        [p.turns("OA", 2, 5)],
+    )
     assert motion.omega("AB") == 0
     assert motion.alpha("AB") == 0
     assert motion.omega("CB") == 2
@@ -38,11 +56,17 @@ def test_pin_of_three_bodies_carries_one_motion_to_all() -> None:
     # v_A = (0, 2), a_A = (-4, 0); B on x = 1: v_B = (0 + omega, 2): omega_AB = 0
     # C on y = 0: v_C = (0, 2 + omega): omega_AC = -2; a_C = (-4 - 2^2*1, 0)
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 0), "B": (1, -1), "C": (2, 0)},
-                      {"OA": "O A", "AB": "A B", "AC": "A C"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB", "AC")),
-                       Slide("B", "AB", p.line(1, -1, Y), GROUND), Slide("C", "AC", p.line(0, 0, X), GROUND)],
-                      [p.turns("OA", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 0), "B": (1, -1), "C": (2, 0)},
+        {"OA": "O A", "AB": "A B", "AC": "A C"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB", "AC")),
+            Slide("B", "AB", p.line(1, -1, Y), GROUND),
+            Slide("C", "AC", p.line(0, 0, X), GROUND),
+        ],
+        [p.turns("OA", 2)],
+    )
     assert motion.omega("AB") == 0
     assert motion.velocity("B", "AB") == (0, 2)
     assert motion.omega("AC") == -2
@@ -55,9 +79,16 @@ def test_slide_on_the_ground_slider_crank_with_the_crank_upright() -> None:
     # crank 3 upright, omega 2: v_A = (-6, 0); rod 5 from (0, 3) to (4, 0): instantaneous translation: v_B = (-6, 0)
     # a_A = (0, -12); a_B,y = 0 = -12 + 4 alpha: alpha = 3; a_B,x = 3 alpha = 9
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (0, 3), "B": (4, 0)}, {"OA": "O A", "AB": "A B"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Slide("B", "AB", p.line(0, 0, X), GROUND)],
-                      [p.turns("OA", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(0, 0, X), GROUND),
+        ],
+        [p.turns("OA", 2)],
+    )
     assert motion.omega("AB") == 0
     assert motion.velocity("B", "AB") == (-6, 0)
     assert motion.alpha("AB") == 3
@@ -69,9 +100,16 @@ def test_slide_on_a_moving_body_the_quick_return_slot() -> None:
     # 0
     # a_A = (0, -4): along the slot -4 = -1*2 + a_r: a_r = -2; across 0 = 2 alpha: alpha = 0
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (0, 1), "C": (0, -1)}, {"OA": "O A", "CB": "C"},
-                      [Pin("O", ("OA", GROUND)), Pin("C", ("CB", GROUND)), Slide("A", "OA", p.line(0, -1, Y), "CB")],
-                      [p.turns("OA", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (0, 1), "C": (0, -1)},
+        {"OA": "O A", "CB": "C"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("C", ("CB", GROUND)),
+            Slide("A", "OA", p.line(0, -1, Y), "CB"),
+        ],
+        [p.turns("OA", 2)],
+    )
     assert motion.omega("CB") == 1
     assert motion.alpha("CB") == 0
     assert motion.relative_velocity("A", "OA", "CB") == (0, 0)
@@ -82,10 +120,16 @@ def test_slide_with_coriolis_acceleration() -> None:
     # v_A = (-2, 0): along CA -sqrt 2 = v_r, across it sqrt 2 = omega*CA: omega = 1
     # a_A = (0, -4): across CA -2 sqrt 2 = alpha*CA + 2*1*(-sqrt 2): alpha = 0; along CA -2 sqrt 2 = -sqrt 2 + a_r
     p = Paper()
-    motion = p.motion({"O": (1, 0), "A": (1, 1), "C": (0, 0)}, {"OA": "O A", "CB": "C"},
-                      [Pin("O", ("OA", GROUND)), Pin("C", ("CB", GROUND)),
-                       Slide("A", "OA", p.line(0, 0, (1, 1)), "CB")],
-                      [p.turns("OA", 2)])
+    motion = p.motion(
+        {"O": (1, 0), "A": (1, 1), "C": (0, 0)},
+        {"OA": "O A", "CB": "C"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("C", ("CB", GROUND)),
+            Slide("A", "OA", p.line(0, 0, (1, 1)), "CB"),
+        ],
+        [p.turns("OA", 2)],
+    )
     assert motion.omega("CB") == 1
     assert motion.alpha("CB") == 0
     assert motion.relative_velocity("A", "OA", "CB") == (-1, -1)
@@ -96,23 +140,37 @@ def test_slide_with_coriolis_acceleration() -> None:
 def test_a_fixed_point_on_the_line_of_a_moving_body() -> None:
     # A, straight above O, runs to the left with 2: omega = 2/1; the bar does not slide at O at this instant: alpha = 0
     p = Paper()
-    motion = p.motion({"A": (0, 1), "O": (0, 0)}, {"AB": "A"},
-                      [Slide("A", "AB", p.line(0, 1, X), GROUND), Slide("O", GROUND, p.line(0, 1, Y), "AB")],
-                      [p.moves("A", "AB", (-1, 0), 2)])
+    motion = p.motion(
+        {"A": (0, 1), "O": (0, 0)},
+        {"AB": "A"},
+        [Slide("A", "AB", p.line(0, 1, X), GROUND), Slide("O", GROUND, p.line(0, 1, Y), "AB")],
+        [p.moves("A", "AB", (-1, 0), 2)],
+    )
     assert motion.omega("AB") == 2
     assert motion.alpha("AB") == 0
     assert motion.velocity("O", "AB") == (0, 0)
-    assert motion.acceleration("O", "AB") == (0, 4)  # omega^2 towards A, which the sliding of O takes up
+    assert motion.acceleration("O", "AB") == (
+        0,
+        4,
+    )  # omega^2 towards A, which the sliding of O takes up
 
 
 def test_sleeve_bar_through_a_swivelling_sleeve_at_45_degrees() -> None:
     # A = (1, 1), v_A = (-2, 0): across OA: sqrt 2 = omega*sqrt 2: omega = 1; along: v_r = -sqrt 2
     # a_A = 0: across: 0 = alpha*sqrt 2 + 2*1*(-sqrt 2): alpha = 2
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 1)}, {"AC": "A", "AB": "A O", "sleeve": "O"},
-                      [Parallel("AC", GROUND), Slide("A", "AC", p.line(0, 1, X), GROUND), Pin("A", ("AC", "AB")),
-                       Pin("O", (GROUND, "sleeve")), Sleeve("AB", p.line(0, 0, (1, 1)), "sleeve")],
-                      [p.moves("A", "AC", (-1, 0), 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 1)},
+        {"AC": "A", "AB": "A O", "sleeve": "O"},
+        [
+            Parallel("AC", GROUND),
+            Slide("A", "AC", p.line(0, 1, X), GROUND),
+            Pin("A", ("AC", "AB")),
+            Pin("O", (GROUND, "sleeve")),
+            Sleeve("AB", p.line(0, 0, (1, 1)), "sleeve"),
+        ],
+        [p.moves("A", "AC", (-1, 0), 2)],
+    )
     assert motion.omega("AB") == motion.omega("sleeve") == 1
     assert motion.alpha("AB") == motion.alpha("sleeve") == 2
     assert motion.velocity("O", "AB") == (-1, -1)
@@ -122,10 +180,16 @@ def test_arc_a_crank_pin_in_a_circular_slot_is_a_hidden_connecting_rod() -> None
     # the hidden rod DP = (-2, 0) lies along the guide of BC: v_D = v_P = (-3, 0), so the rod does not turn;
     # a_P = (0, -9) has no part along the rod: a_D = 0
     p = Paper()
-    motion = p.motion({"O": (0, 0), "P": (0, 1), "D": (2, 1)}, {"OP": "O P", "BC": "D"},
-                      [Pin("O", ("OP", GROUND)), Sleeve("BC", p.line(0, 0, X), GROUND),
-                       Arc("P", "OP", p.circle("D", 2), "BC")],
-                      [p.turns("OP", 3)])
+    motion = p.motion(
+        {"O": (0, 0), "P": (0, 1), "D": (2, 1)},
+        {"OP": "O P", "BC": "D"},
+        [
+            Pin("O", ("OP", GROUND)),
+            Sleeve("BC", p.line(0, 0, X), GROUND),
+            Arc("P", "OP", p.circle("D", 2), "BC"),
+        ],
+        [p.turns("OP", 3)],
+    )
     assert motion.velocity("D", "BC") == (-3, 0)
     assert motion.acceleration("D", "BC") == (0, 0)
     assert motion.relative_acceleration("P", "OP", "BC") == (0, -9)
@@ -134,10 +198,17 @@ def test_arc_a_crank_pin_in_a_circular_slot_is_a_hidden_connecting_rod() -> None
 def test_contact_of_a_circle_and_a_line_flat_follower() -> None:
     # centre C = (3, 4)/5 from O, radius 1, omega 5: v_C = (-4, 3): the follower rises with 3; a_C,y = -25*4/5 = -20
     p = Paper()
-    motion = p.motion({"O": (0, 0), "C": ("3/5", "4/5"), "B": (0, "9/5")}, {"cam": "O C", "BC": "B"},
-                      [Pin("O", ("cam", GROUND)), Parallel("BC", GROUND), Slide("B", "BC", p.line(0, 0, Y), GROUND),
-                       Contact("cam", p.circle("C", 1), "BC", p.line(0, "9/5", X))],
-                      [p.turns("cam", 5)])
+    motion = p.motion(
+        {"O": (0, 0), "C": ("3/5", "4/5"), "B": (0, "9/5")},
+        {"cam": "O C", "BC": "B"},
+        [
+            Pin("O", ("cam", GROUND)),
+            Parallel("BC", GROUND),
+            Slide("B", "BC", p.line(0, 0, Y), GROUND),
+            Contact("cam", p.circle("C", 1), "BC", p.line(0, "9/5", X)),
+        ],
+        [p.turns("cam", 5)],
+    )
     assert motion.velocity("B", "BC") == (0, 3)
     assert motion.acceleration("B", "BC") == (0, -20)
 
@@ -147,10 +218,16 @@ def test_contact_of_two_circles_outside_is_a_rod_between_the_centres() -> None:
     # (0, 2)
     # CD does not turn, as v_D,x = v_C,x = 0; a_C = (-4, 0) has no part along CD: a_D = 0
     p = Paper()
-    motion = p.motion({"O": (0, 0), "C": (1, 0), "D": (1, 3)}, {"cam": "O C", "stem": "D"},
-                      [Pin("O", ("cam", GROUND)), Sleeve("stem", p.line(0, 0, Y), GROUND),
-                       Contact("cam", p.circle("C", 1), "stem", p.circle("D", 2))],
-                      [p.turns("cam", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "C": (1, 0), "D": (1, 3)},
+        {"cam": "O C", "stem": "D"},
+        [
+            Pin("O", ("cam", GROUND)),
+            Sleeve("stem", p.line(0, 0, Y), GROUND),
+            Contact("cam", p.circle("C", 1), "stem", p.circle("D", 2)),
+        ],
+        [p.turns("cam", 2)],
+    )
     assert motion.velocity("D", "stem") == (0, 2)
     assert motion.acceleration("D", "stem") == (0, 0)
 
@@ -158,10 +235,16 @@ def test_contact_of_two_circles_outside_is_a_rod_between_the_centres() -> None:
 def test_contact_of_two_circles_inside_is_a_rod_of_the_difference_of_radii() -> None:
     # the rod CD = 3 - 1 stands upright over C = (1, 0): v_D = v_C = (0, 2), a_D = a_C,y = 1
     p = Paper()
-    motion = p.motion({"O": (0, 0), "C": (1, 0), "D": (1, -2)}, {"cam": "O C", "stem": "D"},
-                      [Pin("O", ("cam", GROUND)), Sleeve("stem", p.line(0, 0, Y), GROUND),
-                       Contact("cam", p.circle("C", 1), "stem", p.circle("D", 3), inside=True)],
-                      [p.turns("cam", 2, 1)])
+    motion = p.motion(
+        {"O": (0, 0), "C": (1, 0), "D": (1, -2)},
+        {"cam": "O C", "stem": "D"},
+        [
+            Pin("O", ("cam", GROUND)),
+            Sleeve("stem", p.line(0, 0, Y), GROUND),
+            Contact("cam", p.circle("C", 1), "stem", p.circle("D", 3), inside=True),
+        ],
+        [p.turns("cam", 2, 1)],
+    )
     assert motion.velocity("D", "stem") == (0, 2)
     assert motion.acceleration("D", "stem") == (0, 1)
 
@@ -169,8 +252,12 @@ def test_contact_of_two_circles_inside_is_a_rod_of_the_difference_of_radii() -> 
 def test_roll_on_a_line_the_rolling_wheel() -> None:
     # r = 2, v_C = 6: omega = -3; top: 12; contact: v = 0, a = v^2/r = 18 upwards; a_C = 4: alpha = -2
     p = Paper()
-    motion = p.motion({"C": (0, 2), "T": (0, 4), "F": (0, 0)}, {"wheel": "C T F"},
-                      [Roll("wheel", p.circle("C", 2), GROUND, p.line(0, 0, X))], [p.moves("C", "wheel", X, 6, 4)])
+    motion = p.motion(
+        {"C": (0, 2), "T": (0, 4), "F": (0, 0)},
+        {"wheel": "C T F"},
+        [Roll("wheel", p.circle("C", 2), GROUND, p.line(0, 0, X))],
+        [p.moves("C", "wheel", X, 6, 4)],
+    )
     assert motion.omega("wheel") == -3
     assert motion.alpha("wheel") == -2
     assert motion.velocity("T", "wheel") == (12, 0)
@@ -182,11 +269,17 @@ def test_roll_on_a_line_the_rolling_wheel() -> None:
 def test_roll_on_a_moving_bar_between_two_racks() -> None:
     # racks with 5 and 1 to the right, wheel of radius 1 between them: v_C = 3, omega = (1 - 5)/2 = -2
     p = Paper()
-    motion = p.motion({"C": (0, 1), "U": (0, 2), "L": (0, 0)}, {"upper": "U", "lower": "L", "wheel": "C"},
-                      [Sleeve("upper", p.line(0, 2, X), GROUND), Sleeve("lower", p.line(0, 0, X), GROUND),
-                       Roll("wheel", p.circle("C", 1), "upper", p.line(0, 2, X)),
-                       Roll("wheel", p.circle("C", 1), "lower", p.line(0, 0, X))],
-                      [p.moves("U", "upper", X, 5, 2), p.moves("L", "lower", X, 1, -4)])
+    motion = p.motion(
+        {"C": (0, 1), "U": (0, 2), "L": (0, 0)},
+        {"upper": "U", "lower": "L", "wheel": "C"},
+        [
+            Sleeve("upper", p.line(0, 2, X), GROUND),
+            Sleeve("lower", p.line(0, 0, X), GROUND),
+            Roll("wheel", p.circle("C", 1), "upper", p.line(0, 2, X)),
+            Roll("wheel", p.circle("C", 1), "lower", p.line(0, 0, X)),
+        ],
+        [p.moves("U", "upper", X, 5, 2), p.moves("L", "lower", X, 1, -4)],
+    )
     assert motion.omega("wheel") == -2
     assert motion.velocity("C", "wheel") == (3, 0)
     assert motion.alpha("wheel") == -3
@@ -197,10 +290,16 @@ def test_roll_outside_a_fixed_circle() -> None:
     # arm 3 with 2 rad/s, planet radius 1 on a sun of 2: omega = 2*3/1 = 6, v of the far point = 2*6 = 12; alpha =
     # 3*arm's
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (3, 0), "B": (4, 0), "D": (2, 0)}, {"OA": "O A", "II": "A B D"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "II")),
-                       Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2))],
-                      [p.turns("OA", 2, 5)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (3, 0), "B": (4, 0), "D": (2, 0)},
+        {"OA": "O A", "II": "A B D"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "II")),
+            Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2)),
+        ],
+        [p.turns("OA", 2, 5)],
+    )
     assert motion.omega("II") == 6
     assert motion.alpha("II") == 15
     assert motion.velocity("B", "II") == (0, 12)
@@ -211,10 +310,16 @@ def test_roll_outside_a_fixed_circle() -> None:
 def test_roll_inside_a_fixed_ring() -> None:
     # Cardan's circles: planet half as large as the ring: omega = -omega_arm, and a rim point runs along a diameter
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 0), "B": (1, 1), "C": (0, 0)}, {"OA": "O A", "II": "A B C"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "II")),
-                       Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2), inside=True)],
-                      [p.turns("OA", 3)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 0), "B": (1, 1), "C": (0, 0)},
+        {"OA": "O A", "II": "A B C"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "II")),
+            Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2), inside=True),
+        ],
+        [p.turns("OA", 3)],
+    )
     assert motion.omega("II") == -3
     assert motion.velocity("B", "II") == (3, 3)  # along the diameter through O and B = (1, 1)
     assert motion.acceleration("C", "II") == (0, 0)  # the middle of its stroke
@@ -224,10 +329,16 @@ def test_a_ring_rolling_around_a_fixed_circle_within_it() -> None:
     # ring radius 3 about a fixed circle of radius 2: centre on an arm of 1: contact on the far side of O: at (-2, 0)
     # v_C = (0, 1) = omega*(1 + 2): omega = 1/3
     p = Paper()
-    motion = p.motion({"O": (0, 0), "C": (1, 0), "F": (-2, 0)}, {"arm": "O C", "ring": "C F"},
-                      [Pin("O", ("arm", GROUND)), Pin("C", ("arm", "ring")),
-                       Roll("ring", p.circle("C", 3), GROUND, p.circle("O", 2), inside=True)],
-                      [p.turns("arm", 1)])
+    motion = p.motion(
+        {"O": (0, 0), "C": (1, 0), "F": (-2, 0)},
+        {"arm": "O C", "ring": "C F"},
+        [
+            Pin("O", ("arm", GROUND)),
+            Pin("C", ("arm", "ring")),
+            Roll("ring", p.circle("C", 3), GROUND, p.circle("O", 2), inside=True),
+        ],
+        [p.turns("arm", 1)],
+    )
     assert motion.omega("ring") == p.number("1/3")
     assert motion.velocity("F", "ring") == (0, 0)
 
@@ -235,10 +346,16 @@ def test_a_ring_rolling_around_a_fixed_circle_within_it() -> None:
 def test_roll_on_a_circle_of_a_moving_body() -> None:
     # at the contact the sun has 4*2 = 8, the planet 1*3 - omega*1: omega = -5
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (3, 0), "D": (2, 0)}, {"OA": "O A", "sun": "O", "II": "A D"},
-                      [Pin("O", ("OA", "sun", GROUND)), Pin("A", ("OA", "II")),
-                       Roll("II", p.circle("A", 1), "sun", p.circle("O", 2))],
-                      [p.turns("OA", 1, 1), p.turns("sun", 4, 4)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (3, 0), "D": (2, 0)},
+        {"OA": "O A", "sun": "O", "II": "A D"},
+        [
+            Pin("O", ("OA", "sun", GROUND)),
+            Pin("A", ("OA", "II")),
+            Roll("II", p.circle("A", 1), "sun", p.circle("O", 2)),
+        ],
+        [p.turns("OA", 1, 1), p.turns("sun", 4, 4)],
+    )
     assert motion.omega("II") == -5
     assert motion.alpha("II") == -5
     assert motion.velocity("D", "II") == motion.velocity("D", "sun") == (0, 8)
@@ -247,10 +364,16 @@ def test_roll_on_a_circle_of_a_moving_body() -> None:
 def test_mesh_outside_on_a_carrier() -> None:
     # relative to the carrier (2): sun 5 - 2 = 3, planet -3*2/1 = -6, absolute -4
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (3, 0)}, {"arm": "O A", "sun": "O", "planet": "A"},
-                      [Pin("O", ("arm", "sun", GROUND)), Pin("A", ("arm", "planet")),
-                       Mesh("sun", p.circle("O", 2), "planet", p.circle("A", 1), "arm")],
-                      [p.turns("arm", 2, 1), p.turns("sun", 5)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (3, 0)},
+        {"arm": "O A", "sun": "O", "planet": "A"},
+        [
+            Pin("O", ("arm", "sun", GROUND)),
+            Pin("A", ("arm", "planet")),
+            Mesh("sun", p.circle("O", 2), "planet", p.circle("A", 1), "arm"),
+        ],
+        [p.turns("arm", 2, 1), p.turns("sun", 5)],
+    )
     assert motion.omega("planet") == -4
     assert motion.alpha("planet") == 3  # relative to the carrier: sun -1, planet +2; absolute 3
     assert motion.omega("planet", "arm") == -6
@@ -259,10 +382,16 @@ def test_mesh_outside_on_a_carrier() -> None:
 def test_mesh_inside_with_a_fixed_ring() -> None:
     # ring of 4 fixed, planet of 1 inside on an arm of 3 with 2: omega_r = -2*4/1 = -8, absolute -6
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (3, 0)}, {"arm": "O A", "planet": "A"},
-                      [Pin("O", ("arm", GROUND)), Pin("A", ("arm", "planet")),
-                       Mesh("planet", p.circle("A", 1), GROUND, p.circle("O", 4), "arm", inside=True)],
-                      [p.turns("arm", 2, 3)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (3, 0)},
+        {"arm": "O A", "planet": "A"},
+        [
+            Pin("O", ("arm", GROUND)),
+            Pin("A", ("arm", "planet")),
+            Mesh("planet", p.circle("A", 1), GROUND, p.circle("O", 4), "arm", inside=True),
+        ],
+        [p.turns("arm", 2, 3)],
+    )
     assert motion.omega("planet") == -6
     assert motion.alpha("planet") == -9
 
@@ -270,9 +399,12 @@ def test_mesh_inside_with_a_fixed_ring() -> None:
 def test_parallel_a_platform_that_does_not_turn_on_its_crank() -> None:
     # all points move like the crank's end: (0, 6), (-18, 2)
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (2, 0), "B": (7, 7)}, {"OA": "O A", "deck": "A B"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "deck")), Parallel("deck", GROUND)],
-                      [p.turns("OA", 3, 1)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (2, 0), "B": (7, 7)},
+        {"OA": "O A", "deck": "A B"},
+        [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "deck")), Parallel("deck", GROUND)],
+        [p.turns("OA", 3, 1)],
+    )
     assert motion.omega("deck") == 0
     assert motion.alpha("deck") == 0
     assert motion.velocity("B", "deck") == (0, 6)
@@ -282,8 +414,12 @@ def test_parallel_a_platform_that_does_not_turn_on_its_crank() -> None:
 def test_parallel_to_a_moving_body() -> None:
     # the second arm keeps its angle with the first: it turns with it
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (2, 0), "B": (2, 1)}, {"OA": "O A", "AB": "A B"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Parallel("AB", "OA")], [p.turns("OA", 3)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (2, 0), "B": (2, 1)},
+        {"OA": "O A", "AB": "A B"},
+        [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Parallel("AB", "OA")],
+        [p.turns("OA", 3)],
+    )
     assert motion.omega("AB") == 3
     assert motion.velocity("B", "AB") == (-3, 6)
 
@@ -291,10 +427,15 @@ def test_parallel_to_a_moving_body() -> None:
 def test_a_wheel_guided_twice_along_one_line_is_no_contradiction() -> None:
     # its centre in a guide that is written from right to left, and the wheel on its track: the same condition twice
     p = Paper()
-    motion = p.motion({"C": (0, 2)}, {"wheel": "C"},
-                      [Roll("wheel", p.circle("C", 2), GROUND, p.line(0, 0, X)),
-                       Slide("C", "wheel", p.line(9, 2, (-3, 0)), GROUND)],
-                      [p.moves("C", "wheel", X, 6)])
+    motion = p.motion(
+        {"C": (0, 2)},
+        {"wheel": "C"},
+        [
+            Roll("wheel", p.circle("C", 2), GROUND, p.line(0, 0, X)),
+            Slide("C", "wheel", p.line(9, 2, (-3, 0)), GROUND),
+        ],
+        [p.moves("C", "wheel", X, 6)],
+    )
     assert motion.omega("wheel") == -3
     assert motion.velocity("C", "wheel") == (6, 0)
 
@@ -302,14 +443,24 @@ def test_a_wheel_guided_twice_along_one_line_is_no_contradiction() -> None:
 def test_redundant_joints_that_agree_the_elliptic_trammel_with_both_slots_and_its_crank() -> None:
     # crank OM = 5 with omega, rod AB = 10 about its midpoint M = (3, 4): the rod turns with -omega
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "M": (3, 4), "A": (6, 0), "B": (0, 8)}, {"OM": "O M", "AB": "A M B"},
-                            [Pin("O", ("OM", GROUND)), Pin("M", ("OM", "AB")),
-                             Slide("A", "AB", p.line(0, 0, X), GROUND),
-                             Slide("B", "AB", p.line(0, 0, Y), GROUND)], [p.turns("OM", 2, 1)])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "M": (3, 4), "A": (6, 0), "B": (0, 8)},
+        {"OM": "O M", "AB": "A M B"},
+        [
+            Pin("O", ("OM", GROUND)),
+            Pin("M", ("OM", "AB")),
+            Slide("A", "AB", p.line(0, 0, X), GROUND),
+            Slide("B", "AB", p.line(0, 0, Y), GROUND),
+        ],
+        [p.turns("OM", 2, 1)],
+    )
     motion = solve(mechanism, p.field)
     assert motion.omega("AB") == -2
     assert motion.alpha("AB") == -1
     assert motion.velocity("A", "AB") == (-16, 0)
     assert motion.velocity("B", "AB") == (0, 12)
-    assert motion.acceleration("A", "AB") == (-4 * 6 - 8, 0)  # x = 10 cos(phi): -omega^2 x - alpha*8
+    assert motion.acceleration("A", "AB") == (
+        -4 * 6 - 8,
+        0,
+    )  # x = 10 cos(phi): -omega^2 x - alpha*8
     assert abs(moving(mechanism).acceleration["A", "AB"][0] + 32) < 1e-9

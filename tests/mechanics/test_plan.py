@@ -21,50 +21,88 @@ def order(motion: Motion) -> list[tuple[str, ...]]:
 
 def origins(motion: Motion) -> list[list[str]]:
     """Which relations each step solves."""
-    return [[motion.frames.relations[index].origin for index in step.relations] for step in motion.plan.steps]
+    return [
+        [motion.frames.relations[index].origin for index in step.relations]
+        for step in motion.plan.steps
+    ]
 
 
 def slider_crank() -> Motion:
     p = Paper()
-    return p.motion({"O": (0, 0), "A": (0, 3), "B": (4, 0)}, {"OA": "O A", "AB": "A B"},
-                    [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Slide("B", "AB", p.line(0, 0, X), GROUND)],
-                    [p.turns("OA", 2)])
+    return p.motion(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(0, 0, X), GROUND),
+        ],
+        [p.turns("OA", 2)],
+    )
 
 
 def test_slider_crank_first_the_crank_then_the_base_point_equation_of_the_rod() -> None:
     motion = slider_crank()
     assert origins(motion) == [["the given rotation of OA"], ["B of AB on the line of ground"]]
     assert order(motion) == [("omega OA",), ("omega AB", "slide B AB/ground")]
-    assert [(t.point, t.base) for t in motion.frames.chain("AB", "B")] == [("A", "O"), ("B", "A")]  # v_B = v_A + v_BA
+    assert [(t.point, t.base) for t in motion.frames.chain("AB", "B")] == [
+        ("A", "O"),
+        ("B", "A"),
+    ]  # v_B = v_A + v_BA
 
 
 def test_four_bar_one_vector_equation_for_coupler_and_rocker() -> None:
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 0), "B": (4, 2), "C": (3, -1)}, {"OA": "O A", "AB": "A B", "CB": "C B"},
-                      [Pin("O", (GROUND, "OA")), Pin("A", ("OA", "AB")), Pin("B", ("AB", "CB")),
-                       Pin("C", ("CB", GROUND))],
-                      [p.turns("OA", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 0), "B": (4, 2), "C": (3, -1)},
+        {"OA": "O A", "AB": "A B", "CB": "C B"},
+        [
+            Pin("O", (GROUND, "OA")),
+            Pin("A", ("OA", "AB")),
+            Pin("B", ("AB", "CB")),
+            Pin("C", ("CB", GROUND)),
+        ],
+        [p.turns("OA", 2)],
+    )
     assert order(motion) == [("omega OA",), ("omega AB", "omega CB")] or order(motion) == [
-        ("omega OA",), ("omega CB", "omega AB")]
+        ("omega OA",),
+        ("omega CB", "omega AB"),
+    ]
     assert origins(motion)[1] == ["the pin B of AB and CB"]
 
 
 def test_planetary_gear_the_arm_then_the_centre_on_its_circle_then_no_slip() -> None:
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (3, 0), "B": (4, 0)}, {"OA": "O A", "II": "A B"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "II")),
-                       Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2))],
-                      [p.turns("OA", 2)])
-    assert origins(motion) == [["the given rotation of OA"], ["the rolling of II on ground"],
-                               ["no slip: the rolling of II on ground"]]
+    motion = p.motion(
+        {"O": (0, 0), "A": (3, 0), "B": (4, 0)},
+        {"OA": "O A", "II": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "II")),
+            Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2)),
+        ],
+        [p.turns("OA", 2)],
+    )
+    assert origins(motion) == [
+        ["the given rotation of OA"],
+        ["the rolling of II on ground"],
+        ["no slip: the rolling of II on ground"],
+    ]
     assert order(motion)[-1] == ("omega II",)
 
 
 def test_driven_slider_starts_at_the_driven_point() -> None:
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (0, 3), "B": (4, 0)}, {"OA": "O A", "AB": "A B"},
-                      [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")), Slide("B", "AB", p.line(0, 0, X), GROUND)],
-                      [p.moves("B", "AB", X, 1)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(0, 0, X), GROUND),
+        ],
+        [p.moves("B", "AB", X, 1)],
+    )
     assert motion.frames.bases["AB"].point == "B"
     assert origins(motion) == [["the given motion of B of AB"], ["the pin A of OA and AB"]]
 
@@ -72,33 +110,54 @@ def test_driven_slider_starts_at_the_driven_point() -> None:
 def test_two_equations_together_only_where_nothing_smaller_works() -> None:
     # a triad: a plate ABC on three rockers, the middle one driven: neither rocker alone can be found
     p = Paper()
-    motion = p.motion({"A": (0, 2), "B": (4, 2), "C": (2, 4), "D": (0, 0), "E": (5, 0), "F": (4, 5), "G": (6, 4)},
-                      {"plate": "A B C", "left": "A D", "right": "B E", "rod": "C F", "crank": "F G"},
-                      [Pin("A", ("plate", "left")), Pin("B", ("plate", "right")), Pin("C", ("plate", "rod")),
-                       Pin("D", ("left", GROUND)), Pin("E", ("right", GROUND)), Pin("F", ("rod", "crank")),
-                       Pin("G", ("crank", GROUND))], [p.turns("crank", 1)])
+    motion = p.motion(
+        {"A": (0, 2), "B": (4, 2), "C": (2, 4), "D": (0, 0), "E": (5, 0), "F": (4, 5), "G": (6, 4)},
+        {"plate": "A B C", "left": "A D", "right": "B E", "rod": "C F", "crank": "F G"},
+        [
+            Pin("A", ("plate", "left")),
+            Pin("B", ("plate", "right")),
+            Pin("C", ("plate", "rod")),
+            Pin("D", ("left", GROUND)),
+            Pin("E", ("right", GROUND)),
+            Pin("F", ("rod", "crank")),
+            Pin("G", ("crank", GROUND)),
+        ],
+        [p.turns("crank", 1)],
+    )
     assert max(len(step.relations) for step in motion.plan.steps) == 2
     assert len(motion.plan.steps[0].relations) == 1
 
 
 def test_a_surplus_relation_is_a_step_that_gives_nothing() -> None:
     p = Paper()
-    motion = p.motion({"O": (0, 0), "A": (1, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))],
-                      [p.turns("OA", 2), p.circles("A", "OA", "O", 2)])
+    motion = p.motion(
+        {"O": (0, 0), "A": (1, 0)},
+        {"OA": "O A"},
+        [Pin("O", ("OA", GROUND))],
+        [p.turns("OA", 2), p.circles("A", "OA", "O", 2)],
+    )
     assert [step.unknowns for step in motion.plan.steps] == [("omega OA",), ()]
 
 
 def test_a_plan_that_does_not_fit_is_replaced() -> None:
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "A": (1, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 2)])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (1, 0)}, {"OA": "O A"}, [Pin("O", ("OA", GROUND))], [p.turns("OA", 2)]
+    )
     wrong = plan.Plan((plan.Step((0,), ("omega OA", "omega AB")),))
     assert solve(mechanism, p.field, wrong).omega("OA") == 2
 
 
 def test_no_plan_is_found_for_relations_that_leave_a_motion_free() -> None:
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "A": (1, 0)}, {"OA": "O A", "AB": "A"},
-                            [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB"))], [p.turns("OA", 2, of="AB")])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (1, 0)},
+        {"OA": "O A", "AB": "A"},
+        [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB"))],
+        [p.turns("OA", 2, of="AB")],
+    )
     frames = build(mechanism, p.field)
     with pytest.raises(Singular, match="the relations do not determine the motion"):
-        plan.find(frames.relations, [relation.equations() for relation in frames.relations], p.field)
+        plan.find(
+            frames.relations, [relation.equations() for relation in frames.relations], p.field
+        )

@@ -30,33 +30,57 @@ def slipped(mechanism: Mechanism, arithmetic: Any, **shares: Any) -> MistakenMot
 def slot() -> tuple[Paper, Mechanism]:
     """A bar turns with 2 about O; M, 3 from O, slides outwards with 5: a = (-2*2*3, 2*2*5)."""
     p = Paper()
-    return p, p.mechanism({"O": (0, 0), "C": (4, 0), "M": (3, 0)}, {"OC": "O C", "M": "particle M"},
-                          [Pin("O", ("OC", GROUND)), Slide("M", "M", p.line(0, 0, X), "OC")],
-                          [p.turns("OC", 2), p.moves("M", "M", X, 5, of="OC")])
+    return p, p.mechanism(
+        {"O": (0, 0), "C": (4, 0), "M": (3, 0)},
+        {"OC": "O C", "M": "particle M"},
+        [Pin("O", ("OC", GROUND)), Slide("M", "M", p.line(0, 0, X), "OC")],
+        [p.turns("OC", 2), p.moves("M", "M", X, 5, of="OC")],
+    )
 
 
 def crank_and_rod() -> tuple[Paper, Mechanism]:
     """A crank of 3 upright with 2, a rod of 5 to a slider at (4, 0): v_A = v_B = (-6, 0), a_A = (0, -12), a_B = 9."""
     p = Paper()
-    return p, p.mechanism({"O": (0, 0), "A": (0, 3), "B": (4, 0)}, {"OA": "O A", "AB": "A B"},
-                          [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")),
-                           Slide("B", "AB", p.line(0, 0, X), GROUND)], [p.turns("OA", 2)])
+    return p, p.mechanism(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(0, 0, X), GROUND),
+        ],
+        [p.turns("OA", 2)],
+    )
 
 
 def planet() -> tuple[Paper, Mechanism]:
     """A planet of radius 1 on a fixed circle of radius 2, its arm of 3 turns with 2: omega = 6, v_C = 12."""
     p = Paper()
-    return p, p.mechanism({"O": (0, 0), "A": (3, 0), "C": (4, 0)}, {"arm": "O A", "II": "A C"},
-                          [Pin("O", ("arm", GROUND)), Pin("A", ("arm", "II")),
-                           Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2))], [p.turns("arm", 2)])
+    return p, p.mechanism(
+        {"O": (0, 0), "A": (3, 0), "C": (4, 0)},
+        {"arm": "O A", "II": "A C"},
+        [
+            Pin("O", ("arm", GROUND)),
+            Pin("A", ("arm", "II")),
+            Roll("II", p.circle("A", 1), GROUND, p.circle("O", 2)),
+        ],
+        [p.turns("arm", 2)],
+    )
 
 
-@pytest.mark.parametrize(("shares", "acceleration"), [
-    ({}, (-12, 20)), ({"coriolis": 0}, (-12, 0)), ({"coriolis": fmpq(1, 2)}, (-12, 10)), ({"coriolis": -1}, (-12, -20)),
-    ({"path_normal": 0}, (0, 20)),
-])
-def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(shares: dict[str, Any],
-                                                                acceleration: tuple[int, int]) -> None:
+@pytest.mark.parametrize(
+    ("shares", "acceleration"),
+    [
+        ({}, (-12, 20)),
+        ({"coriolis": 0}, (-12, 0)),
+        ({"coriolis": fmpq(1, 2)}, (-12, 10)),
+        ({"coriolis": -1}, (-12, -20)),
+        ({"path_normal": 0}, (0, 20)),
+    ],
+)
+def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(
+    shares: dict[str, Any], acceleration: tuple[int, int]
+) -> None:
     p, mechanism = slot()
     motion = slipped(mechanism, p.field, **shares)
     assert motion.acceleration("M", "M") == acceleration
@@ -67,9 +91,15 @@ def test_coriolis_and_normal_terms_of_a_point_in_a_turning_slot(shares: dict[str
 def test_one_run_of_arrays_gives_what_single_runs_give() -> None:
     _, mechanism = slot()
     plan = solve(mechanism, Field()).plan
-    motion = mistaken(drawable_mechanism(mechanism), Floats(), plan, Slips(
-        coriolis=np.array([1.0, 0.0, 0.5, -1.0, 1.0]),
-        path_normal=np.array([1.0, 1.0, 1.0, 1.0, 0.0])))
+    motion = mistaken(
+        drawable_mechanism(mechanism),
+        Floats(),
+        plan,
+        Slips(
+            coriolis=np.array([1.0, 0.0, 0.5, -1.0, 1.0]),
+            path_normal=np.array([1.0, 1.0, 1.0, 1.0, 0.0]),
+        ),
+    )
     acceleration = motion.acceleration("M", "M")
     assert np.allclose(acceleration.x.astype(float), [-12, -12, -12, -12, 0])
     assert np.allclose(acceleration.y.astype(float), [20, 0, 10, -20, 20])
@@ -84,16 +114,24 @@ def test_a_forgotten_normal_term_of_the_crank_leaves_the_slider_without_accelera
 def test_the_normal_term_about_a_base_point_is_not_that_of_a_path() -> None:
     # a wheel of radius 1 rolls with 3: the contact has 9 upwards, all of it about the centre
     p = Paper()
-    wheel = p.mechanism({"C": (0, 1), "K": (0, 0), "T": (0, 2)}, {"W": "C K T"},
-                        [Roll("W", p.circle("C", 1), GROUND, p.line(0, 0, X))], [p.moves("C", "W", X, 3)])
+    wheel = p.mechanism(
+        {"C": (0, 1), "K": (0, 0), "T": (0, 2)},
+        {"W": "C K T"},
+        [Roll("W", p.circle("C", 1), GROUND, p.line(0, 0, X))],
+        [p.moves("C", "W", X, 3)],
+    )
     assert slipped(wheel, p.field, path_normal=0).acceleration("K", "W") == (0, 9)
     assert slipped(wheel, p.field, relative_normal=0).acceleration("K", "W") == (0, 0)
 
 
 def test_the_centre_for_the_pole_of_a_rolling_wheel() -> None:
     p = Paper()
-    wheel = p.mechanism({"C": (0, 2), "K": (0, 0), "T": (0, 4)}, {"W": "C K T"},
-                        [Roll("W", p.circle("C", 2), GROUND, p.line(0, 0, X))], [p.moves("C", "W", X, 4)])
+    wheel = p.mechanism(
+        {"C": (0, 2), "K": (0, 0), "T": (0, 4)},
+        {"W": "C K T"},
+        [Roll("W", p.circle("C", 2), GROUND, p.line(0, 0, X))],
+        [p.moves("C", "W", X, 4)],
+    )
     motion = slipped(wheel, p.field, centre=0)
     assert motion.omega("W") == -2
     assert motion.velocity("T", "W") == (4, 0)  # and not 8
@@ -113,9 +151,16 @@ def test_a_fixed_pivot_for_the_pole_makes_the_rod_turn_with_the_crank() -> None:
 def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
     # v_B = (-8, 0) at 4 from O: 8/4 for both, in the sense of the crank
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "A": (0, 3), "B": (4, 0)}, {"OA": "O A", "AB": "A B"},
-                            [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")),
-                             Slide("B", "AB", p.line(0, 0, X), GROUND)], [p.moves("B", "AB", X, -8)])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
+        {"OA": "O A", "AB": "A B"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("A", ("OA", "AB")),
+            Slide("B", "AB", p.line(0, 0, X), GROUND),
+        ],
+        [p.moves("B", "AB", X, -8)],
+    )
     assert slipped(mechanism, p.field).omega("OA") == fmpq(8, 3)
     motion = slipped(mechanism, p.field, pole=0)
     assert motion.omega("OA") == motion.omega("AB") == 2
@@ -124,9 +169,16 @@ def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
 def test_the_transport_velocity_for_the_absolute_one() -> None:
     # v_A = 4 to the left, the bar from (0, 0) to A = (3, 4): v_e = 16/5 across it, and not 4
     p = Paper()
-    mechanism = p.mechanism({"O": (3, 0), "A": (3, 4), "Q": (0, 0)}, {"OA": "O A", "bar": "Q"},
-                            [Pin("O", ("OA", GROUND)), Pin("Q", ("bar", GROUND)),
-                             Slide("A", "OA", p.line(0, 0, (3, 4)), "bar")], [p.turns("OA", 1)])
+    mechanism = p.mechanism(
+        {"O": (3, 0), "A": (3, 4), "Q": (0, 0)},
+        {"OA": "O A", "bar": "Q"},
+        [
+            Pin("O", ("OA", GROUND)),
+            Pin("Q", ("bar", GROUND)),
+            Slide("A", "OA", p.line(0, 0, (3, 4)), "bar"),
+        ],
+        [p.turns("OA", 1)],
+    )
     assert slipped(mechanism, p.field).omega("bar") == fmpq(16, 25)
     motion = slipped(mechanism, p.field, relative=0)
     assert motion.omega("bar") == fmpq(4, 5)
@@ -134,9 +186,15 @@ def test_the_transport_velocity_for_the_absolute_one() -> None:
     assert slipped(slot()[1], p.field, relative=0).velocity("M", "M") == (0, 6)
 
 
-@pytest.mark.parametrize(("share", "omega", "v_A"), [
-    ({}, 6, 6), ({"carried": 0}, 4, 6), ({"arm": 0}, 4, 4), ({"meshing": -1}, -2, 6),
-])
+@pytest.mark.parametrize(
+    ("share", "omega", "v_A"),
+    [
+        ({}, 6, 6),
+        ({"carried": 0}, 4, 6),
+        ({"arm": 0}, 4, 4),
+        ({"meshing": -1}, -2, 6),
+    ],
+)
 def test_a_planet_on_a_fixed_circle(share: dict[str, int], omega: int, v_A: int) -> None:
     p, mechanism = planet()
     motion = slipped(mechanism, p.field, **share)
@@ -148,18 +206,27 @@ def test_a_planet_on_a_fixed_circle(share: dict[str, int], omega: int, v_A: int)
 def test_gears_in_mesh_on_a_carrier(share: dict[str, int], omega: int) -> None:
     # omega_P - 3 = -2 (0 - 3)
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "A": (3, 0)}, {"arm": "O A", "P": "A", "S": "O"},
-                            [Pin("O", ("arm", "S", GROUND)), Pin("A", ("arm", "P")),
-                             Mesh("P", p.circle("A", 1), "S", p.circle("O", 2), "arm")],
-                            [p.turns("arm", 3), p.turns("S", 0)])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (3, 0)},
+        {"arm": "O A", "P": "A", "S": "O"},
+        [
+            Pin("O", ("arm", "S", GROUND)),
+            Pin("A", ("arm", "P")),
+            Mesh("P", p.circle("A", 1), "S", p.circle("O", 2), "arm"),
+        ],
+        [p.turns("arm", 3), p.turns("S", 0)],
+    )
     assert slipped(mechanism, p.field, **share).omega("P") == omega
 
 
 def test_a_relative_turning_for_an_absolute_one_and_the_other_way_about() -> None:
     p = Paper()
-    mechanism = p.mechanism({"O": (0, 0), "A": (3, 0), "B": (3, 1)}, {"arm": "O A", "AB": "A B"},
-                            [Pin("O", ("arm", GROUND)), Pin("A", ("arm", "AB"))],
-                            [p.turns("arm", 3, 1), p.turns("AB", 4, 2, of="arm")])
+    mechanism = p.mechanism(
+        {"O": (0, 0), "A": (3, 0), "B": (3, 1)},
+        {"arm": "O A", "AB": "A B"},
+        [Pin("O", ("arm", GROUND)), Pin("A", ("arm", "AB"))],
+        [p.turns("arm", 3, 1), p.turns("AB", 4, 2, of="arm")],
+    )
     assert slipped(mechanism, p.field).omega("AB") == 7
     assert slipped(mechanism, p.field, carried=0).omega("AB") == 4
     asked = slipped(mechanism, p.field, asked_relative=0)
@@ -171,8 +238,10 @@ def test_stirred_velocities_show_what_a_term_is_for() -> None:
     p, mechanism = crank_and_rod()  # the rod does not turn: its normal term is zero
     plan = solve(mechanism, p.field).plan
     for stirred, differs in ((False, False), (True, True)):
-        right, wrong = (mistaken(mechanism, p.field, plan, Slips(relative_normal=share), stirred=stirred)
-                        for share in (1, 0))
+        right, wrong = (
+            mistaken(mechanism, p.field, plan, Slips(relative_normal=share), stirred=stirred)
+            for share in (1, 0)
+        )
         assert (right.alpha("AB") != wrong.alpha("AB")) is differs
 
 
@@ -180,7 +249,9 @@ def test_who_suspects_nothing_projects_and_does_not_check() -> None:
     unsuspecting = Unsuspecting(Field())
     one, zero = fmpq(1), fmpq(0)
     assert unsuspecting.solve([[one], [zero]], [fmpq(3), fmpq(5)]) == [3]
-    assert unsuspecting.solve([[one, zero], [zero, one], [zero, zero]], [fmpq(3), fmpq(5), fmpq(7)]) == [3, 5]
+    assert unsuspecting.solve(
+        [[one, zero], [zero, one], [zero, zero]], [fmpq(3), fmpq(5), fmpq(7)]
+    ) == [3, 5]
     assert unsuspecting.require_zero(one) is None
     with pytest.raises(Singular, match="the equations do not determine every unknown"):
         unsuspecting.solve([[one, one], [one, one]], [one, one])

@@ -13,7 +13,10 @@ def test_a_stack_holds_the_numbers_of_each() -> None:
     template = load_template("slider-crank")
     first = solve_template(template, {"phi": "30"})
     plan = first.motion.plan
-    motions = [first.doubles, *(solve_template(template, {"phi": phi}, None, plan).doubles for phi in ("60", "105"))]
+    motions = [
+        first.doubles,
+        *(solve_template(template, {"phi": phi}, None, plan).doubles for phi in ("60", "105")),
+    ]
     assert len({structure(motion) for motion in motions}) == 1
     whole = stacked(motions)
     for place, motion in enumerate(motions):
@@ -23,7 +26,9 @@ def test_a_stack_holds_the_numbers_of_each() -> None:
             assert [np.broadcast_to(part, 3)[place] for part in whole.points[name]] == list(point)
         for relation, same in zip(motion.frames.relations, whole.frames.relations, strict=True):
             for term, other in zip(relation.left, same.left, strict=True):
-                assert [np.broadcast_to(part, 3)[place] for part in other.vector] == list(term.vector)
+                assert [np.broadcast_to(part, 3)[place] for part in other.vector] == list(
+                    term.vector
+                )
 
 
 def test_poses_are_stacked_too() -> None:

@@ -24,7 +24,9 @@ class Paper:
     def number(self, value: Any) -> Any:
         """A whole number, or an expression as text."""
         if isinstance(value, str):
-            return evaluate(read(value), {"pi": self.field.turns(1)}, elementary(self.field), self.field)
+            return evaluate(
+                read(value), {"pi": self.field.turns(1)}, elementary(self.field), self.field
+            )
         return fmpq(value) if isinstance(value, int) else value
 
     def vector(self, x: Any, y: Any) -> Vector:
@@ -40,15 +42,31 @@ class Paper:
     def turns(self, body: str, velocity: Any, acceleration: Any = 0, **of: str) -> Rotation:
         return Rotation(body, self.number(velocity), self.number(acceleration), **of)
 
-    def moves(self, point: str, body: str, along: tuple[Any, Any], velocity: Any, acceleration: Any = 0,
-              **of: str) -> Component:
-        return Component(point, body, self.vector(*along), self.number(velocity), self.number(acceleration), **of)
+    def moves(
+        self,
+        point: str,
+        body: str,
+        along: tuple[Any, Any],
+        velocity: Any,
+        acceleration: Any = 0,
+        **of: str,
+    ) -> Component:
+        return Component(
+            point, body, self.vector(*along), self.number(velocity), self.number(acceleration), **of
+        )
 
-    def circles(self, point: str, body: str, centre: str, velocity: Any, acceleration: Any = 0) -> Circulation:
+    def circles(
+        self, point: str, body: str, centre: str, velocity: Any, acceleration: Any = 0
+    ) -> Circulation:
         return Circulation(point, body, centre, self.number(velocity), self.number(acceleration))
 
-    def mechanism(self, points: dict[str, tuple[Any, Any]], bodies: dict[str, str], joints: list[Joint],
-                  drivers: list[Driver]) -> Mechanism:
+    def mechanism(
+        self,
+        points: dict[str, tuple[Any, Any]],
+        bodies: dict[str, str],
+        joints: list[Joint],
+        drivers: list[Driver],
+    ) -> Mechanism:
         """Bodies are their points in a row; `particle M` for a particle."""
         found = []
         for name, words in bodies.items():

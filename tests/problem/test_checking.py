@@ -32,12 +32,15 @@ def test_shipped_templates_are_sound(name: str) -> None:
     assert report.instances >= 1
 
 
-@pytest.mark.parametrize(("ask", "right", "wrong"), [
-    ("v_B", "2*sqrt(3)/3*omega*r", "2*sqrt(3)/5*omega*r"),
-    ("v_B", "2*sqrt(3)/3*omega*r", "-2*sqrt(3)/3*omega*r"),
-    ("v_B", "2*sqrt(3)/3*omega*r", "1.154700538379251529*omega*r"),
-    ("omega_AB", "0", "1e-30"),
-])
+@pytest.mark.parametrize(
+    ("ask", "right", "wrong"),
+    [
+        ("v_B", "2*sqrt(3)/3*omega*r", "2*sqrt(3)/5*omega*r"),
+        ("v_B", "2*sqrt(3)/3*omega*r", "-2*sqrt(3)/3*omega*r"),
+        ("v_B", "2*sqrt(3)/3*omega*r", "1.154700538379251529*omega*r"),
+        ("omega_AB", "0", "1e-30"),
+    ],
+)
 def test_a_wrong_published_result_is_found(ask: str, right: str, wrong: str) -> None:
     report = checked(f'{ask} = "{right}"', f'{ask} = "{wrong}"')
     assert len(report.faults) == 5
@@ -53,27 +56,39 @@ def test_the_fault_tells_the_instance() -> None:
 
 def test_a_template_without_published_results_is_not_finished() -> None:
     assert check(read_template("crank", UNPUBLISHED), sample=18).faults[0] == (
-        "no published result: a template is finished when [[published]] proves it")
+        "no published result: a template is finished when [[published]] proves it"
+    )
 
 
 def test_a_published_result_that_cannot_be_worked_out_is_a_fault() -> None:
-    unreachable = crank(('gives = { v_x = "-omega*h" }', 'given = { h = "3" }\ngives = { v_x = "-omega*h" }'))
+    unreachable = crank(
+        ('gives = { v_x = "-omega*h" }', 'given = { h = "3" }\ngives = { v_x = "-omega*h" }')
+    )
     fault = check(unreachable, sample=18).faults[0]
     assert fault.startswith("published (by hand): no instance can be solved: crank: points.A: ")
-    strange = crank(('gives = { v_x = "-omega*h" }', 'given = { h = "x" }\ngives = { v_x = "-omega*h" }'))
+    strange = crank(
+        ('gives = { v_x = "-omega*h" }', 'given = { h = "x" }\ngives = { v_x = "-omega*h" }')
+    )
     assert 'unknown name "x"' in check(strange, sample=18).faults[0]
     divided = crank(('v_x = "-omega*h"', 'v_x = "1/(r - r)"'))
     assert "v_x: division by zero: check the values given" in check(divided, sample=18).faults[0]
 
 
 def test_a_result_that_no_field_holds_must_be_stated_otherwise() -> None:
-    (fault,) = check(read_template("slider-crank", SLIDER.replace('phi = "60"', 'phi = "37"')), sample=2).faults[:1]
-    assert fault.endswith("the stated values lie in no small exact field: state values that prove it exactly")
+    (fault,) = check(
+        read_template("slider-crank", SLIDER.replace('phi = "60"', 'phi = "37"')), sample=2
+    ).faults[:1]
+    assert fault.endswith(
+        "the stated values lie in no small exact field: state values that prove it exactly"
+    )
 
 
 def test_faults_of_the_statement_are_faults_of_the_template() -> None:
     fault = check(crank(("{{ h.value }} above", "above")), sample=18).faults[0]
-    assert fault == "crank.toml: statement.en: the parameter h is not given to the student: write {{ h }}"
+    assert (
+        fault
+        == "crank.toml: statement.en: the parameter h is not given to the student: write {{ h }}"
+    )
 
 
 def test_every_combination_is_examined_where_there_are_few() -> None:
@@ -107,7 +122,9 @@ def test_the_report_says_what_was_found() -> None:
     ]
 
 
-def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     assert check(load_template("slider-crank"), sample=20).faults == []
     assert list(tmp_path.iterdir()) == []
@@ -115,9 +132,13 @@ def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(tmp_path: Path, mo
 
 def test_an_answer_that_copies_a_given_is_remarked() -> None:
     """The speed of the crank's end is omega r; with h = 0 and r = 1 it is omega, signs apart."""
-    copying = crank(("draw = [1, 2]", "draw = [1]"), ('[0, "1/2", 3]', "[0]"),
-                    ("[2, 1000000, 20000000]", '"1 .. 600 step 1"'), ('"x(velocity(A))"', '"y(velocity(A))"'),
-                    ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }'))
+    copying = crank(
+        ("draw = [1, 2]", "draw = [1]"),
+        ('[0, "1/2", 3]', "[0]"),
+        ("[2, 1000000, 20000000]", '"1 .. 600 step 1"'),
+        ('"x(velocity(A))"', '"y(velocity(A))"'),
+        ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }'),
+    )
     report = check(copying, sample=40)
     assert report.faults == []
     assert report.remarks == ["v_x equals the given omega in almost all instances"]

@@ -10,22 +10,38 @@ from kinegrade.errors import ExpressionError
 from kinegrade.problem.domain import read_choices
 
 
-@pytest.mark.parametrize(("draw", "choices"), [
-    ("15 .. 60 step 15", ("15", "30", "45", "60")), ("0.1 .. 0.25 step 0.05", ("0.1", "0.15", "0.2", "0.25")),
-    ("-2 .. 2 step 2", ("-2", "0", "2")), ("1 .. 2 step 3", ("1",)), ([1, "sqrt(3)", "3/2"], ("1", "sqrt(3)", "3/2")),
-])
+@pytest.mark.parametrize(
+    ("draw", "choices"),
+    [
+        ("15 .. 60 step 15", ("15", "30", "45", "60")),
+        ("0.1 .. 0.25 step 0.05", ("0.1", "0.15", "0.2", "0.25")),
+        ("-2 .. 2 step 2", ("-2", "0", "2")),
+        ("1 .. 2 step 3", ("1",)),
+        ([1, "sqrt(3)", "3/2"], ("1", "sqrt(3)", "3/2")),
+    ],
+)
 def test_domains(draw: Any, choices: tuple[str, ...]) -> None:
     assert read_choices(draw) == choices
 
 
-@pytest.mark.parametrize(("draw", "message"), [
-    ("1..2", "expected a list, or a range like"), ("1 .. 2 step -1", "expected a list, or a range like"),
-    ("2 .. 1 step 1", "the last value not before the first"), ("0 .. 9999 step 1", "at most 2000 values"),
-    ("1.2.3 .. 4 step 1", '"1.2.3" is not a number'), ("- .. 4 step 1", "expected a list"),
-                                               (". .. 4 step 1", "not a number"),
-    ([1, 1], "each once"), (["1+"], "character 3"), (list(range(2001)), "1 to 2000"), (7, "expected a list"),
-    ("." * 100_000, "expected a list, or a range"), ("9" * 100 + " .. 1 step 1", "more than 60 digits"),
-])
+@pytest.mark.parametrize(
+    ("draw", "message"),
+    [
+        ("1..2", "expected a list, or a range like"),
+        ("1 .. 2 step -1", "expected a list, or a range like"),
+        ("2 .. 1 step 1", "the last value not before the first"),
+        ("0 .. 9999 step 1", "at most 2000 values"),
+        ("1.2.3 .. 4 step 1", '"1.2.3" is not a number'),
+        ("- .. 4 step 1", "expected a list"),
+        (". .. 4 step 1", "not a number"),
+        ([1, 1], "each once"),
+        (["1+"], "character 3"),
+        (list(range(2001)), "1 to 2000"),
+        (7, "expected a list"),
+        ("." * 100_000, "expected a list, or a range"),
+        ("9" * 100 + " .. 1 step 1", "more than 60 digits"),
+    ],
+)
 def test_domains_refused(draw: Any, message: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         read_choices(draw)

@@ -14,7 +14,17 @@ from hmac import new as hmac
 import pytest
 
 from kinegrade.errors import DrawError
-from kinegrade.problem.drawing import LARGEST, MAX_ATTEMPTS, REASONS, SMALLEST, Deck, Refused, address, examine, holds
+from kinegrade.problem.drawing import (
+    LARGEST,
+    MAX_ATTEMPTS,
+    REASONS,
+    SMALLEST,
+    Deck,
+    Refused,
+    address,
+    examine,
+    holds,
+)
 from kinegrade.problem.template import Template
 from tests.problem.crank import crank
 
@@ -28,7 +38,9 @@ PROMISED = {
     "Ω-王": {"r": "2", "h": "12", "omega": "58"},
 }
 DOMAINS = {
-    "r": tuple(map(str, range(1, 8))), "h": tuple(map(str, range(1, 21))), "omega": tuple(map(str, range(1, 61))),
+    "r": tuple(map(str, range(1, 8))),
+    "h": tuple(map(str, range(1, 21))),
+    "omega": tuple(map(str, range(1, 61))),
 }
 
 
@@ -54,10 +66,16 @@ def test_an_address_is_the_hmac_of_its_parts_each_with_its_length() -> None:
 
 
 def test_another_process_draws_the_same() -> None:
-    code = ("import json; from tests.problem.test_drawing import *;"
-            "print(json.dumps({student: deck().values(student, 3) for student in STUDENTS}))")
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True,
-                         env={**os.environ, "PYTHONHASHSEED": "7", "PYTHONPATH": os.pathsep.join(sys.path)})
+    code = (
+        "import json; from tests.problem.test_drawing import *;"
+        "print(json.dumps({student: deck().values(student, 3) for student in STUDENTS}))"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        check=True,
+        env={**os.environ, "PYTHONHASHSEED": "7", "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     assert json.loads(ran.stdout) == {student: deck().values(student, 3) for student in STUDENTS}
 
 
@@ -79,7 +97,9 @@ def test_students_at_the_end_leave_the_draws_of_those_before() -> None:
 def test_questions_and_secrets_draw_independently() -> None:
     other = Deck(crank(), ("v_x",), "spring", "q2", DOMAINS)
     secret = Deck(crank(), ("v_x",), "Spring", "q1", DOMAINS)
-    draws = [[one.values(str(number), 0) for number in range(20)] for one in (deck(), other, secret)]
+    draws = [
+        [one.values(str(number), 0) for number in range(20)] for one in (deck(), other, secret)
+    ]
     assert draws[0] != draws[1] != draws[2] != draws[0]
 
 
@@ -103,13 +123,22 @@ def test_no_two_of_a_class_are_alike_and_every_refusal_is_counted() -> None:
     assert len(caught.value.problems) == 1
 
 
-@pytest.mark.parametrize(("values", "reason", "detail"), [
-    ({"omega": "20000000"}, "condition", "omega < 10000000"),
-    ({"h": "3"}, "mechanism", "crank: points.A: the circle about O of radius 2 does not reach the line y = 3"),
-    ({"h": "0"}, "degenerate", "v_x is zero"),
-    ({"omega": "1000000"}, "absurd", "v_x is -500000 m/s"),
-])
-def test_an_instance_is_refused_for_a_reason(values: dict[str, str], reason: str, detail: str) -> None:
+@pytest.mark.parametrize(
+    ("values", "reason", "detail"),
+    [
+        ({"omega": "20000000"}, "condition", "omega < 10000000"),
+        (
+            {"h": "3"},
+            "mechanism",
+            "crank: points.A: the circle about O of radius 2 does not reach the line y = 3",
+        ),
+        ({"h": "0"}, "degenerate", "v_x is zero"),
+        ({"omega": "1000000"}, "absurd", "v_x is -500000 m/s"),
+    ],
+)
+def test_an_instance_is_refused_for_a_reason(
+    values: dict[str, str], reason: str, detail: str
+) -> None:
     refused = refusal(crank(), **values)
     assert refused.reason == reason
     assert str(refused).startswith(detail)
@@ -122,7 +151,10 @@ def test_all_reasons_are_counted_by_name() -> None:
     counted = r"so far: absurd \d+, condition \d+, degenerate \d+, duplicate \d+, mechanism \d+\)"
     with pytest.raises(DrawError, match=counted):
         mixed.draw("3")
-    assert set(mixed.refused) == set(REASONS) - {"rounding", "mistake"}  # a crank's speed gives no room for these
+    assert set(mixed.refused) == set(REASONS) - {
+        "rounding",
+        "mistake",
+    }  # a crank's speed gives no room for these
     assert sum(mixed.refused.values()) >= MAX_ATTEMPTS
 
 
@@ -145,11 +177,24 @@ def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
     assert refusal(crank(), h="1", omega="100000.1").reason == "absurd"
 
 
-@pytest.mark.parametrize(("condition", "held"), [
-    ("h < r", True), ("r < h", False), ("r < 2", False), ("r <= 2", True), ("sqrt(3) < r*sqrt(3)/2", False),
-    ("sqrt(3) <= r*sqrt(3)/2", True), ("sin(r) < 1", True), ("1/(r - 2) < 1", False), ("sqrt(h - r) < 9", False),
-    ("atan(h) < pi/2", True), ("pi/2 < atan(h)", False), ("pi/4 < pi/3", True), ("0 < atan(h)", True),
-])
+@pytest.mark.parametrize(
+    ("condition", "held"),
+    [
+        ("h < r", True),
+        ("r < h", False),
+        ("r < 2", False),
+        ("r <= 2", True),
+        ("sqrt(3) < r*sqrt(3)/2", False),
+        ("sqrt(3) <= r*sqrt(3)/2", True),
+        ("sin(r) < 1", True),
+        ("1/(r - 2) < 1", False),
+        ("sqrt(h - r) < 9", False),
+        ("atan(h) < pi/2", True),
+        ("pi/2 < atan(h)", False),
+        ("pi/4 < pi/3", True),
+        ("0 < atan(h)", True),
+    ],
+)
 def test_conditions_are_decided_exactly_at_their_bounds(condition: str, held: bool) -> None:
     template = crank(("omega < 10000000", condition))
     assert holds(template, template.conditions[0], {"r": "2", "h": "1/2", "omega": "1"}) is held

@@ -26,8 +26,10 @@ def test_the_simulation_notices_unfair_marks(monkeypatch: pytest.MonkeyPatch) ->
     """An honest student who types a hundredth and a half more, and a mistake that the key does not know."""
     (simulated,) = classes(load_template("slider-crank"), 2)
     way, answers = next(iter(honest_students(simulated)))
-    off = [{ask: Answer(f"{1.015 * answer.value:.4g}", answer.value) for ask, answer in each.items()}
-           for each in answers]
+    off = [
+        {ask: Answer(f"{1.015 * answer.value:.4g}", answer.value) for ask, answer in each.items()}
+        for each in answers
+    ]
     monkeypatch.setattr("benchmarks.fairness.honest_students", lambda simulated: [(way, off)])
     found = fairness("slider-crank", 2, measured=False)
     assert not found.full()
@@ -37,17 +39,24 @@ def test_the_simulation_notices_unfair_marks(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_a_mistake_is_not_named_for_another(monkeypatch: pytest.MonkeyPatch) -> None:
     (simulated,) = classes(load_template("slider-crank"), 2)
-    reversed_ = [{ask: Answer(answer.typed, 1e6, "coriolis-dropped") for ask, answer in each.items()}
-                 for answers in mistaken_students(simulated, rounded=False) for each in answers
-                 if any(answer.mistake == "sense-reversed" for answer in each.values())]
-    monkeypatch.setattr("benchmarks.fairness.mistaken_students", lambda simulated, rounded: [reversed_])
+    reversed_ = [
+        {ask: Answer(answer.typed, 1e6, "coriolis-dropped") for ask, answer in each.items()}
+        for answers in mistaken_students(simulated, rounded=False)
+        for each in answers
+        if any(answer.mistake == "sense-reversed" for answer in each.values())
+    ]
+    monkeypatch.setattr(
+        "benchmarks.fairness.mistaken_students", lambda simulated, rounded: [reversed_]
+    )
     found = fairness("slider-crank", 2, measured=False)
     assert found.diagnosed() == 0
     assert sum(found.confused.values()) == found.mistakes["given"] > 0
     assert found.confused["coriolis-dropped", "sense-reversed"]
 
 
-def test_the_table_and_the_totals(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_and_the_totals(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setattr("sys.argv", ["fairness", "--draws", "2", "slider-crank"])
     assert main() == 0
     told = capsys.readouterr().out

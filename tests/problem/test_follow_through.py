@@ -58,7 +58,9 @@ def test_from_the_right_answers_the_right_ones_follow(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
     values = {given: as_float(solution.assembly.values[given]) for given in template.parameters}
-    right = {ask: answer.value for ask, answer in solution.answers.items() if not answer.at_infinity}
+    right = {
+        ask: answer.value for ask, answer in solution.answers.items() if not answer.at_infinity
+    }
     answered = {ask: value for ask, value in right.items() if abs(value) > 1e-9}
     follower = Follower(template, values, solution.motion.plan)
     motion = follower.motion(answered)
@@ -110,25 +112,44 @@ def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> A
     shares = {name: float(floats.number(share)) for name, share in mistake.shares.items()}
     with floats.context():
         try:
-            wrong = mistaken(follower.assembly.mechanism, floats, follower.plan, Slips(**shares)).rates
+            wrong = mistaken(
+                follower.assembly.mechanism, floats, follower.plan, Slips(**shares)
+            ).rates
         except Singular:
             return None
     rates = right.rates  # type: ignore[union-attr]
-    changed = {rate: float(value) / rates[rate] for rate, value in wrong.items()
-               if rates[rate] and not near(float(value), rates[rate])}
+    changed = {
+        rate: float(value) / rates[rate]
+        for rate, value in wrong.items()
+        if rates[rate] and not near(float(value), rates[rate])
+    }
     led = {asked[rate]: leads.get(asked[rate], 0.0) for rate in changed if rate in asked}
-    seen = all(near(leads.get(asked[rate], 0.0), ratio * (follower.right(asked[rate]) or 0.0))
-               for rate, ratio in changed.items() if rate in asked and ratio > 1e-9)
-    return led if seen and len(led) == len(changed) and all(ratio > 1e-9 for ratio in changed.values()) else None
+    seen = all(
+        near(leads.get(asked[rate], 0.0), ratio * (follower.right(asked[rate]) or 0.0))
+        for rate, ratio in changed.items()
+        if rate in asked and ratio > 1e-9
+    )
+    return (
+        led
+        if seen and len(led) == len(changed) and all(ratio > 1e-9 for ratio in changed.values())
+        else None
+    )
 
 
 def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
     """The Coriolis accelerations through which alone a mistake in them goes on: all that the relations hold."""
     relations = follower.still.frames.relations
-    terms = {(term.point, term.frame) for relation in relations for term in (*relation.left, *relation.right)
-             if term.frame != GROUND}
-    asked = {(named(call.arguments[0]), named(call.arguments[2])): ask for ask, call in asked_of(follower)
-             if call.function == "coriolis"}
+    terms = {
+        (term.point, term.frame)
+        for relation in relations
+        for term in (*relation.left, *relation.right)
+        if term.frame != GROUND
+    }
+    asked = {
+        (named(call.arguments[0]), named(call.arguments[2])): ask
+        for ask, call in asked_of(follower)
+        if call.function == "coriolis"
+    }
     if not terms <= asked.keys() or any(relation.frame != GROUND for relation in relations):
         return None
     return {asked[term]: leads[asked[term]] for term in terms}
@@ -136,18 +157,42 @@ def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
 
 def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float, float]]:
     """Mistake, later ask, what follows from the mistaken earlier answers, what the mistake leads to, what is right."""
-    all_leads = Mistakes(follower.template, follower.template.asks, follower.values, follower.plan).leads
+    all_leads = Mistakes(
+        follower.template, follower.template.asks, follower.values, follower.plan
+    ).leads
     for mistake in (each for each in MISTAKES if each.identifier in POLES | TERMS):
-        leads = {ask: values[mistake.identifier] for ask, values in all_leads.items() if mistake.identifier in values}
-        led = led_by_velocities(follower, mistake, leads) if mistake.identifier in POLES else \
-            led_by_coriolis(follower, leads) if leads else None
+        leads = {
+            ask: values[mistake.identifier]
+            for ask, values in all_leads.items()
+            if mistake.identifier in values
+        }
+        led = (
+            led_by_velocities(follower, mistake, leads)
+            if mistake.identifier in POLES
+            else led_by_coriolis(follower, leads)
+            if leads
+            else None
+        )
         if not led or any(near(value, follower.right(ask) or 0.0) for ask, value in led.items()):
             continue  # nothing to go on from, or a mistake that an unsigned answer does not show
         for later, call in asked_of(follower):
-            read_with_slip = mistake.identifier == "transport-for-absolute" and call.function.startswith("relative")
-            if LEVELS.get(call.function) == "acceleration" and not share_of(call) and not read_with_slip \
-                    and later in leads:
-                yield mistake.identifier, later, follower.value(led, later), leads[later], follower.right(later) or 0.0
+            read_with_slip = (
+                mistake.identifier == "transport-for-absolute"
+                and call.function.startswith("relative")
+            )
+            if (
+                LEVELS.get(call.function) == "acceleration"
+                and not share_of(call)
+                and not read_with_slip
+                and later in leads
+            ):
+                yield (
+                    mistake.identifier,
+                    later,
+                    follower.value(led, later),
+                    leads[later],
+                    follower.right(later) or 0.0,
+                )
 
 
 def test_what_follows_from_a_mistaken_answer_is_what_the_mistake_leads_to() -> None:
@@ -156,7 +201,11 @@ def test_what_follows_from_a_mistaken_answer_is_what_the_mistake_leads_to() -> N
     for follower in (each for name in MOVING for each in followers(name)):
         for mistake, later, found, expected, right in compared(follower):
             if found is None:  # does not depend on it, or vanishes
-                assert near(expected, right) or near(expected, 0.0), (follower.template.name, mistake, later)
+                assert near(expected, right) or near(expected, 0.0), (
+                    follower.template.name,
+                    mistake,
+                    later,
+                )
             else:
                 assert near(found, expected), (follower.template.name, mistake, later)
                 agreeing[mistake] = agreeing.get(mistake, 0) + 1
@@ -176,9 +225,12 @@ def crank(**earlier: float) -> Mapping[str, float | None]:
 
 def test_a_slider_crank_worked_out_by_hand() -> None:
     # with an own omega: alpha = (1 - omega^2)/sqrt 3, a_B = -2 omega^2; v_B is of the same step
-    assert crank(omega_AB=0.5) == pytest.approx({"v_B": None, "omega_AB": None, "alpha_AB": 3**0.5 / 4, "a_B": -0.5})
+    assert crank(omega_AB=0.5) == pytest.approx(
+        {"v_B": None, "omega_AB": None, "alpha_AB": 3**0.5 / 4, "a_B": -0.5}
+    )
     assert crank(omega_AB=-0.4) == pytest.approx(
-        {"v_B": None, "omega_AB": None, "alpha_AB": 0.84 / 3**0.5, "a_B": -0.32})
+        {"v_B": None, "omega_AB": None, "alpha_AB": 0.84 / 3**0.5, "a_B": -0.32}
+    )
 
 
 @pytest.mark.parametrize("value", [0.0, 1e-4, 400.0, -400.0])
@@ -205,17 +257,26 @@ def test_nothing_follows_in_a_pose_or_where_the_configuration_cannot_be() -> Non
 
 def test_relative_speed_of_two_points_of_a_body_is_its_rotation() -> None:
     asks = load_template("elliptic-trammel-end-driven").asks
-    name = next(name for name, ask in asks.items() if "velocity" in str(ask.quantity) and "v_BA" in name)
+    name = next(
+        name for name, ask in asks.items() if "velocity" in str(ask.quantity) and "v_BA" in name
+    )
     assert ("omega_AB", name) in connections(load_template("elliptic-trammel-end-driven"))
 
 
 def test_which_asks_are_connected() -> None:
-    assert connections(load_template("slider-crank")) == {("omega_AB", "alpha_AB"), ("omega_AB", "a_B")}
-    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= connections(load_template("stone-crusher"))
+    assert connections(load_template("slider-crank")) == {
+        ("omega_AB", "alpha_AB"),
+        ("omega_AB", "a_B"),
+    }
+    assert {("omega_GE", "alpha_GD"), ("v_G", "omega_AB")} <= connections(
+        load_template("stone-crusher")
+    )
     rocker = connections(load_template("slotted-rocker-and-slider-two-drivers"))
     assert {("v_rel", "a_cor"), ("a_cor", "alpha_AB"), ("omega_AB", "alpha_AB")} <= rocker
     assert ("omega_AB", "v_rel") not in rocker
-    assert not [pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))]
+    assert not [
+        pair for pair in rocker if pair[0].startswith("a") and pair[1].startswith(("v", "o"))
+    ]
     assert connections(load_template("pose-cam-tappet")) == frozenset()
 
 

@@ -92,26 +92,44 @@ def test_all_faults_come_at_once() -> None:
             "radii = [{ symbol = 'r', center = 'O' }]",
             "figure.radii[1]: unknown entry 'center'; did you mean \"centre\"?",
         ),
-        ("radii = [{ symbol = 'r' }]", "figure.radii[1]: 'centre' is missing; needed here: symbol, centre"),
-        ("radii = [{ symbol = 'r', centre = 'O', through = 'Q' }]", "figure.radii[1].through: no point 'Q'"),
-        ("circles = [{ body = 'O', centre = 'O', through = 'A' }]", "figure.circles[1].body: no body 'O'"),
+        (
+            "radii = [{ symbol = 'r' }]",
+            "figure.radii[1]: 'centre' is missing; needed here: symbol, centre",
+        ),
+        (
+            "radii = [{ symbol = 'r', centre = 'O', through = 'Q' }]",
+            "figure.radii[1].through: no point 'Q'",
+        ),
+        (
+            "circles = [{ body = 'O', centre = 'O', through = 'A' }]",
+            "figure.circles[1].body: no body 'O'",
+        ),
         ("circles = [{ body = 'OA', centre = 'O' }]", "figure.circles[1]: 'through' is missing"),
         (
             "circles = [{ body = 'OA', centre = 'O', through = 'O' }]",
             "figure.circles[1]: a circle about 'O' through itself; name another point for 'through'",
         ),
-        ("lines = ['O', 'B']", "figure.lines[1]: expected two points; write lines = [[\"O\", \"B\"]]"),
+        ("lines = ['O', 'B']", 'figure.lines[1]: expected two points; write lines = [["O", "B"]]'),
         ("lines = [['O', 'O']]", "figure.lines[1]: expected two points"),
         ("lines = 'OB'", "figure.lines[1]: expected two points"),
         ("lines = [['O', 'A'], ['O', 'Q']]", "figure.lines[2]: no point 'Q'"),
         ("arrows = [{ symbol = 'r', turns = 'O' }]", "figure.arrows[1].turns: no body 'O'"),
-        ("arrows = [{ symbol = 'r', turns = 'OA', sense = 'up' }]", "figure.arrows[1].sense: no choice 'up'"),
+        (
+            "arrows = [{ symbol = 'r', turns = 'OA', sense = 'up' }]",
+            "figure.arrows[1].sense: no choice 'up'",
+        ),
         (
             "arrows = [{ symbol = 'v', moves = 'A', along = 'norht' }]",
             "figure.arrows[1].along: no point or side 'norht'",
         ),
-        ("lengths = [{ symbol = '#read', from = 'O', to = 'A' }]", "has characters no symbol needs"),
-        (r"lengths = [{ symbol = '\inptu', from = 'O', to = 'A' }]", r"unknown LaTeX command \inptu"),
+        (
+            "lengths = [{ symbol = '#read', from = 'O', to = 'A' }]",
+            "has characters no symbol needs",
+        ),
+        (
+            r"lengths = [{ symbol = '\inptu', from = 'O', to = 'A' }]",
+            r"unknown LaTeX command \inptu",
+        ),
         ("lengths = [{ symbol = 'r_', from = 'O', to = 'A' }]", "is incomplete"),
     ],
 )
@@ -120,7 +138,8 @@ def test_a_fault_is_named_with_its_place(text: str, fragment: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "symbol", ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"]
+    "symbol",
+    ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"],
 )
 def test_what_statements_use_is_a_symbol(symbol: str) -> None:
     assert symbol_fault(symbol) is None

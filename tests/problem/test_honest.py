@@ -11,21 +11,35 @@ from kinegrade.exact.rounding import Rounded, Sparing
 from kinegrade.mechanics.doubles import in_doubles
 from kinegrade.problem.checking import check, drawable
 from kinegrade.problem.drawing import Deck, Refused, examine
-from kinegrade.problem.honest import Stray, Target, by_arms, by_coordinates, nearest_turn, stray, target, workings
+from kinegrade.problem.honest import (
+    Stray,
+    Target,
+    by_arms,
+    by_coordinates,
+    nearest_turn,
+    stray,
+    target,
+    workings,
+)
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 from tests.problem.crank import crank
 
-DIFFERENCE = ('quantity = "x(velocity(A))"', 'quantity = "x(velocity(A)) + omega*r"')  # omega (r - h)
+DIFFERENCE = (
+    'quantity = "x(velocity(A))"',
+    'quantity = "x(velocity(A)) + omega*r"',
+)  # omega (r - h)
 
 
 def solved(template: Template, **values: str) -> Solution:
     return solve_template(template, {"r": "2", "h": "1/2", "omega": "2", **values})
 
 
-def tolerance(relative: str, absolute: str = "0", figures: int | None = None) -> dict[str, Tolerance]:
+def tolerance(
+    relative: str, absolute: str = "0", figures: int | None = None
+) -> dict[str, Tolerance]:
     return {"v_x": Tolerance(Fraction(relative), Fraction(absolute), figures)}
 
 
@@ -57,29 +71,56 @@ def test_a_small_difference_of_written_values_strays() -> None:
 
 
 def test_what_cannot_be_found_strays_too() -> None:
-    solution = solved(crank(), r="1.0065", h="1.006")  # A is put down at y = 1.01: the crank does not reach it
+    solution = solved(
+        crank(), r="1.0065", h="1.006"
+    )  # A is put down at y = 1.01: the crank does not reach it
     assert stray(solution, {}) == Stray("v_x", 3, None)
-    assert str(Stray("v_x", 3, None)) == "v_x: cannot be found when 3 significant figures are carried"
+    assert (
+        str(Stray("v_x", 3, None)) == "v_x: cannot be found when 3 significant figures are carried"
+    )
 
 
-@pytest.mark.parametrize(("rules", "h", "omega", "figures"), [
-    (tolerance("1/50"), "1.9", "1.77", None),  # 0.18 instead of 0.177 is 1.7 % off
-    (tolerance("1/60"), "1.9", "1.77", 3),
-    (tolerance("0", "0.0031"), "1.9", "1.77", None),
-    (tolerance("0", "0.0029"), "1.9", "1.77", 3),
-    (tolerance("1/200"), "1.9", "1.77", None),  # so strict a rule wants four figures: 3.540 - 3.363
-    (tolerance("0", figures=3), "1.9", "1.77", None),
-    (tolerance("0", figures=3), "1.97", "1.7777", 4),  # 3.5554 - 1.778 * 1.97 = 0.0524 instead of 0.0533
-])
-def test_the_tolerance_of_the_ask_decides(rules: dict[str, Tolerance], h: str, omega: str, figures: int | None) -> None:
-    found = stray(solve_template(crank(DIFFERENCE), {"r": "2", "h": h, "omega": omega}, ["v_x"]), rules)
+@pytest.mark.parametrize(
+    ("rules", "h", "omega", "figures"),
+    [
+        (tolerance("1/50"), "1.9", "1.77", None),  # 0.18 instead of 0.177 is 1.7 % off
+        (tolerance("1/60"), "1.9", "1.77", 3),
+        (tolerance("0", "0.0031"), "1.9", "1.77", None),
+        (tolerance("0", "0.0029"), "1.9", "1.77", 3),
+        (
+            tolerance("1/200"),
+            "1.9",
+            "1.77",
+            None,
+        ),  # so strict a rule wants four figures: 3.540 - 3.363
+        (tolerance("0", figures=3), "1.9", "1.77", None),
+        (
+            tolerance("0", figures=3),
+            "1.97",
+            "1.7777",
+            4,
+        ),  # 3.5554 - 1.778 * 1.97 = 0.0524 instead of 0.0533
+    ],
+)
+def test_the_tolerance_of_the_ask_decides(
+    rules: dict[str, Tolerance], h: str, omega: str, figures: int | None
+) -> None:
+    found = stray(
+        solve_template(crank(DIFFERENCE), {"r": "2", "h": h, "omega": omega}, ["v_x"]), rules
+    )
     assert (found and found.figures) == figures
 
 
-@pytest.mark.parametrize(("worked", "right"), [
-    (1.005, True), (0.995, True), (1.00501, False), (None, False),
-    (1.0006, True),  # both as it came out and as it is written, 1.001
-])
+@pytest.mark.parametrize(
+    ("worked", "right"),
+    [
+        (1.005, True),
+        (0.995, True),
+        (1.00501, False),
+        (None, False),
+        (1.0006, True),  # both as it came out and as it is written, 1.001
+    ],
+)
 def test_the_bounds_are_right(worked: float | None, right: bool) -> None:
     assert Target(0.995, 1.005, 1.0, 0.0, 4).met(worked, 4) is right
 
@@ -104,28 +145,46 @@ def test_a_centrode_is_known_in_closed_form() -> None:
 
 def test_a_deck_draws_again_what_an_honest_student_would_get_wrong() -> None:
     heights = tuple(f"1.{digits}" for digits in range(500, 900))
-    deck = Deck(crank(DIFFERENCE), ("v_x",), "spring", "q1", {"r": ("2",), "h": heights, "omega": ("1.77",)})
-    wide = Deck(crank(DIFFERENCE), ("v_x",), "spring", "q1", deck.fixed, tolerances=tolerance("1/2"))
+    deck = Deck(
+        crank(DIFFERENCE), ("v_x",), "spring", "q1", {"r": ("2",), "h": heights, "omega": ("1.77",)}
+    )
+    wide = Deck(
+        crank(DIFFERENCE), ("v_x",), "spring", "q1", deck.fixed, tolerances=tolerance("1/2")
+    )
     for student in range(12):
         drawn = deck.draw(str(student))
-        exact, honest = drawn.solution["v_x"].value, by_coordinates(drawn.solution, Rounded(3))["v_x"]
+        exact, honest = (
+            drawn.solution["v_x"].value,
+            by_coordinates(drawn.solution, Rounded(3))["v_x"],
+        )
         assert abs(honest - exact) <= exact / 100
         wide.draw(str(student))
     assert deck.refused["rounding"] > wide.refused["rounding"]
 
 
 def test_the_refusal_says_which_answer_strays() -> None:
-    with pytest.raises(Refused, match=r"^v_x: comes out as 0\.18 when 3 significant figures are carried$") as caught:
+    with pytest.raises(
+        Refused, match=r"^v_x: comes out as 0\.18 when 3 significant figures are carried$"
+    ) as caught:
         examine(crank(DIFFERENCE), {"r": "2", "h": "1.9", "omega": "1.77"}, ("v_x",))
     assert (caught.value.reason, caught.value.ask) == ("rounding", "v_x")
 
 
 def test_check_tells_the_author_which_answer_often_strays() -> None:
     narrow = ('draw = [0, "1/2", 3]', 'draw = "1.90 .. 1.99 step 0.01"')
-    report = check(crank(DIFFERENCE, narrow, ("draw = [1, 2]", "draw = [2]"),
-                         ("draw = [2, 1000000, 20000000]", 'draw = "1.71 .. 1.79 step 0.01"')), sample=60)
+    report = check(
+        crank(
+            DIFFERENCE,
+            narrow,
+            ("draw = [1, 2]", "draw = [2]"),
+            ("draw = [2, 1000000, 20000000]", 'draw = "1.71 .. 1.79 step 0.01"'),
+        ),
+        sample=60,
+    )
     (remark,) = [remark for remark in report.remarks if "significant" in remark]
-    assert remark.startswith(f"v_x is off by more than 1 % in {report.refused['rounding']} of 60 instances when every")
+    assert remark.startswith(
+        f"v_x is off by more than 1 % in {report.refused['rounding']} of 60 instances when every"
+    )
 
 
 @pytest.mark.parametrize("name", template_names())
@@ -134,15 +193,28 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
     template, all_figures = load_template(name), Rounded(14)
     for values in list(drawable(template, 40))[:3]:
         try:
-            solution = examine(template, values, template.asks, None, {ask: Tolerance(Fraction(10**6), Fraction(10**9))
-                                                                       for ask in template.asks})
+            solution = examine(
+                template,
+                values,
+                template.asks,
+                None,
+                {ask: Tolerance(Fraction(10**6), Fraction(10**9)) for ask in template.asks},
+            )
         except Refused:
             continue
         motion = in_doubles(solution.motion)
-        for worked in (by_coordinates(solution, all_figures), by_arms(solution, motion, all_figures)):
+        for worked in (
+            by_coordinates(solution, all_figures),
+            by_arms(solution, motion, all_figures),
+        ):
             for ask, answer in solution.answers.items():
                 aim = target(template.asks[ask], answer, ONE_PER_CENT, motion)
-                assert isclose(nearest_turn(worked[ask], aim.exact, aim.turn), aim.exact, rel_tol=1e-7, abs_tol=1e-7)
+                assert isclose(
+                    nearest_turn(worked[ask], aim.exact, aim.turn),
+                    aim.exact,
+                    rel_tol=1e-7,
+                    abs_tol=1e-7,
+                )
 
 
 def test_accepted_draws_leave_every_honest_student_right() -> None:
@@ -151,8 +223,10 @@ def test_accepted_draws_leave_every_honest_student_right() -> None:
     for student in range(12):
         solution = deck.draw(str(student)).solution
         motion = in_doubles(solution.motion)
-        aims = {ask: target(template.asks[ask], answer, ONE_PER_CENT, motion)
-                for ask, answer in solution.answers.items()}
+        aims = {
+            ask: target(template.asks[ask], answer, ONE_PER_CENT, motion)
+            for ask, answer in solution.answers.items()
+        }
         for worked in workings(solution, motion, 3, every=True):
             assert all(aims[ask].met(number, 3) for ask, number in worked.items())
             assert worked.keys() == aims.keys()

@@ -15,8 +15,15 @@ from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 from tests.problem.crank import crank
 
-NAMES = ("slider-crank", "flat-faced-follower-curvature-radius", "bar-through-swivelling-sleeve", "pin-in-two-rings",
-         "four-bar-parallel-coupler", "rolling-wheel-rim-points", "slider-driven-gear-on-rack")
+NAMES = (
+    "slider-crank",
+    "flat-faced-follower-curvature-radius",
+    "bar-through-swivelling-sleeve",
+    "pin-in-two-rings",
+    "four-bar-parallel-coupler",
+    "rolling-wheel-rim-points",
+    "slider-driven-gear-on-rack",
+)
 
 
 def solutions(template: Template, count: int) -> list[Solution]:
@@ -24,8 +31,14 @@ def solutions(template: Template, count: int) -> list[Solution]:
     found = []
     for number in range(count):
         try:
-            found.append(sensible(template, deck.values(str(number), 0), template.asked(),
-                                  found[0].motion.plan if found else None))
+            found.append(
+                sensible(
+                    template,
+                    deck.values(str(number), 0),
+                    template.asked(),
+                    found[0].motion.plan if found else None,
+                )
+            )
         except Refused:
             continue
     return found
@@ -56,7 +69,9 @@ def test_so_few_are_left_to_be_worked_out_alone() -> None:
 def test_an_instance_that_cannot_be_found_spoils_nobody_else() -> None:
     template = crank(('draw = [0, "1/2", 3]', 'draw = ["1/2", "1.006"]'))
     values = [{"r": "2", "h": "1/2", "omega": str(number)} for number in range(2, 8)]
-    values.insert(2, {"r": "1.0065", "h": "1.006", "omega": "2"})  # put down at y = 1.01: the crank does not reach it
+    values.insert(
+        2, {"r": "1.0065", "h": "1.006", "omega": "2"}
+    )  # put down at y = 1.01: the crank does not reach it
     found = [sensible(template, given, template.asks, None) for given in values]
     sure = surely_honest(found, {})
     assert not sure[2]

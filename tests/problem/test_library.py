@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.problem.library import load_template, shipped, template_names
-from kinegrade.problem.reading import MAX_CHARACTERS
+from kinegrade.problem.toml_text import MAX_CHARACTERS
 from tests.problem.crank import crank_text
 
 
@@ -32,7 +32,9 @@ def test_any_file_is_found_by_its_path_and_any_folder_may_serve(tmp_path: Path) 
     assert refusal("slider-crank", tmp_path) == 'no template "slider-crank": known here: crank'
 
 
-@pytest.mark.parametrize("name", ["slider", "Slider-Crank", "../templates/slider-crank", "slider-crank/", ""])
+@pytest.mark.parametrize(
+    "name", ["slider", "Slider-Crank", "../templates/slider-crank", "slider-crank/", ""]
+)
 def test_an_unknown_name_is_refused_with_those_known(name: str) -> None:
     assert refusal(name).startswith(f'no template "{name}": ')
     assert "slider-crank" in refusal(name)
@@ -40,8 +42,14 @@ def test_an_unknown_name_is_refused_with_those_known(name: str) -> None:
 
 def test_a_file_that_cannot_be_read_says_why(tmp_path: Path) -> None:
     file = tmp_path / "crank.toml"
-    assert refusal(file) == f"{file}: cannot be read: No such file or directory: give the path of a template file"
+    assert (
+        refusal(file)
+        == f"{file}: cannot be read: No such file or directory: give the path of a template file"
+    )
     file.write_bytes(b"title = '\xff'")
     assert refusal(file) == f"{file}: not UTF-8 at byte 9: save the template as UTF-8"
     file.write_text("曲" * (2 * MAX_CHARACTERS), encoding="utf-8")
-    assert refusal(file) == f"{file}: too large: at most {MAX_CHARACTERS} characters are read: shorten it"
+    assert (
+        refusal(file)
+        == f"{file}: too large: at most {MAX_CHARACTERS} characters are read: shorten it"
+    )

@@ -25,7 +25,15 @@ from kinegrade.problem.mistake_kinds import (
     mistake_sentence,
     sentences,
 )
-from kinegrade.problem.mistakes import RIGHT, as_float, in_floats, known_mistakes, outcomes, way_of, work_out
+from kinegrade.problem.mistakes import (
+    RIGHT,
+    as_float,
+    in_floats,
+    known_mistakes,
+    outcomes,
+    way_of,
+    work_out,
+)
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.reporting import report_lines
 from kinegrade.problem.separation import apart
@@ -35,11 +43,17 @@ from kinegrade.problem.tolerance import ONE_PER_CENT, effective
 from tests.problem.crank import crank, crank_text
 
 TURNING = crank_text(  # a crank in millimetres that turns at an angle
-    ('h     = { unit = "m", draw = [0, "1/2", 3], means = { en = "height of A", zh = "A 的高度" } }',
-     'h     = { unit = "deg", draw = [30, 45, 60], means = { en = "angle", zh = "角" } }'),
+    (
+        'h     = { unit = "m", draw = [0, "1/2", 3], means = { en = "height of A", zh = "A 的高度" } }',
+        'h     = { unit = "deg", draw = [30, 45, 60], means = { en = "angle", zh = "角" } }',
+    ),
     ('r     = { unit = "m", draw = [1, 2]', 'r     = { unit = "mm", draw = [100, 200]'),
-    ('omega = { unit = "rad/s", draw = [2, 1000000, 20000000]', 'omega = { unit = "rad/min", draw = [60, 120]'),
-    ('P = "(0, h)"\n', ""), ('A = "meet(circle(O, r), line(P, 0), right)"', 'A = "polar(O, r, h)"'),
+    (
+        'omega = { unit = "rad/s", draw = [2, 1000000, 20000000]',
+        'omega = { unit = "rad/min", draw = [60, 120]',
+    ),
+    ('P = "(0, h)"\n', ""),
+    ('A = "meet(circle(O, r), line(P, 0), right)"', 'A = "polar(O, r, h)"'),
     ("-omega*h", "-omega/60*r/1000*sin(h)"),
 )
 
@@ -59,26 +73,55 @@ def test_every_mistake_has_a_sentence_in_both_languages_and_a_plain_name() -> No
 
 def test_identifiers_are_a_promise_to_banks() -> None:
     assert IDENTIFIERS == (
-        "coriolis-dropped", "coriolis-halved", "coriolis-reversed", "relative-normal-dropped", "path-normal-dropped",
-        "relative-for-absolute", "absolute-for-relative", "meshing-reversed", "arm-for-sum", "wrong-pole",
-        "centre-for-pole", "transport-for-absolute", "other-branch", "sine-for-cosine", "degrees-for-radians",
-        "diameter-for-radius", "rpm-not-converted", "millimetres-for-metres", "sense-reversed", "power-of-ten-up",
-        "power-of-ten-down")
+        "coriolis-dropped",
+        "coriolis-halved",
+        "coriolis-reversed",
+        "relative-normal-dropped",
+        "path-normal-dropped",
+        "relative-for-absolute",
+        "absolute-for-relative",
+        "meshing-reversed",
+        "arm-for-sum",
+        "wrong-pole",
+        "centre-for-pole",
+        "transport-for-absolute",
+        "other-branch",
+        "sine-for-cosine",
+        "degrees-for-radians",
+        "diameter-for-radius",
+        "rpm-not-converted",
+        "millimetres-for-metres",
+        "sense-reversed",
+        "power-of-ten-up",
+        "power-of-ten-down",
+    )
 
 
 def test_mistakes_with_units_angles_and_writing() -> None:
     # r = 0.2 m, omega = 2 rad/s, h = 30 degrees: v_x = -0.4 sin h = -0.2
-    assert turning() == pytest.approx({
-        "sine-for-cosine": -0.4 * cos(pi / 6), "degrees-for-radians": -0.4 * sin(30), "rpm-not-converted": -12.0,
-        "millimetres-for-metres": -200.0, "sense-reversed": 0.2, "power-of-ten-up": -2.0, "power-of-ten-down": -0.02})
+    assert turning() == pytest.approx(
+        {
+            "sine-for-cosine": -0.4 * cos(pi / 6),
+            "degrees-for-radians": -0.4 * sin(30),
+            "rpm-not-converted": -12.0,
+            "millimetres-for-metres": -200.0,
+            "sense-reversed": 0.2,
+            "power-of-ten-up": -2.0,
+            "power-of-ten-down": -0.02,
+        }
+    )
 
 
 def test_a_mistake_that_changes_nothing_is_not_listed() -> None:
     assert "sine-for-cosine" not in turning(h="45")
     answers = kinegrade.template("slotted-bar-between-two-rods").solve()
     assert "coriolis-dropped" in answers["alpha_AE"].mistakes
-    assert not [name for name in answers["omega_AE"].mistakes if "coriolis" in name or "normal" in name]
-    assert answers["alpha_AE"].mistakes["coriolis-halved"] == pytest.approx(answers["alpha_AE"].value / 2)
+    assert not [
+        name for name in answers["omega_AE"].mistakes if "coriolis" in name or "normal" in name
+    ]
+    assert answers["alpha_AE"].mistakes["coriolis-halved"] == pytest.approx(
+        answers["alpha_AE"].value / 2
+    )
 
 
 def test_magnitudes_have_no_sense_givens_no_mistakes_and_zero_no_decimal_point() -> None:
@@ -86,7 +129,9 @@ def test_magnitudes_have_no_sense_givens_no_mistakes_and_zero_no_decimal_point()
     assert "sense-reversed" not in answers["v_B"].mistakes
     assert "sense-reversed" in answers["a_B"].mistakes
     assert answers.parameters["phi"].mistakes == {}
-    assert not {"sense-reversed", "power-of-ten-up", "power-of-ten-down"} & set(answers["omega_AB"].mistakes)
+    assert not {"sense-reversed", "power-of-ten-up", "power-of-ten-down"} & set(
+        answers["omega_AB"].mistakes
+    )
 
 
 def test_a_slider_crank_worked_out_by_hand() -> None:
@@ -96,23 +141,36 @@ def test_a_slider_crank_worked_out_by_hand() -> None:
     assert v_B["wrong-pole"] == pytest.approx(2)
     assert omega_AB["wrong-pole"] == pytest.approx(-1)
     assert omega_AB["other-branch"] == pytest.approx(-1 / 3)
-    assert v_B["sine-for-cosine"] == pytest.approx(sin(pi / 6) + cos(pi / 6) * sin(pi / 6) / (3 - 0.25) ** 0.5)
+    assert v_B["sine-for-cosine"] == pytest.approx(
+        sin(pi / 6) + cos(pi / 6) * sin(pi / 6) / (3 - 0.25) ** 0.5
+    )
 
 
-def answers_in(template: Template, values: Mapping[str, str], kind: Any, plan: Any,
-               arithmetic: Any) -> dict[str, float]:
+def answers_in(
+    template: Template, values: Mapping[str, str], kind: Any, plan: Any, arithmetic: Any
+) -> dict[str, float]:
     asks = {name: template.asks[name] for name in template.asked()}
     given = parameter_values(template, read_values(template, values), arithmetic)
     found = work_out(template, asks, way_of(kind, template, given, arithmetic), plan, arithmetic)
-    return {name: as_float(value) * (180 / pi if isinstance(value, Angle) and asks[name].unit.degrees else 1)
-            for name, value in found.items()}
+    return {
+        name: as_float(value)
+        * (180 / pi if isinstance(value, Angle) and asks[name].unit.degrees else 1)
+        for name, value in found.items()
+    }
 
 
-@pytest.mark.parametrize("name", [
-    "slider-crank", "rod-sliding-on-driven-wheel", "planetary-gear-external-rim-accelerations",
-    "two-wheels-on-cylinder", "rod-ground-incline-fixed-centrode", "extended-rod-driving-rocker",
-    "pose-four-bar-coupler",
-])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "slider-crank",
+        "rod-sliding-on-driven-wheel",
+        "planetary-gear-external-rim-accelerations",
+        "two-wheels-on-cylinder",
+        "rod-ground-incline-fixed-centrode",
+        "extended-rod-driving-rocker",
+        "pose-four-bar-coupler",
+    ],
+)
 def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
     template = load_template(name)
     deck = Deck(template, template.asked(), "mistakes", "q1")
@@ -120,11 +178,17 @@ def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
     plan = drawn.solution.motion.plan
     asks = {ask: template.asks[ask] for ask in template.asked()}
     kinds = (RIGHT, *candidates(template, asks))
-    numbers = {given: as_float(drawn.solution.assembly.values[given]) for given in template.parameters}
+    numbers = {
+        given: as_float(drawn.solution.assembly.values[given]) for given in template.parameters
+    }
     doubles = outcomes(template, asks, kinds[1:], numbers, plan).answers
     for row, kind in enumerate(kinds):
-        exact = certified(lambda arithmetic, kind=kind: answers_in(template, drawn.values, kind, plan, arithmetic))
-        assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(exact, rel=1e-9, abs=1e-9), kind
+        exact = certified(
+            lambda arithmetic, kind=kind: answers_in(template, drawn.values, kind, plan, arithmetic)
+        )
+        assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(
+            exact, rel=1e-9, abs=1e-9
+        ), kind
 
 
 def test_a_class_at_once_gives_what_each_instance_gives() -> None:
@@ -132,7 +196,9 @@ def test_a_class_at_once_gives_what_each_instance_gives() -> None:
     deck = Deck(template, template.asked(), "mistakes", "q1")
     drawn = [deck.draw(str(number)) for number in range(5)]
     asks = {name: template.asks[name] for name in template.asked()}
-    table = known_mistakes(template, asks, columns([one.values for one in drawn]), drawn[0].solution.motion.plan)
+    table = known_mistakes(
+        template, asks, columns([one.values for one in drawn]), drawn[0].solution.motion.plan
+    )
     for place, one in enumerate(drawn):
         for ask in asks:
             listed = one.solution[ask].mistakes
@@ -145,8 +211,15 @@ def test_an_angle_of_radians_is_no_exact_angle() -> None:
         degrees_as_radians(template, {"h": Angle(1)}, None)
 
 
-DECKS = ["slider-crank", "bar-through-swivelling-sleeve", "ring-gear-planet-relative-spin", "pin-in-two-rings",
-         "flat-faced-follower-curvature-radius", "rod-ground-incline-fixed-centrode", "wheel-on-circular-track"]
+DECKS = [
+    "slider-crank",
+    "bar-through-swivelling-sleeve",
+    "ring-gear-planet-relative-spin",
+    "pin-in-two-rings",
+    "flat-faced-follower-curvature-radius",
+    "rod-ground-incline-fixed-centrode",
+    "wheel-on-circular-track",
+]
 
 
 @pytest.mark.parametrize("name", DECKS)
@@ -160,11 +233,17 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
         solution = deck.draw(student).solution
         for ask in template.asked():
             answer = solution[ask]
-            allowed = effective(ONE_PER_CENT, answer.value, answer.measure, in_doubles(solution.motion))
+            allowed = effective(
+                ONE_PER_CENT, answer.value, answer.measure, in_doubles(solution.motion)
+            )
             low, high = allowed.interval(Fraction(answer.value))
             for mistake, value in answer.mistakes.items():
                 typed = Fraction(f"{value:.3g}") if isfinite(value) else Fraction(0)
-                assert mistake in inseparable[ask] or not low <= typed <= high or answer.value == value == 0
+                assert (
+                    mistake in inseparable[ask]
+                    or not low <= typed <= high
+                    or answer.value == value == 0
+                )
 
 
 def slider_crank(**fixed: tuple[str, ...]) -> Deck:
@@ -178,7 +257,9 @@ def test_a_draw_that_hides_a_mistake_is_refused_for_that() -> None:
     assert deck.refused["mistake"] > 0
     hidden = {"r": "0.1", "k": "2", "phi": "45", "omega": "2", "alpha": "0"}
     deck.sight.look([hidden])
-    with pytest.raises(Refused, match="a known mistake leads to an answer within tolerance") as caught:
+    with pytest.raises(
+        Refused, match="a known mistake leads to an answer within tolerance"
+    ) as caught:
         deck.require_apart("1", 0, hidden)
     assert caught.value.reason == "mistake"
 
@@ -193,7 +274,9 @@ def test_looking_ahead_changes_no_draw() -> None:
     students = [str(number) for number in range(10)]
     ahead, alone = slider_crank(), slider_crank()
     ahead.foresee(students)
-    assert [ahead.draw(one).values for one in students] == [alone.draw(one).values for one in students]
+    assert [ahead.draw(one).values for one in students] == [
+        alone.draw(one).values for one in students
+    ]
     assert ahead.refused == alone.refused
 
 
@@ -205,7 +288,9 @@ def test_a_question_without_any_solvable_draw_is_left_to_other_reasons() -> None
 
 
 def test_terms_that_vanish_identically_are_told() -> None:
-    template = load_template("parallelogram-with-sliding-rod")  # its coupler translates, whatever is drawn
+    template = load_template(
+        "parallelogram-with-sliding-rod"
+    )  # its coupler translates, whatever is drawn
     separation = Deck(template, template.asked(), "spring", "q1").sight.separation
     assert separation is not None
     told = separation.inseparable()
@@ -215,13 +300,17 @@ def test_terms_that_vanish_identically_are_told() -> None:
 
 def test_the_report_of_a_check_tells_them() -> None:
     lines = list(report_lines(check(load_template("parallelogram-with-sliding-rod"), sample=20)))
-    told = "cannot be told from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
+    told = (
+        "cannot be told from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
+    )
     assert f"  a_rel: {told}" in lines
     assert not [line for line in lines if line.startswith("  omega_AB: cannot")]
     assert re.search(r"refused: .*mistake \d+", "".join(lines))
 
 
-@pytest.mark.parametrize(("text", "value"), [("30", pi / 6), ("atan(3/4)", 0.6435011), ("sqrt(-1)", nan), ("r", nan)])
+@pytest.mark.parametrize(
+    ("text", "value"), [("30", pi / 6), ("atan(3/4)", 0.6435011), ("sqrt(-1)", nan), ("r", nan)]
+)
 def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> None:
     template = load_template("slider-crank")
     assert in_floats(template, {"phi": [text]})["phi"] == pytest.approx([value], nan_ok=True)

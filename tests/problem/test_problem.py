@@ -43,6 +43,8 @@ def test_a_description_tells_domains_points_and_conventions() -> None:
 
 
 def test_a_negative_length_is_refused_and_a_negative_coordinate_is_not() -> None:
-    with pytest.raises(TemplateError, match="slider-crank: r: a negative length: give zero or more"):
+    with pytest.raises(
+        TemplateError, match="slider-crank: r: a negative length: give zero or more"
+    ):
         Problem.load("slider-crank").solve(r="-sqrt(2)")
     assert Problem.load("pole-sleeve-slider-rod").solve(x_B="-1/2")["x_S"].exact == "-1/2"

@@ -18,16 +18,24 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Published, Template
 
 INSTANCES = 6
-REFERENCE = json.loads((Path(__file__).parent.parent / "data" / "reference.json").read_text(encoding="utf-8"))
-PUBLISHED = [pytest.param(name, index, id=f"{name}-{index}") for name in template_names()
-             for index in range(len(load_template(name).published))]
+REFERENCE = json.loads(
+    (Path(__file__).parent.parent / "data" / "reference.json").read_text(encoding="utf-8")
+)
+PUBLISHED = [
+    pytest.param(name, index, id=f"{name}-{index}")
+    for name in template_names()
+    for index in range(len(load_template(name).published))
+]
 
 
 def instances(template: Template, published: Published) -> list[Solution]:
     """The template solved at the published values, those left open drawn from their domains."""
     random, found = Random(published.source), []
     for _ in range(20 * INSTANCES):
-        values = {name: random.choice(parameter.choices) for name, parameter in template.parameters.items()}
+        values = {
+            name: random.choice(parameter.choices)
+            for name, parameter in template.parameters.items()
+        }
         try:
             found.append(solve_template(template, {**values, **published.given}, published.gives))
         except MechanismError:
@@ -40,11 +48,20 @@ def instances(template: Template, published: Published) -> list[Solution]:
 def difference(solution: Solution, name: str, published: Published) -> Any:
     """What the engine gives minus what the source gives, in one exact field; angles as a direction, (1, 0) for none."""
     field, ask = solution.arithmetic.fork(), solution.template.asks[name]
-    quoted = {"pi": field.turns(1), **{key: given.number for key, given in solution.parameters.items()}}
+    quoted = {
+        "pi": field.turns(1),
+        **{key: given.number for key, given in solution.parameters.items()},
+    }
     expected = evaluate(published.gives[name], quoted, elementary(field), field)
-    found = evaluate(read(str(solution[name].exact)), {"pi": field.turns(1)}, elementary(field), field)
+    found = evaluate(
+        read(str(solution[name].exact)), {"pi": field.turns(1)}, elementary(field), field
+    )
     if isinstance(expected, Angle):
-        found = found if isinstance(found, Angle) else field.turns(found / 180 if ask.unit.degrees else found)
+        found = (
+            found
+            if isinstance(found, Angle)
+            else field.turns(found / 180 if ask.unit.degrees else found)
+        )
         cosine, sine = (found - expected).direction(field)
         return sine if field.sign(cosine) > 0 else cosine
     return found - expected
@@ -60,10 +77,18 @@ def test_published_results_hold_with_zero_difference_in_the_field(name: str, ind
         for ask in published.gives:
             answer = solution[ask]
             assert answer.is_exact
-            if "180*" in str(answer.exact):  # an arctangent in degrees: its value over pi has no field
-                degrees = evaluate(published.gives[ask], {"pi": solution.arithmetic.turns(1), **{
-                    key: given.number for key, given in solution.parameters.items()}},
-                    elementary(solution.arithmetic), solution.arithmetic)
+            if "180*" in str(
+                answer.exact
+            ):  # an arctangent in degrees: its value over pi has no field
+                degrees = evaluate(
+                    published.gives[ask],
+                    {
+                        "pi": solution.arithmetic.turns(1),
+                        **{key: given.number for key, given in solution.parameters.items()},
+                    },
+                    elementary(solution.arithmetic),
+                    solution.arithmetic,
+                )
                 assert (answer.number - degrees).direction(solution.arithmetic) == (1, 0)
             else:
                 assert difference(solution, ask, published) == 0, (ask, dict(solution.parameters))
@@ -79,11 +104,18 @@ def test_a_published_result_that_is_wrong_in_the_thirtieth_digit_is_seen() -> No
     published = template.published[0]
     wrong = read("(2*sqrt(3)/3 + 1e-30)*omega*r")
     solution = instances(template, published)[0]
-    assert difference(solution, "v_B", Published(published.source, published.given, {"v_B": wrong}, {})) != 0
+    assert (
+        difference(
+            solution, "v_B", Published(published.source, published.given, {"v_B": wrong}, {})
+        )
+        != 0
+    )
 
 
-@pytest.mark.parametrize(("name", "index"),
-                         [(name, index) for name in REFERENCE for index in range(len(REFERENCE[name]))])
+@pytest.mark.parametrize(
+    ("name", "index"),
+    [(name, index) for name in REFERENCE for index in range(len(REFERENCE[name]))],
+)
 def test_answers_agree_with_independently_computed_ones(name: str, index: int) -> None:
     entry = REFERENCE[name][index]
     solution = solve_template(load_template(name), entry["parameters"], entry["answers"])

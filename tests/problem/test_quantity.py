@@ -35,17 +35,30 @@ def test_an_enclosure_has_a_decimal_and_no_exact_form() -> None:
         ctx.prec = previous
 
 
-@pytest.mark.parametrize(("number", "text"), [
-    (fmpq(1, 4), "0.25"), (fmpq(12), "12"), (fmpq(-3, 8), "-0.375"), (fmpq(1, 10**6), "0.000001"),
-    (fmpq(1, 3), r"\frac{1}{3}"), (fmpq(1, 10**7), r"\frac{1}{10000000}"), (fmpq(0), "0"),
-])
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        (fmpq(1, 4), "0.25"),
+        (fmpq(12), "12"),
+        (fmpq(-3, 8), "-0.375"),
+        (fmpq(1, 10**6), "0.000001"),
+        (fmpq(1, 3), r"\frac{1}{3}"),
+        (fmpq(1, 10**7), r"\frac{1}{10000000}"),
+        (fmpq(0), "0"),
+    ],
+)
 def test_a_problem_states_short_decimals_and_leaves_fractions(number: object, text: str) -> None:
     assert quantity(number).given_text == text
 
 
-@pytest.mark.parametrize(("angle", "exact", "stated"), [
-    (Angle(fmpq(1, 3)), "60", "60"), (Angle(fmpq(-1, 8)), "-45/2", "-22.5"), (Angle(fmpq(0)), "0", "0"),
-])
+@pytest.mark.parametrize(
+    ("angle", "exact", "stated"),
+    [
+        (Angle(fmpq(1, 3)), "60", "60"),
+        (Angle(fmpq(-1, 8)), "-45/2", "-22.5"),
+        (Angle(fmpq(0)), "0", "0"),
+    ],
+)
 def test_degrees_leave_as_degrees(angle: Angle, exact: str, stated: str) -> None:
     phi = quantity(angle, "deg")
     assert (phi.exact, phi.given_text, phi.decimal(5)) == (exact, stated, stated)
@@ -66,5 +79,10 @@ def test_zero_is_known_in_every_form() -> None:
 
 def test_the_record_is_what_the_key_and_json_hold() -> None:
     record = quantity(Field().sqrt(fmpq(3)) * -1).record()
-    assert record == {"exact": "-sqrt(3)", "value": -(3**0.5), "unit": "m/s", "decimal": f"-{ROOT_3}"}
+    assert record == {
+        "exact": "-sqrt(3)",
+        "value": -(3**0.5),
+        "unit": "m/s",
+        "decimal": f"-{ROOT_3}",
+    }
     assert json.loads(json.dumps(record)) == record

@@ -12,10 +12,21 @@ from tests.problem.crank import crank
 ACCELERATED = ('velocity = "omega"', 'velocity = "omega", acceleration = "-7*omega**2"')
 
 
-@pytest.mark.parametrize(("unit", "size"), [
-    ("m", 5.0), ("mm", 5000.0), ("m/s", 10.0), ("mm/s", 10000.0), ("rad/s", 2.0), ("m/s^2", 20.0), ("rad/s^2", 4.0),
-    ("1", 1.0), ("rad", 1.0), ("deg", 57.3),
-])
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        ("m", 5.0),
+        ("mm", 5000.0),
+        ("m/s", 10.0),
+        ("mm/s", 10000.0),
+        ("rad/s", 2.0),
+        ("m/s^2", 20.0),
+        ("rad/s^2", 4.0),
+        ("1", 1.0),
+        ("rad", 1.0),
+        ("deg", 57.3),
+    ],
+)
 def test_a_uniform_crank_of_five_metres_turning_at_two(unit: str, size: float) -> None:
     motion = solve_template(crank(), {"r": "5", "h": "3", "omega": "-2"}).motion
     assert scale(motion, read_unit(unit)) == pytest.approx(size, rel=1e-12)

@@ -11,25 +11,51 @@ from kinegrade.problem.sentences import read_driver, read_joint
 from kinegrade.problem.signs import read_sign
 
 
-@pytest.mark.parametrize(("text", "kind", "fields"), [
-    ("pin A: OA AB", "pin", {"point": "A", "bodies": ("OA", "AB")}),
-    ("pin A: OA, AB, AC", "pin", {"bodies": ("OA", "AB", "AC")}),
-    ("B of AB slides on line(O, 0)", "slide", {"point": "B", "body": "AB", "of": "ground"}),
-    ("A of AB slides on line(O, A) of OC", "slide", {"of": "OC"}),
-    ("O of ground slides on line(O, A) of AB", "slide", {"body": "ground", "of": "AB"}),
-    ("AB slides through sleeve along line(O, A)", "sleeve", {"body": "AB", "of": "sleeve"}),
-    ("M stays on circle(O1, R) of ring1", "arc", None),
-    ("M of rod stays on circle(O1, R) of ring1", "arc", {"point": "M", "body": "rod", "of": "ring1"}),
-    ("circle(C, R) of cam touches line(A, 0) of BC", "contact", {"body": "cam", "of": "BC", "inside": False}),
-    ("circle(C, R) of cam touches circle(D, r + 1) of BC inside", "contact", {"inside": True}),
-    ("circle(A, r2) of II rolls on circle(O, r1) inside", "roll", {"body": "II", "of": "ground", "inside": True}),
-    ("circle(A, (r1 + r2)/2) of II rolls on line(O, 0) of rack", "roll", {"of": "rack", "inside": False}),
-    ("circle(A, r1) of I meshes with circle(B, r2) of II on arm", "mesh",
-     {"of": "II", "carrier": "arm", "inside": False}),
-    ("circle(A, r1) of I meshes with circle(B, r2) of ground on arm inside", "mesh", {"of": "ground", "inside": True}),
-    ("BC translates", "parallel", {"body": "BC", "of": "ground"}),
-    ("rod turns with arm", "parallel", {"body": "rod", "of": "arm"}),
-])
+@pytest.mark.parametrize(
+    ("text", "kind", "fields"),
+    [
+        ("pin A: OA AB", "pin", {"point": "A", "bodies": ("OA", "AB")}),
+        ("pin A: OA, AB, AC", "pin", {"bodies": ("OA", "AB", "AC")}),
+        ("B of AB slides on line(O, 0)", "slide", {"point": "B", "body": "AB", "of": "ground"}),
+        ("A of AB slides on line(O, A) of OC", "slide", {"of": "OC"}),
+        ("O of ground slides on line(O, A) of AB", "slide", {"body": "ground", "of": "AB"}),
+        ("AB slides through sleeve along line(O, A)", "sleeve", {"body": "AB", "of": "sleeve"}),
+        ("M stays on circle(O1, R) of ring1", "arc", None),
+        (
+            "M of rod stays on circle(O1, R) of ring1",
+            "arc",
+            {"point": "M", "body": "rod", "of": "ring1"},
+        ),
+        (
+            "circle(C, R) of cam touches line(A, 0) of BC",
+            "contact",
+            {"body": "cam", "of": "BC", "inside": False},
+        ),
+        ("circle(C, R) of cam touches circle(D, r + 1) of BC inside", "contact", {"inside": True}),
+        (
+            "circle(A, r2) of II rolls on circle(O, r1) inside",
+            "roll",
+            {"body": "II", "of": "ground", "inside": True},
+        ),
+        (
+            "circle(A, (r1 + r2)/2) of II rolls on line(O, 0) of rack",
+            "roll",
+            {"of": "rack", "inside": False},
+        ),
+        (
+            "circle(A, r1) of I meshes with circle(B, r2) of II on arm",
+            "mesh",
+            {"of": "II", "carrier": "arm", "inside": False},
+        ),
+        (
+            "circle(A, r1) of I meshes with circle(B, r2) of ground on arm inside",
+            "mesh",
+            {"of": "ground", "inside": True},
+        ),
+        ("BC translates", "parallel", {"body": "BC", "of": "ground"}),
+        ("rod turns with arm", "parallel", {"body": "rod", "of": "arm"}),
+    ],
+)
 def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) -> None:
     if fields is None:
         with pytest.raises(ExpressionError, match="no such joint"):
@@ -40,13 +66,16 @@ def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) ->
     assert {name: getattr(sentence, name) for name in fields} == fields
 
 
-@pytest.mark.parametrize(("text", "kind", "fields"), [
-    ("OA turns", "rotation", {"body": "OA", "of": "ground"}),
-    ("AB turns relative to OA", "rotation", {"of": "OA"}),
-    ("B of AB moves along -x", "component", {"point": "B", "body": "AB", "of": "ground"}),
-    ("M of M moves along direction(O, A) relative to AE", "component", {"of": "AE"}),
-    ("A of W circles O", "circulation", {"point": "A", "body": "W", "centre": "O"}),
-])
+@pytest.mark.parametrize(
+    ("text", "kind", "fields"),
+    [
+        ("OA turns", "rotation", {"body": "OA", "of": "ground"}),
+        ("AB turns relative to OA", "rotation", {"of": "OA"}),
+        ("B of AB moves along -x", "component", {"point": "B", "body": "AB", "of": "ground"}),
+        ("M of M moves along direction(O, A) relative to AE", "component", {"of": "AE"}),
+        ("A of W circles O", "circulation", {"point": "A", "body": "W", "centre": "O"}),
+    ],
+)
 def test_input_sentences(text: str, kind: str, fields: dict[str, str]) -> None:
     sentence = read_driver(text, "1", "0")
     assert sentence.kind == kind
@@ -54,7 +83,10 @@ def test_input_sentences(text: str, kind: str, fields: dict[str, str]) -> None:
 
 
 def test_inputs_refused() -> None:
-    with pytest.raises(ExpressionError, match='"OA moves": no such input: write "OA turns", "AB turns relative to OA"'):
+    with pytest.raises(
+        ExpressionError,
+        match='"OA moves": no such input: write "OA turns", "AB turns relative to OA"',
+    ):
         read_driver("OA moves", "1", "0")
     with pytest.raises(ExpressionError, match="a sentence of 401 characters"):
         read_driver("O" * 401, "1", "0")

@@ -9,9 +9,10 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.problem.library import load_template, shipped, template_names
-from kinegrade.problem.reading import MAX_CHARACTERS, read_template
+from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template
+from kinegrade.problem.toml_text import MAX_CHARACTERS
 from tests.problem.crank import crank
 
 MECHANISM = """
@@ -69,7 +70,9 @@ def changed(text: str, *changes: Change) -> str:
 
 def sharing(own: tuple[Change, ...] = (), shared: tuple[Change, ...] = ()) -> Template:
     """The crank that shares its mechanism, with passages of either file replaced."""
-    return read_template("crank", changed(OWN, *own), {"arm": changed(MECHANISM, *shared)}.__getitem__)
+    return read_template(
+        "crank", changed(OWN, *own), {"arm": changed(MECHANISM, *shared)}.__getitem__
+    )
 
 
 def faults(own: tuple[Change, ...] = (), shared: tuple[Change, ...] = ()) -> list[str]:
@@ -104,88 +107,141 @@ def test_a_template_that_shares_is_the_template_that_stands_alone() -> None:
 
 
 def test_own_entries_win_by_name_and_a_parameter_key_by_key() -> None:
-    own = (('h     = { draw = [0, "1/2", 3] }', 'h = { draw = [0] }\nr = { published = "2" }'),
-           ("[asks]", '[points]\nP = "(0, h/2)"\nQ = "(0, r)"\n[bodies]\nOA = "O A P"\n[asks]'))
+    own = (
+        ('h     = { draw = [0, "1/2", 3] }', 'h = { draw = [0] }\nr = { published = "2" }'),
+        ("[asks]", '[points]\nP = "(0, h/2)"\nQ = "(0, r)"\n[bodies]\nOA = "O A P"\n[asks]'),
+    )
     template = sharing(own)
     assert list(template.parameters) == ["r", "h", "omega"]
-    assert (template.parameters["r"].choices, template.parameters["r"].published) == (("1", "2"), "2")
+    assert (template.parameters["r"].choices, template.parameters["r"].published) == (
+        ("1", "2"),
+        "2",
+    )
     assert list(template.points) == ["O", "P", "A", "Q"]
     assert solve_template(template, {"h": "1"})["v_x"].exact == "-1"
     assert template.bodies[0].points == ("O", "A", "P")
 
 
 def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key() -> None:
-    own = (('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h < r"]'),
-           ("[asks]", '[figure]\naxes = true\nlabels = { O = "C" }\n[asks]'))
+    own = (
+        ('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h < r"]'),
+        ("[asks]", '[figure]\naxes = true\nlabels = { O = "C" }\n[asks]'),
+    )
     template = sharing(own)
     assert [condition.text for condition in template.conditions] == ["omega < 10000000", "h < r"]
     assert (len(template.figure.lengths), template.figure.axes) == (1, True)
     assert dict(template.figure.labels) == {"O": "C"}
 
 
-@pytest.mark.parametrize(("shared", "told"), [
-    (('en = "length of the crank", ', ""), "mechanisms/arm.toml: parameters.r: means: "),
-    (('P = "(0, h)"', 'P = "(0, k)"'), 'mechanisms/arm.toml: points.P: unknown name "k": '),
-    (('OA = "O A"', 'OA = "O B"'), 'mechanisms/arm.toml: bodies.OA: no point "B": '),
-    (("pin O: ground OA", "pin O: ground OC"), 'mechanisms/arm.toml: pin O: ground OC: no body "OC": '),
-    (("pin O: ground OA", "glue O"), "mechanisms/arm.toml: joints[0]: "),
-    (("omega < 10000000", "omega"), 'mechanisms/arm.toml: conditions[0]: "omega": expected "left < right"'),
-    (("[bodies]", "1X = '(0, 0)'\n[bodies]"), "mechanisms/arm.toml: 1X: not usable as a name: "),
-    (('labels = { P = "P" }', "axes = 1"), "mechanisms/arm.toml: figure: crank: figure.axes: expected true or false"),
-    (("h     = { unit", "h     = { unti"), 'crank.toml over mechanisms/arm.toml: parameters.h: unknown key "unti": '),
-])
+@pytest.mark.parametrize(
+    ("shared", "told"),
+    [
+        (('en = "length of the crank", ', ""), "mechanisms/arm.toml: parameters.r: means: "),
+        (('P = "(0, h)"', 'P = "(0, k)"'), 'mechanisms/arm.toml: points.P: unknown name "k": '),
+        (('OA = "O A"', 'OA = "O B"'), 'mechanisms/arm.toml: bodies.OA: no point "B": '),
+        (
+            ("pin O: ground OA", "pin O: ground OC"),
+            'mechanisms/arm.toml: pin O: ground OC: no body "OC": ',
+        ),
+        (("pin O: ground OA", "glue O"), "mechanisms/arm.toml: joints[0]: "),
+        (
+            ("omega < 10000000", "omega"),
+            'mechanisms/arm.toml: conditions[0]: "omega": expected "left < right"',
+        ),
+        (
+            ("[bodies]", "1X = '(0, 0)'\n[bodies]"),
+            "mechanisms/arm.toml: 1X: not usable as a name: ",
+        ),
+        (
+            ('labels = { P = "P" }', "axes = 1"),
+            "mechanisms/arm.toml: figure: crank: figure.axes: expected true or false",
+        ),
+        (
+            ("h     = { unit", "h     = { unti"),
+            'crank.toml over mechanisms/arm.toml: parameters.h: unknown key "unti": ',
+        ),
+    ],
+)
 def test_a_fault_of_the_mechanism_is_told_with_its_file(shared: Change, told: str) -> None:
     assert [problem for problem in faults(shared=(shared,)) if problem.startswith(told)]
 
 
-@pytest.mark.parametrize(("own", "told"), [
-    (('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h"]\njoints = ["glue"]'), "crank.toml: conditions[0]: "),
-    (('mechanism = "arm"', 'mechanism = "arm"\njoints = ["glue"]'), "crank.toml: joints[0]: "),
-    (("[asks]", "[points]\nP = '(0, k)'\n[asks]"), 'crank.toml: points.P: unknown name "k": '),
-    (("[asks]", "[figure]\naxes = 1\n[asks]"), "crank.toml: figure: crank: figure.axes: expected true or false"),
-    (("[asks]", "[figure]\nlabels = 1\n[asks]"), "crank.toml: figure: crank: figure.labels: expected a table"),
-    (('mechanism = "arm"', 'mechanism = "arm"\npoints = 3'), "crank.toml: points: expected a table"),
-    (("x(velocity(A))", "x(velocity(B))"), 'crank.toml: asks.v_x: unknown name "B": '),
-])
+@pytest.mark.parametrize(
+    ("own", "told"),
+    [
+        (
+            ('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h"]\njoints = ["glue"]'),
+            "crank.toml: conditions[0]: ",
+        ),
+        (('mechanism = "arm"', 'mechanism = "arm"\njoints = ["glue"]'), "crank.toml: joints[0]: "),
+        (("[asks]", "[points]\nP = '(0, k)'\n[asks]"), 'crank.toml: points.P: unknown name "k": '),
+        (
+            ("[asks]", "[figure]\naxes = 1\n[asks]"),
+            "crank.toml: figure: crank: figure.axes: expected true or false",
+        ),
+        (
+            ("[asks]", "[figure]\nlabels = 1\n[asks]"),
+            "crank.toml: figure: crank: figure.labels: expected a table",
+        ),
+        (
+            ('mechanism = "arm"', 'mechanism = "arm"\npoints = 3'),
+            "crank.toml: points: expected a table",
+        ),
+        (("x(velocity(A))", "x(velocity(B))"), 'crank.toml: asks.v_x: unknown name "B": '),
+    ],
+)
 def test_a_fault_of_the_template_is_told_with_its_own_file(own: Change, told: str) -> None:
     assert [problem for problem in faults((own,)) if problem.startswith(told)]
 
 
 def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None:
-    shared = (("[points]", "[asks]\n[tags]\n[points]"), ("conditions = ", 'mechanism = "leg"\nconditions = '),
-              ('[bodies]\nOA = "O A"', "[other]"), ("\njoints = [", "\nbodies = 1\njoints = ["))
+    shared = (
+        ("[points]", "[asks]\n[tags]\n[points]"),
+        ("conditions = ", 'mechanism = "leg"\nconditions = '),
+        ('[bodies]\nOA = "O A"', "[other]"),
+        ("\njoints = [", "\nbodies = 1\njoints = ["),
+    )
     listed = "bodies, conditions, figure, joints, lengths, parameters, points"
     found = faults((('family = "crank"', 'famly = "crank"'),), shared)
     assert found[:2] == [
         "crank.toml: unknown table or key 'famly': did you mean \"family\"? (known here: asks, bodies, conditions, "
         "family, figure, inputs, joints, lengths, mechanism, method, parameters, points, published, source, statement, "
         "tags, title)",
-        "crank.toml: family is missing: every template needs it"]
+        "crank.toml: family is missing: every template needs it",
+    ]
     assert found[2:8] == [
         "mechanisms/arm.toml: bodies: expected a table",
         "mechanisms/arm.toml: mechanism: a mechanism cannot build on a further one: write all its tables in this file",
         f"mechanisms/arm.toml: 'asks' cannot be shared: leave it to the templates: known here: {listed}",
         f"mechanisms/arm.toml: 'tags' cannot be shared: leave it to the templates: known here: {listed}",
         f"mechanisms/arm.toml: 'other' cannot be shared: leave it to the templates: known here: {listed}",
-        "crank.toml: bodies is missing: every template needs it"]
+        "crank.toml: bodies is missing: every template needs it",
+    ]
 
 
-@pytest.mark.parametrize("name", ['"../arm"', '"arm.toml"', '""', '"/arm"', '"Arm"', '"arm\\n"', "3", '["arm"]'])
+@pytest.mark.parametrize(
+    "name", ['"../arm"', '"arm.toml"', '""', '"/arm"', '"Arm"', '"arm\\n"', "3", '["arm"]']
+)
 def test_a_mechanism_is_called_by_a_plain_name(name: str) -> None:
     assert faults((('mechanism = "arm"', f"mechanism = {name}"),)) == [
-        "crank.toml: mechanism: expected a file's name in mechanisms/ without .toml: small letters, digits, hyphens"]
+        "crank.toml: mechanism: expected a file's name in mechanisms/ without .toml: small letters, digits, hyphens"
+    ]
 
 
 def test_a_mechanism_that_cannot_be_had_says_why(tmp_path: Path) -> None:
-    file = with_files(tmp_path, changed(OWN, ('source = "by hand"\nmechanism', "mechanism")), arms=MECHANISM)
+    file = with_files(
+        tmp_path, changed(OWN, ('source = "by hand"\nmechanism', "mechanism")), arms=MECHANISM
+    )
     assert refusals(file) == [
         "crank.toml: source is missing: every template needs it",
         'crank.toml: mechanism: no mechanism "arm" in mechanisms/ beside the template: did you mean "arms"? '
-        "(known here: arms)"]
+        "(known here: arms)",
+    ]
     shared = tmp_path / "mechanisms" / "arm.toml"
     shared.write_text("#" * (MAX_CHARACTERS + 1), encoding="utf-8")
     assert refusals(file)[1:] == [
-        f"mechanisms/arm.toml: {MAX_CHARACTERS + 1} characters: at most {MAX_CHARACTERS} are read"]
+        f"mechanisms/arm.toml: {MAX_CHARACTERS + 1} characters: at most {MAX_CHARACTERS} are read"
+    ]
     shared.write_text("joints = [", encoding="utf-8")
     assert refusals(file)[1].startswith("mechanisms/arm.toml: not readable as TOML: ")
     shared.write_bytes(b"title = '\xff'")
@@ -197,7 +253,8 @@ def test_a_text_alone_has_no_mechanisms_beside_it() -> None:
     with pytest.raises(TemplateError) as caught:
         read_template("crank", OWN)
     assert caught.value.problems == (
-        'crank.toml: mechanism: no folder to look for "arm" in: load the template from its file',)
+        'crank.toml: mechanism: no folder to look for "arm" in: load the template from its file',
+    )
 
 
 def test_a_mechanism_is_found_beside_its_template_and_is_no_template(tmp_path: Path) -> None:
@@ -209,7 +266,11 @@ def test_a_mechanism_is_found_beside_its_template_and_is_no_template(tmp_path: P
 
 
 def test_every_shipped_mechanism_is_shared() -> None:
-    shared = [template.mechanism[0] for template in map(load_template, template_names()) if template.mechanism]
+    shared = [
+        template.mechanism[0]
+        for template in map(load_template, template_names())
+        if template.mechanism
+    ]
     files = {path.stem for path in (shipped("templates") / "mechanisms").iterdir()}
     assert set(shared) == files
     assert all(shared.count(name) >= 2 for name in files)

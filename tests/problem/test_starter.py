@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.problem.reading import KEYS
 from kinegrade.problem.starter import starter_text
+from kinegrade.problem.toml_text import KEYS
 from tests.small_class import kinegrade
 
 
@@ -36,8 +36,12 @@ def test_every_table_is_there_and_explained_in_the_lines_above_it() -> None:
     assert set(tomllib.loads(starter_text())) == set(KEYS)
     lines = starter_text().splitlines()
     first_table = lines.index("[title]")
-    starts = [index for index, line in enumerate(lines) if line.startswith("[")
-              or (index < first_table and line.startswith(tuple(f"{key} =" for key in KEYS)))]
+    starts = [
+        index
+        for index, line in enumerate(lines)
+        if line.startswith("[")
+        or (index < first_table and line.startswith(tuple(f"{key} =" for key in KEYS)))
+    ]
     assert len(starts) == len(KEYS)
     assert all(lines[index - 1].startswith("# ") for index in starts)
 
@@ -57,7 +61,8 @@ def test_a_name_is_small_letters_digits_and_hyphens(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert refusal("--", name) == (
-        f"error: {name}.toml: a template's name is made of small letters, digits and hyphens")
+        f"error: {name}.toml: a template's name is made of small letters, digits and hyphens"
+    )
     assert list(tmp_path.iterdir()) == []
 
 
@@ -66,5 +71,6 @@ def test_a_template_is_called_by_the_name_of_its_file(file: str, tmp_path: Path)
     path = tmp_path / file
     assert refusal("my-first", "-o", path) == (
         f"error: {path}: a template is called by the name of its file: expected a path that ends in my-first.toml: "
-        "change the path or the name")
+        "change the path or the name"
+    )
     assert not path.exists()

@@ -12,13 +12,19 @@ from tests.problem.crank import crank
 UNASKED = ("points = 2, ", "")
 
 
-@pytest.mark.parametrize(("change", "tag"), [
-    (("points = 2", "points = 2"), "velocity"),
-    (('"x(velocity(A))", unit = "m/s"', '"x(acceleration(A))", unit = "mm/s^2"'), "acceleration"),
-    (('"x(velocity(A))", unit = "m/s"', '"x(A)", unit = "m"'), "position"),
-    (('means = { en = "along y"', 'points = 1, means = { en = "along y"'), "velocity"),
-    (UNASKED, "position"),  # asks without points are on request alone
-])
+@pytest.mark.parametrize(
+    ("change", "tag"),
+    [
+        (("points = 2", "points = 2"), "velocity"),
+        (
+            ('"x(velocity(A))", unit = "m/s"', '"x(acceleration(A))", unit = "mm/s^2"'),
+            "acceleration",
+        ),
+        (('"x(velocity(A))", unit = "m/s"', '"x(A)", unit = "m"'), "position"),
+        (('means = { en = "along y"', 'points = 1, means = { en = "along y"'), "velocity"),
+        (UNASKED, "position"),  # asks without points are on request alone
+    ],
+)
 def test_the_highest_kind_that_has_points_is_the_tag(change: tuple[str, str], tag: str) -> None:
     assert tags(crank(change)) == {tag}
 
@@ -34,10 +40,15 @@ def test_an_angular_acceleration_beside_velocities_makes_an_acceleration_problem
 
 def test_the_author_adds_words() -> None:
     assert tags(crank(('family = "crank"', 'family = "crank"\ntags = ["dead-point", "easy"]'))) == {
-        "velocity", "dead-point", "easy"}
+        "velocity",
+        "dead-point",
+        "easy",
+    }
 
 
-@pytest.mark.parametrize("value", ['"easy"', "[3]", '["Easy"]', '["two words"]', '[""]', f'["{"a" * 31}"]'])
+@pytest.mark.parametrize(
+    "value", ['"easy"', "[3]", '["Easy"]', '["two words"]', '[""]', f'["{"a" * 31}"]']
+)
 def test_tags_are_short_words(value: str) -> None:
     with pytest.raises(TemplateError, match=r"^crank\.toml: tags: expected "):
         crank(('family = "crank"', f'family = "crank"\ntags = {value}'))

@@ -24,7 +24,10 @@ def chains(blocks: Iterable[Block]) -> Iterator[tuple[str, list[str]]]:
                 texts.append(line)
     for text in texts:
         left, _, right = text.partition(" &")
-        yield left, [part.strip() for part in re.split(r"=|\\approx|\\propto", right) if part.strip()]
+        yield (
+            left,
+            [part.strip() for part in re.split(r"=|\\approx|\\propto", right) if part.strip()],
+        )
 
 
 def part_value(part: str) -> float | None:

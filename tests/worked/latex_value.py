@@ -8,8 +8,12 @@ from collections.abc import Callable, Mapping
 
 TOKEN = re.compile(r"\\(?:left|right)|\\[A-Za-z]+|\\,|\\ |\d+(?:\.\d+)?|[A-Za-z]_\{\w+\}|\S")
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    r"\sin": math.sin, r"\cos": math.cos, r"\tan": math.tan,
-    r"\arcsin": math.asin, r"\arccos": math.acos, r"\arctan": math.atan,
+    r"\sin": math.sin,
+    r"\cos": math.cos,
+    r"\tan": math.tan,
+    r"\arcsin": math.asin,
+    r"\arccos": math.acos,
+    r"\arctan": math.atan,
 }
 
 
@@ -20,8 +24,14 @@ class Unreadable(Exception):
 def value_of(latex: str, values: Mapping[str, float]) -> float:
     """The value of a formula; `values` gives those of the symbols like `v_{3}`. Raises Unreadable."""
     bars = latex.replace(r"\left|", "<").replace(r"\right|", ">")
-    reader = Reader([token for token in TOKEN.findall(bars) if token not in (r"\,", r"\ ", r"\left", r"\right")],
-                    values)
+    reader = Reader(
+        [
+            token
+            for token in TOKEN.findall(bars)
+            if token not in (r"\,", r"\ ", r"\left", r"\right")
+        ],
+        values,
+    )
     value = reader.sum()
     if reader.tokens:
         raise Unreadable(reader.tokens[0])
@@ -64,7 +74,7 @@ class Reader:
             if self.next() == r"\circ":
                 self.tokens.pop(0)
                 return math.radians(base)
-            return float(base**self.group())
+            return float(base ** self.group())
         return base
 
     def function(self) -> float:
@@ -73,8 +83,11 @@ class Reader:
         if self.next() == "(":
             return float(work(self.atom()) ** exponent)
         argument = self.power()
-        while self.next() and (self.next()[0].isalpha() or self.next()[0] == "\\") and \
-                self.next() not in (*FUNCTIONS, r"\cdot", r"\frac", r"\sqrt"):
+        while (
+            self.next()
+            and (self.next()[0].isalpha() or self.next()[0] == "\\")
+            and self.next() not in (*FUNCTIONS, r"\cdot", r"\frac", r"\sqrt")
+        ):
             argument *= self.power()
         return float(work(argument) ** exponent)
 

@@ -13,7 +13,17 @@ from hypothesis import strategies as st
 from kinegrade.errors import ExpressionError
 from kinegrade.exact.floats import Floats
 from kinegrade.exam.formula import formula
-from kinegrade.expression import Call, Expression, Name, Number, Operation, elementary, evaluate, names, read
+from kinegrade.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    elementary,
+    evaluate,
+    names,
+    read,
+)
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.template import Template
 from kinegrade.worked.coordinates import axes_of, steps
@@ -23,31 +33,34 @@ from tests.worked.latex_value import value_of
 POINTS = {"A": "A", "B": "B", "O1": "O_{1}"}
 
 
-@pytest.mark.parametrize(("text", "latex"), [
-    ("-omega", r"-\omega"),
-    ("-omega**2*r", r"-\omega^{2}\,r"),
-    ("u*t", r"u\,t"),
-    ("k*r*cos(phi + pi/2)", r"k\,r \cos(\varphi + 90^\circ)"),
-    ("-l_1*sin(psi)/sin(theta)", r"-\frac{l_{1} \sin\psi}{\sin\theta}"),
-    ("R*sin(phi)/(1 - cos(phi))", r"\frac{R \sin\varphi}{1 - \cos\varphi}"),
-    ("a - (b - c)", "a - (b - c)"),
-    ("a + (b - c)", "a + b - c"),
-    ("-(a + b)*c", r"-(a + b)\,c"),
-    ("-(a + b)/c", r"-\frac{a + b}{c}"),
-    ("a/b/c", r"\frac{a}{b\,c}"),
-    ("a/(b/c)", r"\frac{a}{\frac{b}{c}}"),
-    ("sin(phi)*r", r"\sin\varphi \cdot r"),
-    ("2*pi*n/60", r"\frac{2 \pi\,n}{60}"),
-    ("sin(phi)**2", r"\sin^{2}\varphi"),
-    ("(-a)**2", "(-a)^{2}"),
-    ("cos(2*phi)", r"\cos 2 \varphi"),
-    ("cos(-phi)", r"\cos(-\varphi)"),
-    ("sqrt(r**2 - e**2)", r"\sqrt{r^{2} - e^{2}}"),
-    ("2*3*a", r"2 \cdot 3 a"),
-    ("x(A) + y(O1)", "x_{A} + y_{O_{1}}"),
-    ("distance(A, B)/2", r"\frac{AB}{2}"),
-    ("0.25*r", "0.25 r"),
-])
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("-omega", r"-\omega"),
+        ("-omega**2*r", r"-\omega^{2}\,r"),
+        ("u*t", r"u\,t"),
+        ("k*r*cos(phi + pi/2)", r"k\,r \cos(\varphi + 90^\circ)"),
+        ("-l_1*sin(psi)/sin(theta)", r"-\frac{l_{1} \sin\psi}{\sin\theta}"),
+        ("R*sin(phi)/(1 - cos(phi))", r"\frac{R \sin\varphi}{1 - \cos\varphi}"),
+        ("a - (b - c)", "a - (b - c)"),
+        ("a + (b - c)", "a + b - c"),
+        ("-(a + b)*c", r"-(a + b)\,c"),
+        ("-(a + b)/c", r"-\frac{a + b}{c}"),
+        ("a/b/c", r"\frac{a}{b\,c}"),
+        ("a/(b/c)", r"\frac{a}{\frac{b}{c}}"),
+        ("sin(phi)*r", r"\sin\varphi \cdot r"),
+        ("2*pi*n/60", r"\frac{2 \pi\,n}{60}"),
+        ("sin(phi)**2", r"\sin^{2}\varphi"),
+        ("(-a)**2", "(-a)^{2}"),
+        ("cos(2*phi)", r"\cos 2 \varphi"),
+        ("cos(-phi)", r"\cos(-\varphi)"),
+        ("sqrt(r**2 - e**2)", r"\sqrt{r^{2} - e^{2}}"),
+        ("2*3*a", r"2 \cdot 3 a"),
+        ("x(A) + y(O1)", "x_{A} + y_{O_{1}}"),
+        ("distance(A, B)/2", r"\frac{AB}{2}"),
+        ("0.25*r", "0.25 r"),
+    ],
+)
 def test_a_formula_looks_as_in_a_textbook(text: str, latex: str) -> None:
     assert latex_of(read(text), POINTS) == latex
     assert formula(latex, "test")
@@ -56,7 +69,9 @@ def test_a_formula_looks_as_in_a_textbook(text: str, latex: str) -> None:
 def test_angles_print_in_degrees_where_that_is_asked_and_vectors_with_an_arrow() -> None:
     assert latex_of(read("phi - pi/2"), {}, degrees=True) == r"\varphi - 90^\circ"
     assert latex_of(read("phi - pi/2"), {}) == r"\varphi - \frac{\pi}{2}"
-    assert latex_of(read("lam*(B - A)"), POINTS, points=("A", "B")) == r"\lambda\,\overrightarrow{AB}"
+    assert (
+        latex_of(read("lam*(B - A)"), POINTS, points=("A", "B")) == r"\lambda\,\overrightarrow{AB}"
+    )
 
 
 def expressions(template: Template) -> Iterator[Expression]:
@@ -75,7 +90,9 @@ def expressions(template: Template) -> Iterator[Expression]:
 
 def both_values(tree: Expression, start: float = 0.3, step: float = 0.617) -> tuple[float, float]:
     """The value of an expression, and of what is printed for it, at some values of its names."""
-    leaves = {name: start + step * count % 1.1 for count, name in enumerate(dict.fromkeys(names(tree)))}
+    leaves = {
+        name: start + step * count % 1.1 for count, name in enumerate(dict.fromkeys(names(tree)))
+    }
     numbers = {name: math.pi if name == "pi" else value for name, value in leaves.items()}
     symbols = {name: f"v_{{{count}}}" for count, name in enumerate(leaves)} | {"pi": r"\pi"}
     functions = {**elementary(Floats()), "x": lambda value: value, "y": lambda value: value + 1}
@@ -109,12 +126,23 @@ def test_every_expression_of_every_template_is_printed_with_its_own_value(name: 
                 assert printed == pytest.approx(value, rel=1e-9), latex_of(tree, {})
 
 
-LEAVES = st.sampled_from(["a", "b", "c", "phi", "2", "0.5", "1", "3/2"]).map(read) | st.sampled_from("abc").map(Name)
-TREES = st.recursive(LEAVES, lambda inner: st.builds(Operation, st.sampled_from("+-*/"), inner, inner)
-                     | st.builds(lambda tree: Operation("-", read("0"), tree), inner)
-                     | st.builds(lambda tree: Operation("**", tree, read("2")), inner)
-                     | st.builds(lambda function, tree: Call(function, (tree,)),
-                                 st.sampled_from(["sin", "cos", "abs"]), inner), max_leaves=8)
+LEAVES = st.sampled_from(["a", "b", "c", "phi", "2", "0.5", "1", "3/2"]).map(
+    read
+) | st.sampled_from("abc").map(Name)
+TREES = st.recursive(
+    LEAVES,
+    lambda inner: (
+        st.builds(Operation, st.sampled_from("+-*/"), inner, inner)
+        | st.builds(lambda tree: Operation("-", read("0"), tree), inner)
+        | st.builds(lambda tree: Operation("**", tree, read("2")), inner)
+        | st.builds(
+            lambda function, tree: Call(function, (tree,)),
+            st.sampled_from(["sin", "cos", "abs"]),
+            inner,
+        )
+    ),
+    max_leaves=8,
+)
 
 
 @given(TREES)

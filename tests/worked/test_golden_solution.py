@@ -12,12 +12,17 @@ from tests.golden_files import Hold
 from tests.worked.telling import lines
 
 
-@pytest.mark.parametrize(("name", "language", "method"), [
-    ("slider-crank", "en", None),
-    ("slider-crank", "en", "pole"),
-    ("bar-through-swivelling-sleeve", "zh", None),
-])
-def test_a_worked_solution_as_text(name: str, language: Language, method: Method | None, hold: Hold) -> None:
+@pytest.mark.parametrize(
+    ("name", "language", "method"),
+    [
+        ("slider-crank", "en", None),
+        ("slider-crank", "en", "pole"),
+        ("bar-through-swivelling-sleeve", "zh", None),
+    ],
+)
+def test_a_worked_solution_as_text(
+    name: str, language: Language, method: Method | None, hold: Hold
+) -> None:
     template = load_template(name)
     told = worked_solution(solve_template(template, {}), template.asked(), language, method)
     kind = f"-{method}" if method else ""

@@ -39,7 +39,12 @@ AB = "A B"
 A = "(0, 0)"
 B = "polar(A, r, phi)"
 """
-POSES = ("pose-cam-tappet", "pose-four-bar-coupler", "pose-sleeve-slider-rod", "triangle-pose-three-frames")
+POSES = (
+    "pose-cam-tappet",
+    "pose-four-bar-coupler",
+    "pose-sleeve-slider-rod",
+    "triangle-pose-three-frames",
+)
 
 
 def lines(blocks: Iterable[Block]) -> list[str]:
@@ -73,8 +78,11 @@ def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
     template = solution.template
     pairs = [(body.points[0], body.points[-1]) for body in template.bodies if len(body.points) > 1]
     asks = [name for name, ask in template.asks.items() if is_positional(ask)]
-    return (*positions(solution, template.points, language), *lengths_and_directions(solution, pairs, language),
-            *pose_answers(solution, asks, language))
+    return (
+        *positions(solution, template.points, language),
+        *lengths_and_directions(solution, pairs, language),
+        *pose_answers(solution, asks, language),
+    )
 
 
 @pytest.mark.parametrize("name", template_names())
@@ -94,7 +102,9 @@ def test_every_template_is_told_in_both_languages_and_its_numbers_agree(name: st
 def require_coordinates(solution: Solution, point: str, told: dict[str, list[str]]) -> None:
     """What is told of a point ends with the coordinates that the mechanism has."""
     place = solution.assembly.values[point]
-    symbol = point if len(point) == 1 else point[0] + ("'" if point[1:] == "p" else f"_{{{point[1:]}}}")
+    symbol = (
+        point if len(point) == 1 else point[0] + ("'" if point[1:] == "p" else f"_{{{point[1:]}}}")
+    )
     for axis, value in (("x", place.x), ("y", place.y)):
         parts = told.get(f"{axis}_{{{symbol}}}")
         if parts is None:
@@ -105,8 +115,12 @@ def require_coordinates(solution: Solution, point: str, told: dict[str, list[str
         assert end == pytest.approx(float(value), rel=1e-3, abs=1e-9)
 
 
-ANSWERS = [(name, ask) for name in template_names() for ask, asked in load_template(name).asks.items()
-           if is_positional(asked)]
+ANSWERS = [
+    (name, ask)
+    for name in template_names()
+    for ask, asked in load_template(name).asks.items()
+    if is_positional(asked)
+]
 
 
 @pytest.mark.parametrize(("name", "ask"), ANSWERS)
@@ -143,7 +157,8 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
         r" = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
     ]
     assert sentences(positions(solution, ["A"], "zh"))[-1] == (
-        r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$：")
+        r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$："
+    )
 
 
 @pytest.mark.parametrize("name", template_names())
@@ -161,10 +176,13 @@ def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
 def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
     assert lines(positions(solution, ["A"], "en"))[0] == (
-        r"x_{A} &= r \cos\varphi = 0.2 \cos 37^\circ \approx 0.1597\,\mathrm{m}")
+        r"x_{A} &= r \cos\varphi = 0.2 \cos 37^\circ \approx 0.1597\,\mathrm{m}"
+    )
 
 
-def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_the_first_point() -> None:
+def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_the_first_point() -> (
+    None
+):
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
     pairs = [("A", "O"), ("O", "A"), ("A", "B"), ("O", "B"), ("A", "A")]
     assert lines(lengths_and_directions(solution, pairs, "en")) == [
@@ -181,32 +199,56 @@ def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_t
     ]
 
 
-@pytest.mark.parametrize(("construction", "told"), [
-    ("meet(line(A, phi), line((r, 0), 2*pi/3))", "the line through $A$ in the direction"),
-    ("meet(line(A, B), line((r, 0), pi/2))", r"the line $AB$ and the line through $(r,\ 0)$ parallel to the $y$ axis"),
-    ("meet(line((0, r), 0), line((r, 0), pi/2))", r"the line through $(0,\ r)$ parallel to the $x$ axis"),
-    ("meet(line(A, B), line((r, 0), (0, r)))", r"the line $(r,\ 0)(0,\ r)$"),
-    ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left one of the points"),
-    ("meet(circle(B, r), line((0, r/4), 0), left)", "the left one of the points"),
-    ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
-    ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
-    ("meet(circle((r, 0), 2*r), line((0, r/2), B), right)", "the circle about $H_{1}$ of radius $2 r$"),
-    ("meet(circle(A, r), circle(B, r/2), clockwise)", "on the right of the line from $A$ to $B$"),
-    ("meet(circle(A, r), circle(B, r/2), upper)", "the law of cosines gives its angle at $A$"),
-    ("foot((r, r), line(A, B))", r"the perpendicular from $(r,\ r)$ to the line $AB$"),
-    ("foot(B, line((0, r), 0))", "the foot of the perpendicular from $B$"),
-    ("toward(A, B, 3*r)", "on the ray from $A$ through $B$, at the distance $3 r$ from $A$"),
-    ("toward(B, B - (r, r), r/2)", r"in the direction of the vector $(-r,\ -r)$"),
-    ("midpoint(B, polar(B, r, pi/2))", "$H_{1}$ lies at the distance $r$ from $B$ in the direction of $y$"),
-    ("polar(midpoint(A, B), -r, phi)", "opposite to the direction"),
-    ("B - turned(B)/2", "From $B$ to $C$ leads the vector"),
-    ("B", "$C$ coincides with $B$"),
-    ("(A + B)/2 + (r, x(B))", "Coordinates of $C$"),
-    ("polar(A, distance(A, B), direction(A, B) + pi/6)", r"the direction $\angle(x, \overrightarrow{AB}) + 30^\circ$"),
-])
+@pytest.mark.parametrize(
+    ("construction", "told"),
+    [
+        ("meet(line(A, phi), line((r, 0), 2*pi/3))", "the line through $A$ in the direction"),
+        (
+            "meet(line(A, B), line((r, 0), pi/2))",
+            r"the line $AB$ and the line through $(r,\ 0)$ parallel to the $y$ axis",
+        ),
+        (
+            "meet(line((0, r), 0), line((r, 0), pi/2))",
+            r"the line through $(0,\ r)$ parallel to the $x$ axis",
+        ),
+        ("meet(line(A, B), line((r, 0), (0, r)))", r"the line $(r,\ 0)(0,\ r)$"),
+        ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left one of the points"),
+        ("meet(circle(B, r), line((0, r/4), 0), left)", "the left one of the points"),
+        ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
+        ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
+        (
+            "meet(circle((r, 0), 2*r), line((0, r/2), B), right)",
+            "the circle about $H_{1}$ of radius $2 r$",
+        ),
+        (
+            "meet(circle(A, r), circle(B, r/2), clockwise)",
+            "on the right of the line from $A$ to $B$",
+        ),
+        ("meet(circle(A, r), circle(B, r/2), upper)", "the law of cosines gives its angle at $A$"),
+        ("foot((r, r), line(A, B))", r"the perpendicular from $(r,\ r)$ to the line $AB$"),
+        ("foot(B, line((0, r), 0))", "the foot of the perpendicular from $B$"),
+        ("toward(A, B, 3*r)", "on the ray from $A$ through $B$, at the distance $3 r$ from $A$"),
+        ("toward(B, B - (r, r), r/2)", r"in the direction of the vector $(-r,\ -r)$"),
+        (
+            "midpoint(B, polar(B, r, pi/2))",
+            "$H_{1}$ lies at the distance $r$ from $B$ in the direction of $y$",
+        ),
+        ("polar(midpoint(A, B), -r, phi)", "opposite to the direction"),
+        ("B - turned(B)/2", "From $B$ to $C$ leads the vector"),
+        ("B", "$C$ coincides with $B$"),
+        ("(A + B)/2 + (r, x(B))", "Coordinates of $C$"),
+        (
+            "polar(A, distance(A, B), direction(A, B) + pi/6)",
+            r"the direction $\angle(x, \overrightarrow{AB}) + 30^\circ$",
+        ),
+    ],
+)
 def test_every_construction_is_told_with_numbers_that_agree(construction: str, told: str) -> None:
-    text = HEAD + f'C = "{construction}"\n[asks]\nx_C = {{ quantity = "x(C)", unit = "m", sign = "+x", points = 1, ' \
-                  f"means = {TEXTS} }}"
+    text = (
+        HEAD
+        + f'C = "{construction}"\n[asks]\nx_C = {{ quantity = "x(C)", unit = "m", sign = "+x", points = 1, '
+        f"means = {TEXTS} }}"
+    )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
         blocks = positions(solution, ["C"], "en")
@@ -217,24 +259,30 @@ def test_every_construction_is_told_with_numbers_that_agree(construction: str, t
         require_coordinates(solution, "C", dict(chains(blocks)))
 
 
-@pytest.mark.parametrize(("quantity", "unit", "end"), [
-    ("distance(B, line((0, r), 0))", "m", r"\left|y_{B} - r\right|"),
-    ("distance(B, line((0, r), (r, 0)))", "m", "frac"),
-    ("magnitude(B - A)", "m", r"\sqrt{x_{B}^{2} + y_{B}^{2}}"),
-    ("2*distance(A, B) + x(B)", "m", r"2 AB + x_{B}"),
-    ("between(B - A, turned(A - B))", "deg", ""),
-    ("between(B, (1, 0))/2", "deg", r"\frac{\angle(\boldsymbol{u}, \boldsymbol{v})}{2}"),
-    ("direction(B, A)", "deg", ""),
-    ("angle(turned(B), A - B)", "deg", ""),
-    ("along(B, (1, 1))", "m", "frac"),
-    ("sin(direction(A, B))", "1", r"\sin\angle(x, \overrightarrow{AB})"),
-    ("angle((0, 1), (r, -r))", "rad", ""),
-    ("distance(A, midpoint(A, B))", "mm", ""),
-    ("x(polar(B, r, phi)) - x(B)", "m", "x_{H_{1}} - x_{B}"),
-])
+@pytest.mark.parametrize(
+    ("quantity", "unit", "end"),
+    [
+        ("distance(B, line((0, r), 0))", "m", r"\left|y_{B} - r\right|"),
+        ("distance(B, line((0, r), (r, 0)))", "m", "frac"),
+        ("magnitude(B - A)", "m", r"\sqrt{x_{B}^{2} + y_{B}^{2}}"),
+        ("2*distance(A, B) + x(B)", "m", r"2 AB + x_{B}"),
+        ("between(B - A, turned(A - B))", "deg", ""),
+        ("between(B, (1, 0))/2", "deg", r"\frac{\angle(\boldsymbol{u}, \boldsymbol{v})}{2}"),
+        ("direction(B, A)", "deg", ""),
+        ("angle(turned(B), A - B)", "deg", ""),
+        ("along(B, (1, 1))", "m", "frac"),
+        ("sin(direction(A, B))", "1", r"\sin\angle(x, \overrightarrow{AB})"),
+        ("angle((0, 1), (r, -r))", "rad", ""),
+        ("distance(A, midpoint(A, B))", "mm", ""),
+        ("x(polar(B, r, phi)) - x(B)", "m", "x_{H_{1}} - x_{B}"),
+    ],
+)
 def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, end: str) -> None:
-    text = HEAD + f'[asks]\nq = {{ quantity = "{quantity}", unit = "{unit}", sign = "signed", points = 1, ' \
-                  f"vanishes = true, means = {TEXTS} }}"
+    text = (
+        HEAD
+        + f'[asks]\nq = {{ quantity = "{quantity}", unit = "{unit}", sign = "signed", points = 1, '
+        f"vanishes = true, means = {TEXTS} }}"
+    )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
         blocks = pose_answer(solution, "q", "en")
@@ -245,7 +293,9 @@ def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, 
         assert symbol == "q"
         assert end in parts[0]
         value = part_value(parts[-1])
-        answer = float(solution["q"].value) * {"deg": 3.14159265358979 / 180, "mm": 0.001}.get(unit, 1)
+        answer = float(solution["q"].value) * {"deg": 3.14159265358979 / 180, "mm": 0.001}.get(
+            unit, 1
+        )
         assert value == pytest.approx(answer, rel=1e-3)
 
 
@@ -255,14 +305,26 @@ def test_a_length_that_several_answers_need_is_found_once() -> None:
     assert told == ["BC", "A_{11}", "A_{12}", "A_{21}"]
 
 
-@pytest.mark.parametrize(("phi", "told"), [
-    ("30", "between $0^\\circ$ and $90^\\circ$"), ("150", "between $90^\\circ$ and $180^\\circ$"),
-    ("210", "between $-180^\\circ$ and $-90^\\circ$"), ("-30", "between $-90^\\circ$ and $0^\\circ$"),
-    ("0", "the angle is zero"), ("90", "the angle is $90^\\circ$"), ("180", "the angle is $180^\\circ$"),
-    ("270", "the angle is $-90^\\circ$"),
-])
-def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(phi: str, told: str) -> None:
-    text = HEAD + '[asks]\nq = { quantity = "angle((1, 0), B - A)", unit = "deg", sign = "ccw", points = 1, ' \
-                  f"vanishes = true, means = {TEXTS} }}"
+@pytest.mark.parametrize(
+    ("phi", "told"),
+    [
+        ("30", "between $0^\\circ$ and $90^\\circ$"),
+        ("150", "between $90^\\circ$ and $180^\\circ$"),
+        ("210", "between $-180^\\circ$ and $-90^\\circ$"),
+        ("-30", "between $-90^\\circ$ and $0^\\circ$"),
+        ("0", "the angle is zero"),
+        ("90", "the angle is $90^\\circ$"),
+        ("180", "the angle is $180^\\circ$"),
+        ("270", "the angle is $-90^\\circ$"),
+    ],
+)
+def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
+    phi: str, told: str
+) -> None:
+    text = (
+        HEAD
+        + '[asks]\nq = { quantity = "angle((1, 0), B - A)", unit = "deg", sign = "ccw", points = 1, '
+        f"vanishes = true, means = {TEXTS} }}"
+    )
     solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
     assert told in sentences(pose_answer(solution, "q", "en"))[-1]

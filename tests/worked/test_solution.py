@@ -71,12 +71,16 @@ def all_stages(name: str) -> Iterator[Told]:
     return (told for place in range(len(drawn(name))) for told in stages(name, place))
 
 
-def told(solution: Solution, method: Method | None = None, language: Language = "en") -> tuple[Block, ...]:
+def told(
+    solution: Solution, method: Method | None = None, language: Language = "en"
+) -> tuple[Block, ...]:
     return worked_solution(solution, solution.template.asks, language, method).blocks
 
 
 @cache
-def kept(name: str, place: int = 0, method: Method | None = None, language: Language = "en") -> tuple[Block, ...]:
+def kept(
+    name: str, place: int = 0, method: Method | None = None, language: Language = "en"
+) -> tuple[Block, ...]:
     """The solution of one drawn instance, worked out once for all tests."""
     return told(drawn(name)[place], method, language)
 
@@ -96,9 +100,12 @@ def test_the_last_lines_are_the_key(name: str) -> None:
         if not isinstance(last, Results):
             pytest.fail("a solution ends with its results")
         answers = solution.answers.values()
-        assert [result.decimal for result in last.results] == [answer.decimal(6) for answer in answers]
+        assert [result.decimal for result in last.results] == [
+            answer.decimal(6) for answer in answers
+        ]
         assert [(result.exact, result.unit) for result in last.results] == [
-            (answer.closed_form, answer.unit) for answer in answers]
+            (answer.closed_form, answer.unit) for answer in answers
+        ]
 
 
 @cache
@@ -132,7 +139,9 @@ def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> No
 def test_nothing_superfluous_is_printed(name: str) -> None:
     """No product with zero, no sign before a bracketed negative number alone, no number said to be itself."""
     for blocks in every_telling(name):
-        for line in (line for block in blocks if isinstance(block, Display) for line in block.lines):
+        for line in (
+            line for block in blocks if isinstance(block, Display) for line in block.lines
+        ):
             assert not re.search(r"(?<![\d.])0(?:\\cdot|\\cos|\\,\\(?!unit|mathrm))", line)
             assert not re.search(r"[-+]\(-[\d.]+\)(?:\\cos|$)", line)
             assert not re.search(r"(?:^|= )([-\d.]+) = \1(?:$|\\,)", line)
@@ -143,13 +152,21 @@ def test_no_symbol_is_its_own_opposite(name: str) -> None:
     for blocks in every_telling(name):
         for left, parts in chains(blocks):
             assert f"-{left}" not in parts
-            assert rf"-\left|{left}\right|" not in parts or part_value(parts[-1].partition(r"\,\unit")[0]) < 0
+            assert (
+                rf"-\left|{left}\right|" not in parts
+                or part_value(parts[-1].partition(r"\,\unit")[0]) < 0
+            )
 
 
 @pytest.mark.parametrize("name", template_names())
 def test_nothing_is_told_twice(name: str) -> None:
-    lines = [line for block in kept(name) if isinstance(block, Display) for line in block.lines
-             if not line.startswith("&") and "unit" in line]
+    lines = [
+        line
+        for block in kept(name)
+        if isinstance(block, Display)
+        for line in block.lines
+        if not line.startswith("&") and "unit" in line
+    ]
     assert len(lines) == len(set(lines))
 
 
@@ -157,7 +174,9 @@ def test_nothing_is_told_twice(name: str) -> None:
 def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
     for stage, _, _ in all_stages(name):
         for equation in stage.equations:
-            rest = total(part.value for part in equation.left) - total(part.value for part in equation.right)
+            rest = total(part.value for part in equation.left) - total(
+                part.value for part in equation.right
+            )
             assert stage.case.arithmetic.is_zero(rest.x)
             assert stage.case.arithmetic.is_zero(rest.y)
 
@@ -167,8 +186,10 @@ def test_every_projected_equation_holds_with_the_cosines_that_are_printed(name: 
     for stage, scalars, unknowns in all_stages(name):
         for deduction in deductions(stage.equations, scalars, unknowns):
             for projection in deduction.projections:
-                left, right = (sum(amount(share, stage) for share in side)
-                               for side in (projection.left, projection.right))
+                left, right = (
+                    sum(amount(share, stage) for share in side)
+                    for side in (projection.left, projection.right)
+                )
                 assert left == pytest.approx(right, abs=TIDY * scale_of(projection))
 
 
@@ -183,7 +204,9 @@ def amount(share: Share, stage: Stage) -> float:
 
 
 def scale_of(projection: Projection) -> float:
-    return 1 + max(hypot(float(part.value.x), float(part.value.y)) for part in projection.equation.parts)
+    return 1 + max(
+        hypot(float(part.value.x), float(part.value.y)) for part in projection.equation.parts
+    )
 
 
 @pytest.mark.parametrize("name", moving_templates())
@@ -192,11 +215,16 @@ def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str)
         if not stage.equations:
             continue
         given = list(deductions(stage.equations, scalars, unknowns))
-        assert sorted(rate for deduction in given for rate in deduction.unknowns) == sorted(unknowns)
+        assert sorted(rate for deduction in given for rate in deduction.unknowns) == sorted(
+            unknowns
+        )
         solved: set[str] = set()
         for deduction in given:
             rows = [projection.row() for projection in deduction.projections]
-            rows += [{rate: float(factor) for rate, factor in scalar.turning} for scalar in deduction.scalars]
+            rows += [
+                {rate: float(factor) for rate, factor in scalar.turning}
+                for scalar in deduction.scalars
+            ]
             matrix = np.array([[row.get(rate, 0.0) for rate in deduction.unknowns] for row in rows])
             assert np.linalg.matrix_rank(matrix, tol=CLOSE) == len(deduction.unknowns)
             left_out = {rate for row in rows for rate, factor in row.items() if abs(factor) > TIDY}
@@ -210,22 +238,34 @@ def test_without_any_one_step_of_the_plan_there_is_no_solution(name: str) -> Non
     needs = all_needs(Case(solution, "en"), solution.template.asks.values())
     for step in {step for steps in steps_needed(solution.motion, needs) for step in steps}:
         steps = tuple(other for other in solution.motion.plan.steps if other != step)
-        with pytest.raises(MechanismError, match="the plan does not give .*, which the answers need: solve the "):
+        with pytest.raises(
+            MechanismError, match="the plan does not give .*, which the answers need: solve the "
+        ):
             steps_needed(replace(solution.motion, plan=Plan(steps)), needs)
 
 
 def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
     blocks = told(solve_template(load_template("slider-crank"), {}))
-    step = next(place for place, block in enumerate(blocks) if block == Heading("2. $AB$: base point $A$", 2))
+    step = next(
+        place
+        for place, block in enumerate(blocks)
+        if block == Heading("2. $AB$: base point $A$", 2)
+    )
     pictures = next(block for block in blocks[step:] if isinstance(block, Pictures))
-    assert [picture.caption for picture in pictures.pictures] == ["velocities", "velocity polygon, 1 mm = 0.025 m/s"]
+    assert [picture.caption for picture in pictures.pictures] == [
+        "velocities",
+        "velocity polygon, 1 mm = 0.025 m/s",
+    ]
 
 
-@pytest.mark.parametrize(("method", "title"), [
-    ("base-point", "2. $AB$: base point $A$"),
-    ("projection", "2. $AB$: velocity projection theorem"),
-    ("pole", "2. $AB$: instantaneous centre of velocity"),
-])
+@pytest.mark.parametrize(
+    ("method", "title"),
+    [
+        ("base-point", "2. $AB$: base point $A$"),
+        ("projection", "2. $AB$: velocity projection theorem"),
+        ("pole", "2. $AB$: instantaneous centre of velocity"),
+    ],
+)
 def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: str) -> None:
     solution = solve_template(load_template("slider-crank"), {"phi": "30"})
     blocks = told(solution, method)
@@ -239,7 +279,9 @@ def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: st
 def test_the_author_of_a_template_chooses_the_method() -> None:
     text = load_template("slider-crank").text
     template = read_template("crank", f'method = "pole"\n{text}')
-    assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(solve_template(template, {}))
+    assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(
+        solve_template(template, {})
+    )
     with pytest.raises(TemplateError, match="method: expected one of base-point, projection, pole"):
         read_template("crank", f'method = "guess"\n{text}')
 
@@ -267,19 +309,25 @@ def test_certified_values_are_told_like_exact_ones() -> None:
 
 
 def lines_of(name: str, method: Method | None = None) -> list[str]:
-    blocks = worked_solution(solve_template(load_template(name), {}), load_template(name).asked(), "en", method).blocks
+    blocks = worked_solution(
+        solve_template(load_template(name), {}), load_template(name).asked(), "en", method
+    ).blocks
     return [line for block in blocks if isinstance(block, Display) for line in block.lines]
 
 
 def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
     lines = lines_of("rolling-wheel-pin-slotted-rocker")
     sizes = [line for line in lines if line.startswith("v_{B} &=")]
-    assert sizes == [r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3)^{2}+0.1732^{2}} = "
-                     r"\frac{\sqrt{3}}{5} \approx 0.3464\,\unit{m/s},\quad 150^\circ"]
+    assert sizes == [
+        r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3)^{2}+0.1732^{2}} = "
+        r"\frac{\sqrt{3}}{5} \approx 0.3464\,\unit{m/s},\quad 150^\circ"
+    ]
 
 
 def test_the_sense_in_which_a_driver_counts_is_kept() -> None:
-    lines = lines_of("rolling-wheel-pin-slotted-rocker")  # the wheel is driven to the left, which counts positive
+    lines = lines_of(
+        "rolling-wheel-pin-slotted-rocker"
+    )  # the wheel is driven to the left, which counts positive
     assert r"v_{O} &= R\,\omega_{1}" in lines
     assert r"\omega_{1} &= \frac{0.2}{0.5}" in lines
 
@@ -290,11 +338,20 @@ def test_a_known_vector_told_negative_stands_between_bars() -> None:
     assert any(r"\left|v_{G}\right|\cos" in line for line in lines)
 
 
-@pytest.mark.parametrize(("name", "sentence"), [
-    ("flat-faced-follower-eccentric-circle", "So $C$ serves as the moving point."),
-    ("five-bar-two-driven-cranks", "$C$ about the base point $A$ of $AC$ and $B$ about the base point $C$ of $BC$."),
-    ("guided-rack-and-gear", r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, $\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+"),
-    ("planetary-gear-external-rim-velocities", "rolling without slipping on a fixed circle"),
-])
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("flat-faced-follower-eccentric-circle", "So $C$ serves as the moving point."),
+        (
+            "five-bar-two-driven-cranks",
+            "$C$ about the base point $A$ of $AC$ and $B$ about the base point $C$ of $BC$.",
+        ),
+        (
+            "guided-rack-and-gear",
+            r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, $\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+",
+        ),
+        ("planetary-gear-external-rim-velocities", "rolling without slipping on a fixed circle"),
+    ],
+)
 def test_what_a_teacher_would_say(name: str, sentence: str) -> None:
     assert any(sentence in text for text in proses(kept(name)))

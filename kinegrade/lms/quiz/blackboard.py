@@ -18,13 +18,19 @@ from kinegrade.lms.quiz.packaging import Package, file_whole_or_not, package, st
 from kinegrade.lms.quiz.remarks import Remarks
 
 MOST = 250  # questions in one upload to Ultra; Original takes 500
-NO_FIGURES = ("blackboard: its text upload carries no figures - they were left out; the statements are complete "
-              "without them - hand out the printed papers with it")
+NO_FIGURES = (
+    "blackboard: its text upload carries no figures - they were left out; the statements are complete "
+    "without them - hand out the printed papers with it"
+)
 POINTS = "blackboard: points do not travel - set them there: {}"
-LEFT_OUT = ("blackboard: its numerical questions know nothing but the right number - comments on known mistakes and "
-            "solutions were left out - give them with kinegrade feedback")
-TOO_MANY = ("{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - write to a "
-            "name that ends in .zip, which gives every paper its own file")
+LEFT_OUT = (
+    "blackboard: its numerical questions know nothing but the right number - comments on known mistakes and "
+    "solutions were left out - give them with kinegrade feedback"
+)
+TOO_MANY = (
+    "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - write to a "
+    "name that ends in .zip, which gives every paper its own file"
+)
 
 
 def write(quiz: Quiz, target: Path) -> list[str]:
@@ -52,7 +58,9 @@ class _Writer:
     def complaints(self) -> list[str]:
         """What was left out. Raises ExportError with all faults."""
         self._remarks.raise_faults()
-        listed = ", ".join(f"{column} {decimal_text(points)}" for column, points in self._points.items())
+        listed = ", ".join(
+            f"{column} {decimal_text(points)}" for column, points in self._points.items()
+        )
         self._remarks.complain(POINTS.format(listed))
         return self._remarks.complaints
 
@@ -80,7 +88,9 @@ class _Writer:
             for column, line in self._lines(paper):
                 pools.setdefault(column, []).append(line)
                 if len(pools[column]) == MOST:
-                    written[column] = _add_files(parts, stable_name(column), pools.pop(column), written.get(column, 0))
+                    written[column] = _add_files(
+                        parts, stable_name(column), pools.pop(column), written.get(column, 0)
+                    )
         for column, lines in pools.items():
             _add_files(parts, stable_name(column), lines, written.get(column, 0))
 
@@ -96,7 +106,12 @@ class _Writer:
                 column = f"{question.question}.{ask.identifier}"
                 self._points.setdefault(column, ask.points)
                 try:
-                    yield column, question_line(question, ask, self._quiz.language, self._remarks, on_paper=owned)
+                    yield (
+                        column,
+                        question_line(
+                            question, ask, self._quiz.language, self._remarks, on_paper=owned
+                        ),
+                    )
                 except TypesetError as fault:
                     self._remarks.refuse_texts(fault)
 
@@ -106,5 +121,8 @@ def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:
     for start in range(0, len(lines), MOST):
         before += 1
         suffix = f"-{before}" if before > 1 else ""
-        parts.add(f"{name}{suffix}.txt", "".join(f"{line}\n" for line in lines[start:start + MOST]).encode())
+        parts.add(
+            f"{name}{suffix}.txt",
+            "".join(f"{line}\n" for line in lines[start : start + MOST]).encode(),
+        )
     return before

@@ -15,19 +15,31 @@ from kinegrade.lms.quiz.plain_prose import plain_prose
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
 
-MIDDLE = ("blackboard: {} is not in the middle of what is right - the middle stands there as the answer, so that the "
-          "tolerance is exactly the exam's - tell the students the answer from the key")
-TURNS = ("blackboard: {} is an angle, and Blackboard knows one right number - it is asked for within half a turn "
-         "of zero - look at answers near half a turn by hand")
+MIDDLE = (
+    "blackboard: {} is not in the middle of what is right - the middle stands there as the answer, so that the "
+    "tolerance is exactly the exam's - tell the students the answer from the key"
+)
+TURNS = (
+    "blackboard: {} is an angle, and Blackboard knows one right number - it is asked for within half a turn "
+    "of zero - look at answers near half a turn by hand"
+)
 
 
-def question_line(question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool) -> str:
+def question_line(
+    question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool
+) -> str:
     """The line, without its end; `on_paper`: the figure is in the students' hands. Raises TypesetError."""
     where, column = question.question, f"{question.question}.{ask.identifier}"
     figure = WORDS[language].figure_on_paper if on_paper and question.figure is not None else ""
     turns = WORDS[language].half_turn if ask.period is not None else ""
     rule = plain_prose(question.rule, where)
-    parts = (plain_prose(question.statement, where), figure, rule, _asked(ask, language, where), turns)
+    parts = (
+        plain_prose(question.statement, where),
+        figure,
+        rule,
+        _asked(ask, language, where),
+        turns,
+    )
     interval = within_half_a_turn(ask)
     if not interval.symmetric:
         remarks.complain(MIDDLE.format(column))

@@ -8,7 +8,11 @@ from typing import Literal
 
 DIGITS = 17  # as many as a double can tell apart
 Rounding = Literal["nearest", "down", "up"]
-_ROUNDINGS: dict[Rounding, str] = {"nearest": ROUND_HALF_EVEN, "down": ROUND_FLOOR, "up": ROUND_CEILING}
+_ROUNDINGS: dict[Rounding, str] = {
+    "nearest": ROUND_HALF_EVEN,
+    "down": ROUND_FLOOR,
+    "up": ROUND_CEILING,
+}
 
 
 def decimal_text(number: Fraction, rounding: Rounding = "nearest") -> str:
@@ -18,5 +22,7 @@ def decimal_text(number: Fraction, rounding: Rounding = "nearest") -> str:
     ('-2.5', '0.33333333333333333', '0.33333333333333334')
     """
     context = Context(prec=DIGITS, rounding=_ROUNDINGS[rounding])
-    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(context)
+    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(
+        context
+    )
     return f"{quotient:f}" if quotient else "0"

@@ -15,13 +15,23 @@ from kinegrade.exam.words import words_of
 PIXELS = 5.0  # for a millimetre on paper: symbols then are as large as the text around the figure
 PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}
 
-__all__ = ["ask_html", "figure_html", "math_html", "plain_html", "points_html", "prose_html", "unit_html"]
+__all__ = [
+    "ask_html",
+    "figure_html",
+    "math_html",
+    "plain_html",
+    "points_html",
+    "prose_html",
+    "unit_html",
+]
 
 
 def figure_html(figure: QuizFigure, source: str) -> str:
     """A paragraph with the figure at an address, never wider than the page."""
-    return (f'<p><img src="{plain_html(source)}" alt="{plain_html(figure.description)}" '
-            f'width="{round(figure.width * PIXELS)}" style="max-width:100%;height:auto"/></p>\n')
+    return (
+        f'<p><img src="{plain_html(source)}" alt="{plain_html(figure.description)}" '
+        f'width="{round(figure.width * PIXELS)}" style="max-width:100%;height:auto"/></p>\n'
+    )
 
 
 def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
@@ -37,8 +47,10 @@ def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     points = note.format(points_html(ask.points, language))
     symbol = math_html(f"{ask.symbol} =", where)
     meaning = f"{ask.meaning[:1].upper()}{ask.meaning[1:]}"
-    return (f"<p>{prose_html(meaning, where, inline=True)}{sign}{colon}{symbol} {field or '?'}{spaced}"
-            f"{points}</p>\n")
+    return (
+        f"<p>{prose_html(meaning, where, inline=True)}{sign}{colon}{symbol} {field or '?'}{spaced}"
+        f"{points}</p>\n"
+    )
 
 
 def points_html(points: Fraction, language: Language) -> str:

@@ -54,7 +54,10 @@ def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
         return (first,)
     fewest, most = -((ask.high + ask.period) // ask.period), (ask.period - ask.low) // ask.period
     shifts = [turns * ask.period for turns in range(fewest, most + 1) if turns]
-    return (first, *(RightInterval(ask.value + shift, ask.low + shift, ask.high + shift) for shift in shifts))
+    return (
+        first,
+        *(RightInterval(ask.value + shift, ask.low + shift, ask.high + shift) for shift in shifts),
+    )
 
 
 def within_half_a_turn(ask: QuizAsk) -> RightInterval:

@@ -29,7 +29,10 @@ Form = Literal["cloze", "numerical"]
 FIGURE = "figure.svg"
 BOX = "\x00"  # stands for a box while the text around it is guarded; no text holds it
 LONGEST_NAME, LONGEST_IDENTIFIER = 200, 100  # characters
-MULTIPLIED = {"en": "The marks of this question are {} times its points.", "zh": "本题分值为所示分数的 {} 倍。"}
+MULTIPLIED = {
+    "en": "The marks of this question are {} times its points.",
+    "zh": "本题分值为所示分数的 {} 倍。",
+}
 _FIELD = re.compile(r"\{(?=#|[0-9]*:)")  # what Moodle would take for a box, or for the place of one
 
 
@@ -51,15 +54,26 @@ def write(quiz: Quiz, target: Path, form: Form = "cloze") -> list[str]:
     papers = iter(quiz.papers)
     first = next(papers, None)
     if first is None:
-        raise ExportError("quiz: no paper - expected at least one - choose an exam that somebody sits")
+        raise ExportError(
+            "quiz: no paper - expected at least one - choose an exam that somebody sits"
+        )
     sheet = _Sheet(quiz.language, form, _scale(first) if form == "cloze" else 1)
-    with file_whole_or_not(target) as partial, partial.open("x", encoding="utf-8", newline="\n") as stream:
+    with (
+        file_whole_or_not(target) as partial,
+        partial.open("x", encoding="utf-8", newline="\n") as stream,
+    ):
         stream.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for paper in chain([first], papers):
             _write_paper(paper, quiz.title, sheet, stream)
         stream.write("</quiz>\n")
-    return [] if sheet.scale == 1 else [f"marks in Moodle are {sheet.scale} times the points, because a Cloze question "
-                                        "has whole marks only; the maximum grade of the quiz sets that right"]
+    return (
+        []
+        if sheet.scale == 1
+        else [
+            f"marks in Moodle are {sheet.scale} times the points, because a Cloze question "
+            "has whole marks only; the maximum grade of the quiz sets that right"
+        ]
+    )
 
 
 def _scale(paper: QuizPaper) -> int:
@@ -78,9 +92,13 @@ def _write_paper(paper: QuizPaper, title: str, sheet: _Sheet, stream: TextIO) ->
 
 
 def _category(path: list[str], about: str) -> str:
-    names = "/".join(_cut(name.replace("/", "∕")) for name in path)  # a slash would begin a new level
-    return (f'<question type="category">\n<category><text>$course$/top/{names}</text></category>\n'
-            f'<info format="html"><text>{_data(plain_html(about))}</text></info>\n</question>\n')
+    names = "/".join(
+        _cut(name.replace("/", "∕")) for name in path
+    )  # a slash would begin a new level
+    return (
+        f'<question type="category">\n<category><text>$course$/top/{names}</text></category>\n'
+        f'<info format="html"><text>{_data(plain_html(about))}</text></info>\n</question>\n'
+    )
 
 
 def _questions(question: QuizQuestion, paper: QuizPaper, sheet: _Sheet) -> Iterator[str]:
@@ -88,36 +106,52 @@ def _questions(question: QuizQuestion, paper: QuizPaper, sheet: _Sheet) -> Itera
     name = f"{paper.code} {question.question} {_plain_title(question)}"
     tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
     if sheet.form == "cloze":
-        yield _element("cloze", _head(name, _cloze_text(question, sheet), question), question.identifier, tags)
+        yield _element(
+            "cloze", _head(name, _cloze_text(question, sheet), question), question.identifier, tags
+        )
         return
     for ask in question.asks:
         text = _statement(question) + ask_html(ask, sheet.language) + _rule(question)
         answers = "".join(map(_answer, moodle_answers(ask)))
-        yield _element("numerical", _head(f"{name}: {ask.identifier}", text, question),
-                       f"{question.identifier}-{ask.identifier}", tags,
-                       f"<defaultgrade>{decimal_text(ask.points)}</defaultgrade>\n{answers}")
+        yield _element(
+            "numerical",
+            _head(f"{name}: {ask.identifier}", text, question),
+            f"{question.identifier}-{ask.identifier}",
+            tags,
+            f"<defaultgrade>{decimal_text(ask.points)}</defaultgrade>\n{answers}",
+        )
 
 
 def _cloze_text(question: QuizQuestion, sheet: _Sheet) -> str:
     """The text with its boxes; nothing else in it looks like one."""
-    asks = "".join(_guarded(ask_html(ask, sheet.language, BOX)).replace(
-        BOX, cloze_field(ask, int(ask.points * sheet.scale))) for ask in question.asks)
-    multiplied = f"<p>{MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
+    asks = "".join(
+        _guarded(ask_html(ask, sheet.language, BOX)).replace(
+            BOX, cloze_field(ask, int(ask.points * sheet.scale))
+        )
+        for ask in question.asks
+    )
+    multiplied = (
+        f"<p>{MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
+    )
     return _guarded(_statement(question)) + asks + _guarded(_rule(question)) + multiplied
 
 
 def _head(name: str, text: str, question: QuizQuestion) -> str:
     """What all kinds of questions begin with: name, text with the figure, worked solution."""
-    return (f"<name><text>{_cut(name)}</text></name>\n"
-            f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
-            f'<generalfeedback format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
-            "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n")
+    return (
+        f"<name><text>{_cut(name)}</text></name>\n"
+        f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
+        f'<generalfeedback format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
+        "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n"
+    )
 
 
 def _element(kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = "") -> str:
     marked = "".join(f"<tag><text>{plain_html(tag)}</text></tag>" for tag in tags)
-    return (f'<question type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
-            f"{answers}<tags>{marked}</tags>\n</question>\n")
+    return (
+        f'<question type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
+        f"{answers}<tags>{marked}</tags>\n</question>\n"
+    )
 
 
 def _rule(question: QuizQuestion) -> str:
@@ -136,9 +170,11 @@ def _file(question: QuizQuestion) -> str:
 
 
 def _answer(answer: MoodleAnswer) -> str:
-    return (f'<answer fraction="{decimal_text(answer.share)}" format="moodle_auto_format">'
-            f"<text>{decimal_text(answer.value)}</text><tolerance>{decimal_text(answer.room)}</tolerance>"
-            f'<feedback format="html"><text>{_data(answer.feedback)}</text></feedback></answer>\n')
+    return (
+        f'<answer fraction="{decimal_text(answer.share)}" format="moodle_auto_format">'
+        f"<text>{decimal_text(answer.value)}</text><tolerance>{decimal_text(answer.room)}</tolerance>"
+        f'<feedback format="html"><text>{_data(answer.feedback)}</text></feedback></answer>\n'
+    )
 
 
 def _guarded(html: str) -> str:
@@ -152,7 +188,7 @@ def _plain_title(question: QuizQuestion) -> str:
 
 def _cut(name: str) -> str:
     """A name of a length that Moodle keeps whole."""
-    return plain_html(name if len(name) <= LONGEST_NAME else name[:LONGEST_NAME - 1] + "…")
+    return plain_html(name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…")
 
 
 def _data(html: str) -> str:

@@ -19,9 +19,34 @@ from kinegrade.lms.quiz.html import plain_html
 from kinegrade.lms.quiz.intervals import right_intervals
 
 ALL = Fraction(100)
-SHARES = tuple(map(Fraction, (
-    "100", "90", "83.33333", "80", "75", "70", "66.66667", "60", "50", "40", "33.33333", "30", "25", "20", "16.66667",
-    "14.28571", "12.5", "11.11111", "10", "5", "0")))
+SHARES = tuple(
+    map(
+        Fraction,
+        (
+            "100",
+            "90",
+            "83.33333",
+            "80",
+            "75",
+            "70",
+            "66.66667",
+            "60",
+            "50",
+            "40",
+            "33.33333",
+            "30",
+            "25",
+            "20",
+            "16.66667",
+            "14.28571",
+            "12.5",
+            "11.11111",
+            "10",
+            "5",
+            "0",
+        ),
+    )
+)
 _GUARDS = str.maketrans({"}": r"\}", "#": r"\#", "~": "&#126;", "{": "&#123;", "\\": "&#92;"})
 NEAR = Fraction(1, 10**5)  # per cent: how near to one of its shares Moodle wants a share to be
 
@@ -45,8 +70,10 @@ def cloze_field(ask: QuizAsk, mark: int) -> str:
     """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that has decimals there."""
     answers = moodle_answers(ask)
     if any(answer.share.denominator != 1 for answer in answers):
-        raise ExportError(f"ask {ask.identifier}: a share of the points that is no whole per cent - expected one in "
-                          "Cloze questions - choose 50, 25 or 20 per cent, or --as numerical")
+        raise ExportError(
+            f"ask {ask.identifier}: a share of the points that is no whole per cent - expected one in "
+            "Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
+        )
     return f"{{{mark}:NUMERICAL:{'~'.join(map(_alternative, answers))}}}"
 
 
@@ -58,7 +85,9 @@ def _right(ask: QuizAsk) -> Iterator[MoodleAnswer]:
     else:
         yield MoodleAnswer(first.value, (first.high - first.low) / 2, ALL)
     for interval in turned:
-        yield MoodleAnswer((interval.low + interval.high) / 2, (interval.high - interval.low) / 2, ALL)
+        yield MoodleAnswer(
+            (interval.low + interval.high) / 2, (interval.high - interval.low) / 2, ALL
+        )
 
 
 def _wrong(mistakes: Iterable[QuizMistake]) -> Iterator[MoodleAnswer]:
@@ -78,8 +107,10 @@ def _share(credit: Fraction) -> Fraction:
     for share in SHARES:
         if abs(100 * credit - share) <= NEAR:
             return share
-    raise ExportError(f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such share - "
-                    f"expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one")
+    raise ExportError(
+        f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such share - "
+        f"expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one"
+    )
 
 
 def _alternative(answer: MoodleAnswer) -> str:

@@ -75,8 +75,10 @@ class Package:
 
     def _entry(self, name: str) -> IO[bytes]:
         if name in self._names:
-            raise ExportError(f'quiz: the name "{name}" stands for two things - expected one for each paper and '
-                              "question - set the exam anew")
+            raise ExportError(
+                f'quiz: the name "{name}" stands for two things - expected one for each paper and '
+                "question - set the exam anew"
+            )
         self._names.add(name)
         entry = zipfile.ZipInfo(name, FIRST_DATE)
         entry.compress_type = zipfile.ZIP_DEFLATED

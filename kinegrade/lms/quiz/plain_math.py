@@ -9,24 +9,107 @@ from functools import lru_cache
 from kinegrade.exam.formula import TEXT, checked, unit_text
 
 _GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "varepsilon": "ε", "zeta": "ζ", "eta": "η",
-    "theta": "θ", "vartheta": "θ", "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π",
-    "rho": "ρ", "varrho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ", "varphi": "φ", "chi": "χ",
-    "psi": "ψ", "omega": "ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π",
-    "Sigma": "Σ", "Upsilon": "Υ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω",
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ε",
+    "varepsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "vartheta": "θ",
+    "iota": "ι",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "pi": "π",
+    "rho": "ρ",
+    "varrho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "upsilon": "υ",
+    "phi": "φ",
+    "varphi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Pi": "Π",
+    "Sigma": "Σ",
+    "Upsilon": "Υ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
 }
 _SIGNS = {
-    "cdot": "·", "times": "×", "div": "÷", "pm": "±", "mp": "∓", "le": "≤", "leq": "≤", "ge": "≥", "geq": "≥",
-    "ne": "≠", "neq": "≠", "approx": "≈", "equiv": "≡", "sim": "∼", "propto": "∝", "perp": "⊥", "parallel": "∥",
+    "cdot": "·",
+    "times": "×",
+    "div": "÷",
+    "pm": "±",
+    "mp": "∓",
+    "le": "≤",
+    "leq": "≤",
+    "ge": "≥",
+    "geq": "≥",
+    "ne": "≠",
+    "neq": "≠",
+    "approx": "≈",
+    "equiv": "≡",
+    "sim": "∼",
+    "propto": "∝",
+    "perp": "⊥",
+    "parallel": "∥",
     "angle": "∠",
-    "triangle": "△", "circ": "°", "prime": "′", "infty": "∞", "ldots": "…", "cdots": "⋯", "to": "→", "rightarrow": "→",
-    "leftarrow": "←", "Rightarrow": "⇒", "implies": "⇒", "leftrightarrow": "↔", "uparrow": "↑", "downarrow": "↓",
-    "partial": "∂", "int": "∫", "sum": "∑", "mid": "|", "in": "∈", "quad": " ", "qquad": " ",
+    "triangle": "△",
+    "circ": "°",
+    "prime": "′",
+    "infty": "∞",
+    "ldots": "…",
+    "cdots": "⋯",
+    "to": "→",
+    "rightarrow": "→",
+    "leftarrow": "←",
+    "Rightarrow": "⇒",
+    "implies": "⇒",
+    "leftrightarrow": "↔",
+    "uparrow": "↑",
+    "downarrow": "↓",
+    "partial": "∂",
+    "int": "∫",
+    "sum": "∑",
+    "mid": "|",
+    "in": "∈",
+    "quad": " ",
+    "qquad": " ",
 }
-_UNSEEN = frozenset({
-    "left", "right", "mathrm", "mathbf", "mathit", "boldsymbol", "bm", "vec", "bar", "hat", "tilde", "dot", "ddot",
-    "overline", "underbrace", "overrightarrow", "widehat",
-})
+_UNSEEN = frozenset(
+    {
+        "left",
+        "right",
+        "mathrm",
+        "mathbf",
+        "mathit",
+        "boldsymbol",
+        "bm",
+        "vec",
+        "bar",
+        "hat",
+        "tilde",
+        "dot",
+        "ddot",
+        "overline",
+        "underbrace",
+        "overrightarrow",
+        "widehat",
+    }
+)
 _SPACES = {",": " ", ";": " ", ":": " ", " ": " ", "!": "", "\\": "; "}
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}^_]|[^\\{}^_]", re.DOTALL)
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[^{}]*\}|&")
@@ -45,7 +128,9 @@ def plain_math(latex: str, where: str = "text") -> str:
     >>> plain_math(r"v_B = \frac{2\sqrt{3}}{3}\,\unit{m/s^2}"), plain_math(r"30^\circ")
     ('v_B = (2√3)/3 m/s²', '30°')
     """
-    spelled = TEXT.sub(lambda found: "{,}" if found[2] else f"{{{unit_text(found[1])}}}", checked(latex, where))
+    spelled = TEXT.sub(
+        lambda found: "{,}" if found[2] else f"{{{unit_text(found[1])}}}", checked(latex, where)
+    )
     return _BLANKS.sub(" ", _sequence(iter(_TOKEN.findall(_ENVIRONMENT.sub(" ", spelled))))).strip()
 
 

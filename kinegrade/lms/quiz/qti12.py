@@ -32,12 +32,18 @@ HEAD = (
     '</qtimetadata>\n<section ident="root_section">\n'
 )
 FOOT = "</section>\n</assessment>\n</questestinterop>\n"
-FOR_ONE = ("qti12: every paper is a quiz of its own, and a published quiz is open to the whole course - assign each "
-           "quiz to its students before you publish it")
-DRAWN_APART = ("qti12: Canvas draws every question by itself - the asks of one mechanism may come with different "
-               "numbers, each complete in itself - write papers instead of variants to keep them together")
-UNEVEN = ("{}: is worth {} points, and the first variant {} - expected the same for all variants of an ask - "
-          "mend the points in the bank")
+FOR_ONE = (
+    "qti12: every paper is a quiz of its own, and a published quiz is open to the whole course - assign each "
+    "quiz to its students before you publish it"
+)
+DRAWN_APART = (
+    "qti12: Canvas draws every question by itself - the asks of one mechanism may come with different "
+    "numbers, each complete in itself - write papers instead of variants to keep them together"
+)
+UNEVEN = (
+    "{}: is worth {} points, and the first variant {} - expected the same for all variants of an ask - "
+    "mend the points in the bank"
+)
 
 
 def write(quiz: Quiz, target: Path) -> list[str]:
@@ -45,8 +51,11 @@ def write(quiz: Quiz, target: Path) -> list[str]:
 
     Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it was.
     """
-    with (package(target) as parts, Groups() as groups,
-          Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest):
+    with (
+        package(target) as parts,
+        Groups() as groups,
+        Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest,
+    ):
         return _Writer(quiz, parts, groups, manifest).write()
 
 
@@ -70,7 +79,9 @@ class _Writer:
         return self._remarks.complaints
 
     def _paper(self, paper: QuizPaper) -> None:
-        items = [item for question in paper.questions for _, item in self._items(question, pooled=False)]
+        items = [
+            item for question in paper.questions for _, item in self._items(question, pooled=False)
+        ]
         if not items:
             return
         self._remarks.complain(FOR_ONE)
@@ -91,9 +102,13 @@ class _Writer:
             if len(question.asks) > 1:
                 self._remarks.complain(DRAWN_APART)
 
-    def _items(self, question: QuizQuestion, *, pooled: bool) -> Iterator[tuple[QuizAsk, NumericalItem]]:
+    def _items(
+        self, question: QuizQuestion, *, pooled: bool
+    ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
         """The items of a question, whose figure goes into the package first."""
-        found = numerical_items(question, self._quiz.language, self._remarks, solution_with_each=pooled)
+        found = numerical_items(
+            question, self._quiz.language, self._remarks, solution_with_each=pooled
+        )
         if question.figure is not None and found:
             place = picture_name(question)
             self._parts.add(place, question.figure.svg)
@@ -111,5 +126,7 @@ class _Writer:
         self._describe(identifier, title, self._groups.points)
 
     def _describe(self, identifier: str, title: str, points: Fraction) -> None:
-        self._parts.add(f"{identifier}/assessment_meta.xml", qti12_manifest.quiz_meta(identifier, title, points))
+        self._parts.add(
+            f"{identifier}/assessment_meta.xml", qti12_manifest.quiz_meta(identifier, title, points)
+        )
         self._manifest.add(*qti12_manifest.assessment_resources(identifier))

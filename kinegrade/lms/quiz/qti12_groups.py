@@ -29,8 +29,12 @@ class Groups:
     def __enter__(self) -> Groups:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        fault: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         for stream in self._streams.values():
             stream.close()
 
@@ -55,7 +59,11 @@ class Groups:
     def write(self, target: IO[bytes]) -> None:
         """The sections of all groups."""
         for place, item in self._first.items():
-            head = HEAD.format(quoteattr(f"{item.identifier}-group"), quoteattr(item.title), decimal_text(item.points))
+            head = HEAD.format(
+                quoteattr(f"{item.identifier}-group"),
+                quoteattr(item.title),
+                decimal_text(item.points),
+            )
             target.write(head.encode())
             self._streams[place].seek(0)
             shutil.copyfileobj(self._streams[place], target)

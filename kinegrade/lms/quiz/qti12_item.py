@@ -42,13 +42,16 @@ def metadata_field(label: str, entry: str) -> Xml:
 
 
 def _metadata(item: NumericalItem) -> Xml:
-    return element("itemmetadata", element(
-        "qtimetadata",
-        metadata_field("question_type", "numerical_question"),
-        metadata_field("points_possible", decimal_text(item.points)),
-        metadata_field("original_answer_ids", ""),
-        metadata_field("assessment_question_identifierref", f"{item.identifier}-bank"),
-    ))
+    return element(
+        "itemmetadata",
+        element(
+            "qtimetadata",
+            metadata_field("question_type", "numerical_question"),
+            metadata_field("points_possible", decimal_text(item.points)),
+            metadata_field("original_answer_ids", ""),
+            metadata_field("assessment_question_identifierref", f"{item.identifier}-bank"),
+        ),
+    )
 
 
 def _presentation(item: NumericalItem) -> Xml:
@@ -63,7 +66,9 @@ def _presentation(item: NumericalItem) -> Xml:
 def _solution(item: NumericalItem) -> Iterator[Xml]:
     if item.solution:
         shown = element("mattext", item.solution, texttype="text/html")
-        yield element("itemfeedback", element("flow_mat", element("material", shown)), ident=SOLUTION)
+        yield element(
+            "itemfeedback", element("flow_mat", element("material", shown)), ident=SOLUTION
+        )
 
 
 def _processing(item: NumericalItem) -> Xml:
@@ -75,16 +80,22 @@ def _conditions(item: NumericalItem) -> Iterator[Xml]:
     """The solution whatever the answer, then all points for what lies in one of the intervals."""
     if item.solution:
         shown = element("displayfeedback", feedbacktype="Response", linkrefid=SOLUTION)
-        yield element("respcondition", element("conditionvar", element("other")), shown, continue_="Yes")
+        yield element(
+            "respcondition", element("conditionvar", element("other")), shown, continue_="Yes"
+        )
     for interval in item.intervals:
         full = element("setvar", "100", action="Set", varname="SCORE")
-        yield element("respcondition", element("conditionvar", *_condition(interval)), full, continue_="No")
+        yield element(
+            "respcondition", element("conditionvar", *_condition(interval)), full, continue_="No"
+        )
 
 
 def _condition(interval: RightInterval) -> Iterator[Xml]:
     """An answer with its margin where that is even; Canvas and New Quizzes would take different ones of two."""
-    bounds = (element("vargte", interval.low_text, respident=RESPONSE),
-              element("varlte", interval.high_text, respident=RESPONSE))
+    bounds = (
+        element("vargte", interval.low_text, respident=RESPONSE),
+        element("varlte", interval.high_text, respident=RESPONSE),
+    )
     if interval.symmetric:
         exact = element("varequal", interval.value_text, respident=RESPONSE)
         yield element("or", exact, element("and", *bounds))

@@ -22,8 +22,13 @@ META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 def quiz_meta(identifier: str, title: str, points: Fraction) -> bytes:
     """The `assessment_meta.xml` of a quiz: graded, one attempt, in the order given."""
     texts = {
-        "title": title, "description": "", "shuffle_answers": "false", "scoring_policy": "keep_highest",
-        "quiz_type": "assignment", "points_possible": decimal_text(points), "allowed_attempts": "1",
+        "title": title,
+        "description": "",
+        "shuffle_answers": "false",
+        "scoring_policy": "keep_highest",
+        "quiz_type": "assignment",
+        "points_possible": decimal_text(points),
+        "allowed_attempts": "1",
     }
     children = on_lines(element(tag, text) for tag, text in texts.items())
     schema = f"{CANVAS} https://canvas.instructure.com/xsd/cccv1p0.xsd"
@@ -35,12 +40,23 @@ def assessment_resources(identifier: str) -> tuple[Xml, Xml]:
     """The resources of a quiz at `IDENTIFIER/IDENTIFIER.xml` with its meta data beside it."""
     meta, place = f"{identifier}-meta", f"{identifier}/assessment_meta.xml"
     return (
-        element("resource", element("file", href=f"{identifier}/{identifier}.xml"),
-                element("dependency", identifierref=meta), identifier=identifier, type="imsqti_xmlv1p2"),
+        element(
+            "resource",
+            element("file", href=f"{identifier}/{identifier}.xml"),
+            element("dependency", identifierref=meta),
+            identifier=identifier,
+            type="imsqti_xmlv1p2",
+        ),
         element("resource", element("file", href=place), identifier=meta, type=META, href=place),
     )
 
 
 def picture_resource(identifier: str, place: str) -> Xml:
     """The resource of a figure."""
-    return element("resource", element("file", href=place), identifier=identifier, type="webcontent", href=place)
+    return element(
+        "resource",
+        element("file", href=place),
+        identifier=identifier,
+        type="webcontent",
+        href=place,
+    )

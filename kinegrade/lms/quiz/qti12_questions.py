@@ -17,16 +17,21 @@ from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
 
 FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
-NO_BANDS = ("qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - "
-            "give them with kinegrade grade, from the students' responses")
+NO_BANDS = (
+    "qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - "
+    "give them with kinegrade grade, from the students' responses"
+)
 CHANGED = "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {} where that is too coarse"
-TOO_COARSE = ("{}: {} = {} {}, right from {} to {}, is finer than the four decimals that Canvas keeps - expected an "
-              "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side, or 0.0002 between bounds "
-              "of four decimals - draw larger numbers, or allow more")
+TOO_COARSE = (
+    "{}: {} = {} {}, right from {} to {}, is finer than the four decimals that Canvas keeps - expected an "
+    "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side, or 0.0002 between bounds "
+    "of four decimals - draw larger numbers, or allow more"
+)
 
 
-def numerical_items(question: QuizQuestion, language: Language, remarks: Remarks, *,
-                    solution_with_each: bool) -> list[tuple[QuizAsk, NumericalItem]]:
+def numerical_items(
+    question: QuizQuestion, language: Language, remarks: Remarks, *, solution_with_each: bool
+) -> list[tuple[QuizAsk, NumericalItem]]:
     """The question's asks, each with its item; what cannot be said is left out and stands in the remarks."""
     try:
         text = question_html(question, FILES + picture_name(question))
@@ -36,8 +41,10 @@ def numerical_items(question: QuizQuestion, language: Language, remarks: Remarks
         return []
     items = [(ask, item) for ask, item in found if item is not None]
     last = len(items) - 1
-    return [(ask, item if place == last or solution_with_each else item.unsolved())
-            for place, (ask, item) in enumerate(items)]
+    return [
+        (ask, item if place == last or solution_with_each else item.unsolved())
+        for place, (ask, item) in enumerate(items)
+    ]
 
 
 def picture_name(question: QuizQuestion) -> str:
@@ -52,15 +59,25 @@ def _item(
     symbol = plain_math(ask.symbol, question.question)
     if now is None:
         bounds = (decimal_text(ask.low), decimal_text(ask.high))
-        remarks.refuse(TOO_COARSE.format(question.identifier, symbol, decimal_text(ask.value), ask.unit, *bounds))
+        remarks.refuse(
+            TOO_COARSE.format(
+                question.identifier, symbol, decimal_text(ask.value), ask.unit, *bounds
+            )
+        )
         return None
     if ask.mistakes:
         remarks.complain(NO_BANDS)
     if now.unit != ask.unit:
-        remarks.complain(CHANGED.format(f"{question.question}.{ask.identifier}", now.unit, ask.unit))
+        remarks.complain(
+            CHANGED.format(f"{question.question}.{ask.identifier}", now.unit, ask.unit)
+        )
     asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
     title = f"{plain_prose(question.title, question.question, inline=True)}{PLACES[language][0]}{symbol}"
     return NumericalItem(
-        stable_name(f"{question.identifier}-{ask.identifier}"), title, text + asked, ask.points,
-        right_intervals(now), question.solution,
+        stable_name(f"{question.identifier}-{ask.identifier}"),
+        title,
+        text + asked,
+        ask.points,
+        right_intervals(now),
+        question.solution,
     )

@@ -21,10 +21,14 @@ HEAD = (
     "<organizations/>\n<resources>\n"
 )
 FOOT = "</resources>\n</manifest>\n"
-MATH = (r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as typed - "
-        "look at one question there before the exam")
-CANVAS = ("qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
-          "send it to other systems, and qti12 to Canvas")
+MATH = (
+    r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as typed - "
+    "look at one question there before the exam"
+)
+CANVAS = (
+    "qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
+    "send it to other systems, and qti12 to Canvas"
+)
 
 
 def write(quiz: Quiz, target: Path) -> list[str]:
@@ -53,7 +57,9 @@ class _Writer:
                 self._paper(paper, written)
             else:
                 for question in written:
-                    self._pool.setdefault(question.question, []).append(stable_name(question.identifier))
+                    self._pool.setdefault(question.question, []).append(
+                        stable_name(question.identifier)
+                    )
         if self._pool:
             first = next(iter(self._pool.values()))[0]
             self._test(f"{first}-pool", self._quiz.title, list(self._pool.values()))
@@ -65,7 +71,9 @@ class _Writer:
         if questions:
             owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
             names = [stable_name(question.identifier) for question in questions]
-            self._test(f"{names[0]}-paper", f"{self._quiz.title} · {owner}", [[name] for name in names])
+            self._test(
+                f"{names[0]}-paper", f"{self._quiz.title} · {owner}", [[name] for name in names]
+            )
 
     def _item(self, question: QuizQuestion) -> bool:
         """Writes the question and its figure; whether its texts could be shown."""
@@ -94,9 +102,16 @@ class _Writer:
 def _test_document(identifier: str, title: str, variants: Sequence[Sequence[str]]) -> bytes:
     """A test of all questions in their order, each drawn from its variants where it has several."""
     sections = (_section(place, names) for place, names in enumerate(variants, start=1))
-    part = element("testPart", on_lines(sections), identifier="PART", navigationMode="nonlinear",
-                   submissionMode="simultaneous")
-    score = element("outcomeDeclaration", identifier="SCORE", cardinality="single", baseType="float")
+    part = element(
+        "testPart",
+        on_lines(sections),
+        identifier="PART",
+        navigationMode="nonlinear",
+        submissionMode="simultaneous",
+    )
+    score = element(
+        "outcomeDeclaration", identifier="SCORE", cardinality="single", baseType="float"
+    )
     total = element("sum", element("testVariables", variableIdentifier="SCORE"))
     processing = element("outcomeProcessing", element("setOutcomeValue", total, identifier="SCORE"))
     parts = on_lines((score, part, processing))
@@ -105,9 +120,17 @@ def _test_document(identifier: str, title: str, variants: Sequence[Sequence[str]
 
 def _section(place: int, names: Sequence[str]) -> Xml:
     drawn = [element("selection", select="1")] if len(names) > 1 else []
-    items = (element("assessmentItemRef", identifier=name, href=f"../items/{name}.xml") for name in names)
-    return element("assessmentSection", *drawn, *items, identifier=f"SECTION_{place}", title=str(place),
-                   visible="false")
+    items = (
+        element("assessmentItemRef", identifier=name, href=f"../items/{name}.xml") for name in names
+    )
+    return element(
+        "assessmentSection",
+        *drawn,
+        *items,
+        identifier=f"SECTION_{place}",
+        title=str(place),
+        visible="false",
+    )
 
 
 def _resource(identifier: str, kind: str, files: Sequence[str], uses: Sequence[str] = ()) -> Xml:

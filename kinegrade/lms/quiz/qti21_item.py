@@ -35,14 +35,26 @@ def item_document(question: QuizQuestion, language: Language, picture: str) -> b
     """The item's file; the figure stands at the address `picture`. Raises TypesetError."""
     question = replace(question, asks=tuple(map(told_apart, question.asks)))
     title = plain_prose(question.title, question.question, inline=True)
-    parts = on_lines((
-        *declarations(question.asks), element("itemBody", flow(_body(question, language, picture))),
-        processing(question.asks, solved=bool(question.solution)), *_feedback(question),
-    ))
-    return document(element(
-        "assessmentItem", parts, identifier=stable_name(question.identifier), title=title,
-        adaptive="false", timeDependent="false", **NAMES, **{"xml:lang": WORDS[language].tag},
-    ))
+    parts = on_lines(
+        (
+            *declarations(question.asks),
+            element("itemBody", flow(_body(question, language, picture))),
+            processing(question.asks, solved=bool(question.solution)),
+            *_feedback(question),
+        )
+    )
+    return document(
+        element(
+            "assessmentItem",
+            parts,
+            identifier=stable_name(question.identifier),
+            title=title,
+            adaptive="false",
+            timeDependent="false",
+            **NAMES,
+            **{"xml:lang": WORDS[language].tag},
+        )
+    )
 
 
 def _body(question: QuizQuestion, language: Language, picture: str) -> str:
@@ -52,7 +64,9 @@ def _body(question: QuizQuestion, language: Language, picture: str) -> str:
 
 
 def _asked(place: int, ask: QuizAsk, language: Language) -> str:
-    return ask_html(ask, language, BOX.format(response_name(place))) + warnings_html(ask, ask, WORDS[language])
+    return ask_html(ask, language, BOX.format(response_name(place))) + warnings_html(
+        ask, ask, WORDS[language]
+    )
 
 
 def _feedback(question: QuizQuestion) -> Iterator[Xml]:
@@ -64,4 +78,6 @@ def _feedback(question: QuizQuestion) -> Iterator[Xml]:
 
 
 def _shown(name: str, html: str) -> Xml:
-    return element("modalFeedback", flow(html), outcomeIdentifier="FEEDBACK", identifier=name, showHide="show")
+    return element(
+        "modalFeedback", flow(html), outcomeIdentifier="FEEDBACK", identifier=name, showHide="show"
+    )

@@ -35,8 +35,15 @@ def told_apart(ask: QuizAsk) -> QuizAsk:
     alike: dict[tuple[Fraction, Fraction], QuizMistake] = {}
     for mistake in ask.mistakes:
         first = alike.get(mistake.interval)
-        alike[mistake.interval] = mistake if first is None else replace(
-            first, credit=max(first.credit, mistake.credit), sentence=f"{first.sentence} / {mistake.sentence}")
+        alike[mistake.interval] = (
+            mistake
+            if first is None
+            else replace(
+                first,
+                credit=max(first.credit, mistake.credit),
+                sentence=f"{first.sentence} / {mistake.sentence}",
+            )
+        )
     return replace(ask, mistakes=tuple(alike.values()))
 
 
@@ -44,9 +51,16 @@ def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
     """Responses with the right numbers, then the outcomes: feedback, points of each ask, total and what it can be."""
     for place, ask in enumerate(asks, start=1):
         right = element("correctResponse", element("value", decimal_text(ask.value)))
-        yield element("responseDeclaration", right, identifier=response_name(place), cardinality="single",
-                      baseType="float")
-    yield element("outcomeDeclaration", identifier="FEEDBACK", cardinality="multiple", baseType="identifier")
+        yield element(
+            "responseDeclaration",
+            right,
+            identifier=response_name(place),
+            cardinality="single",
+            baseType="float",
+        )
+    yield element(
+        "outcomeDeclaration", identifier="FEEDBACK", cardinality="multiple", baseType="identifier"
+    )
     for place, ask in enumerate(asks, start=1):
         yield _number(points_name(place), Fraction(0), ask.points)
     total = sum((ask.points for ask in asks), Fraction(0))
@@ -57,7 +71,9 @@ def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
 def processing(asks: tuple[QuizAsk, ...], *, solved: bool) -> Xml:
     """The conditions of all asks, the total, and the solution if there is one to be shown."""
     rules = [_condition(place, ask) for place, ask in enumerate(asks, start=1)]
-    points = (element("variable", identifier=points_name(place)) for place in range(1, len(asks) + 1))
+    points = (
+        element("variable", identifier=points_name(place)) for place in range(1, len(asks) + 1)
+    )
     rules.append(element("setOutcomeValue", element("sum", *points), identifier="SCORE"))
     if solved:
         rules.append(_feedback(SOLUTION))
@@ -66,17 +82,27 @@ def processing(asks: tuple[QuizAsk, ...], *, solved: bool) -> Xml:
 
 def _number(name: str, default: Fraction, most: Fraction) -> Xml:
     value = element("defaultValue", element("value", decimal_text(default)))
-    return element("outcomeDeclaration", value, identifier=name, cardinality="single", baseType="float",
-                   normalMaximum=decimal_text(most))
+    return element(
+        "outcomeDeclaration",
+        value,
+        identifier=name,
+        cardinality="single",
+        baseType="float",
+        normalMaximum=decimal_text(most),
+    )
 
 
 def _condition(place: int, ask: QuizAsk) -> Xml:
     """Right, or else the first known mistake that the answer shows."""
-    branches = [element("responseIf", _any(place, right_intervals(ask)), _points(place, ask.points))]
+    branches = [
+        element("responseIf", _any(place, right_intervals(ask)), _points(place, ask.points))
+    ]
     for number, mistake in enumerate(ask.mistakes, start=1):
         given = [_points(place, ask.points * mistake.credit)] if mistake.credit else []
         seen = _any(place, _mistaken(ask, mistake))
-        branches.append(element("responseElseIf", seen, *given, _feedback(mistake_name(place, number))))
+        branches.append(
+            element("responseElseIf", seen, *given, _feedback(mistake_name(place, number)))
+        )
     return element("responseCondition", on_lines(branches))
 
 
@@ -95,8 +121,11 @@ def _any(place: int, intervals: tuple[RightInterval, ...]) -> Xml:
 def _equal(place: int, interval: RightInterval) -> Xml:
     """The test for a closed interval, which may reach further on one side."""
     margins = interval.margin_texts
-    mode = {"toleranceMode": "exact"} if margins == ("0", "0") else {
-        "toleranceMode": "absolute", "tolerance": " ".join(margins)}
+    mode = (
+        {"toleranceMode": "exact"}
+        if margins == ("0", "0")
+        else {"toleranceMode": "absolute", "tolerance": " ".join(margins)}
+    )
     value = element("baseValue", interval.value_text, baseType="float")
     return element("equal", _answer(place), value, **mode)
 
@@ -115,6 +144,9 @@ def _points(place: int, points: Fraction) -> Xml:
 @lru_cache(maxsize=256)
 def _feedback(name: str) -> Xml:
     """Adds a name to those whose feedback is shown."""
-    both = element("multiple", element("variable", identifier="FEEDBACK"),
-                   element("baseValue", name, baseType="identifier"))
+    both = element(
+        "multiple",
+        element("variable", identifier="FEEDBACK"),
+        element("baseValue", name, baseType="identifier"),
+    )
     return element("setOutcomeValue", both, identifier="FEEDBACK")

@@ -23,7 +23,9 @@ def element(tag: str, *children: str, **attributes: str) -> Xml:
     >>> print(element("p", "a < b", element("br"), class_='"x"'))
     <p class="&quot;x&quot;">a &lt; b<br/></p>
     """
-    named = "".join(f' {name.rstrip("_")}="{_quotable(value)}"' for name, value in attributes.items())
+    named = "".join(
+        f' {name.rstrip("_")}="{_quotable(value)}"' for name, value in attributes.items()
+    )
     content = "".join(child if isinstance(child, Xml) else escape(child) for child in children)
     return Xml(f"<{tag}{named}>{content}</{tag}>" if content else f"<{tag}{named}/>")
 

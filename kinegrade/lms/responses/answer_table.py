@@ -30,14 +30,24 @@ class Responses:
     assumed: tuple[str, ...]
 
 
-def answer_table(path: Path, exam_folder: Path, source: str | None = None, attempts: Attempts = "finished",
-                 encoding: str | None = None) -> Table:
+def answer_table(
+    path: Path,
+    exam_folder: Path,
+    source: str | None = None,
+    attempts: Attempts = "finished",
+    encoding: str | None = None,
+) -> Table:
     """The answer sheet of `read_responses`, with the same errors."""
     return read_responses(path, exam_folder, source, attempts, encoding).table
 
 
-def read_responses(path: Path, exam_folder: Path, source: str | None = None, attempts: Attempts = "finished",
-                   encoding: str | None = None) -> Responses:
+def read_responses(
+    path: Path,
+    exam_folder: Path,
+    source: str | None = None,
+    attempts: Attempts = "finished",
+    encoding: str | None = None,
+) -> Responses:
     """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected where None.
 
     Of a student's several attempts each is a row, in the order of time; `attempts` says whether unfinished ones are
@@ -50,19 +60,35 @@ def read_responses(path: Path, exam_folder: Path, source: str | None = None, att
     people = People(asks.students)
     columns = people.columns([each.row for each in typed.rows], typed.people, typed.named)
     if not columns.indices and typed.rows:
-        raise TableError(f"{table.file}: no column tells whose answers these are - expected the ids or the e-mail "
-                         "addresses of the exam's students - download the file with them")
-    found = _own_papers(typed, [people.find(each.row, table.header, columns) for each in typed.rows], exam_folder)
-    complaints = [*_about_answers(table, typed, columns), *typed.complaints, *_unknown(table, found)]
-    sheet = Table(table.file, ("student", *typed.columns), tuple(_rows(found)), table.encoding, table.separator,
-                  tuple(complaints))
+        raise TableError(
+            f"{table.file}: no column tells whose answers these are - expected the ids or the e-mail "
+            "addresses of the exam's students - download the file with them"
+        )
+    found = _own_papers(
+        typed, [people.find(each.row, table.header, columns) for each in typed.rows], exam_folder
+    )
+    complaints = [
+        *_about_answers(table, typed, columns),
+        *typed.complaints,
+        *_unknown(table, found),
+    ]
+    sheet = Table(
+        table.file,
+        ("student", *typed.columns),
+        tuple(_rows(found)),
+        table.encoding,
+        table.separator,
+        tuple(complaints),
+    )
     return Responses(sheet, name, tuple(_assumed(table, name, source, typed, columns)))
 
 
 def _known(source: str, path: Path) -> str:
     if source not in DIALECTS:
-        raise TableError(f'{path.name}: "{source}" is no system known here - expected one of {", ".join(DIALECTS)} '
-                         "- name one of them, or none")
+        raise TableError(
+            f'{path.name}: "{source}" is no system known here - expected one of {", ".join(DIALECTS)} '
+            "- name one of them, or none"
+        )
     return source
 
 
@@ -72,7 +98,9 @@ def _about_answers(table: Table, typed: TypedRows, columns: Columns) -> Iterator
     return (each for each in table.complaints if not each.column or each.column in read)
 
 
-def _own_papers(typed: TypedRows, found: Sequence[Found], folder: Path) -> list[tuple[TypedRow, Found]]:
+def _own_papers(
+    typed: TypedRows, found: Sequence[Found], folder: Path
+) -> list[tuple[TypedRow, Found]]:
     """Each row with its student, or with none where other questions were put than those of the student's paper."""
     keys = right_answers(folder) if any(each.right for each in typed.rows) else {}
     checked = []
@@ -94,11 +122,19 @@ def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:
 def _unknown(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Complaint]:
     for each, who in found:
         if who.student is None:
-            yield Complaint(table.file, each.row.line, who.column, whole(each.row), who.problem,
-                            f"not graded{who.hint}")
+            yield Complaint(
+                table.file,
+                each.row.line,
+                who.column,
+                whole(each.row),
+                who.problem,
+                f"not graded{who.hint}",
+            )
 
 
-def _assumed(table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns) -> Iterator[str]:
+def _assumed(
+    table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns
+) -> Iterator[str]:
     if source is None and name != "sheet":
         yield f"{table.file}: taken for {DIALECTS[name].title}"
     if table.encoding not in ("UTF-8", "XLSX"):
@@ -110,4 +146,6 @@ def _assumed(table: Table, name: str, source: str | None, typed: TypedRows, colu
 
 
 def _titles(table: Table, columns: Columns) -> list[str]:
-    return [f'"{" ".join(table.header[place].split())}"' for place in columns.indices] or ["nothing"]
+    return [f'"{" ".join(table.header[place].split())}"' for place in columns.indices] or [
+        "nothing"
+    ]

@@ -15,7 +15,9 @@ _DERIVED = re.compile(r"\S.{0,60} [-–] ", re.DOTALL)
 _MOST_DERIVED = 2
 
 
-def asks_by_name(header: Sequence[str], places: Sequence[int], asks: ExamAsks) -> Mapping[str, tuple[int, ...]]:
+def asks_by_name(
+    header: Sequence[str], places: Sequence[int], asks: ExamAsks
+) -> Mapping[str, tuple[int, ...]]:
     """The columns whose titles hold an ask's name, alone or in brackets: q1.v_B, or v_B where only one ask has it."""
     names = _names(asks)
     found: dict[str, list[int]] = defaultdict(list)
@@ -32,7 +34,8 @@ def _names(asks: ExamAsks) -> Mapping[str, str]:
     for column in asks.columns:
         short[f"[{column.partition('.')[2]}]"].append(column)
     return {column: column for column in asks.columns} | {
-        name: columns[0] for name, columns in short.items() if len(columns) == 1}
+        name: columns[0] for name, columns in short.items() if len(columns) == 1
+    }
 
 
 def _named(title: str, names: Mapping[str, str]) -> set[str]:
@@ -57,16 +60,22 @@ def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapp
     Raises TableError where titles name no ask and there are not as many columns as asks, or an ask has two.
     """
     named = asks_by_name(table.header, places, asks)
-    twice = [f'{table.file}: {column} is named by the columns {", ".join(_shown(table, found))} - expected one column '
-             f"for each ask - {_ADVICE}" for column, found in named.items() if len(found) > 1]
+    twice = [
+        f"{table.file}: {column} is named by the columns {', '.join(_shown(table, found))} - expected one column "
+        f"for each ask - {_ADVICE}"
+        for column, found in named.items()
+        if len(found) > 1
+    ]
     if twice:
         raise TableError(*twice)
     if named:
         return {column: places[0] for column, places in named.items()}
     if len(places) != len(asks.columns):
         shown = ": " + ", ".join(_shown(table, places[:6])) if places else ""
-        raise TableError(f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has {asks.summary} "
-                         f"- {_ADVICE}")
+        raise TableError(
+            f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has {asks.summary} "
+            f"- {_ADVICE}"
+        )
     return dict(zip(asks.columns, places, strict=True))
 
 
@@ -76,9 +85,14 @@ def _shown(table: Table, places: Sequence[int]) -> list[str]:
 
 def without_derived(header: Sequence[str], places: Sequence[int]) -> tuple[int, ...]:
     """The columns that are questions, not the points or the feedback of one before: "Points - Q", "Q [Score]"."""
-    return tuple(place for place in places
-                 if not any(_is_derived(header[place], header[before])
-                            for before in range(max(place - _MOST_DERIVED, 0), place)))
+    return tuple(
+        place
+        for place in places
+        if not any(
+            _is_derived(header[place], header[before])
+            for before in range(max(place - _MOST_DERIVED, 0), place)
+        )
+    )
 
 
 def _is_derived(title: str, question: str) -> bool:
@@ -86,5 +100,5 @@ def _is_derived(title: str, question: str) -> bool:
     if not question or len(title) <= len(question):
         return False
     if title.endswith(question):
-        return _DERIVED.fullmatch(title[:-len(question)]) is not None
+        return _DERIVED.fullmatch(title[: -len(question)]) is not None
     return title.startswith(f"{question} [") and title.endswith("]")

@@ -35,24 +35,43 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     """
     questions = _questions(table.header)
     if not questions:
-        raise TableError(f'{table.file}: has no columns like "12345: text" followed by points - expected {TITLE} '
-                         "- download that of a classic quiz")
+        raise TableError(
+            f'{table.file}: has no columns like "12345: text" followed by points - expected {TITLE} '
+            "- download that of a classic quiz"
+        )
     columns = _columns(table, questions, asks)
     people = range(1, questions[0])  # the first is the name
-    rows = tuple(TypedRow(row, tuple(_response(row, places) for places in columns.values()), _moment(row, people))
-                 for row in table.rows)
-    assumed = "; ".join(f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
-                        for column, places in columns.items())
-    return TypedRows(tuple(columns), frozenset(place for places in columns.values() for place in places), rows,
-                     tuple(people), _named(table.header, people), assumed=assumed)
+    rows = tuple(
+        TypedRow(
+            row, tuple(_response(row, places) for places in columns.values()), _moment(row, people)
+        )
+        for row in table.rows
+    )
+    assumed = "; ".join(
+        f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
+        for column, places in columns.items()
+    )
+    return TypedRows(
+        tuple(columns),
+        frozenset(place for places in columns.values() for place in places),
+        rows,
+        tuple(people),
+        _named(table.header, people),
+        assumed=assumed,
+    )
 
 
 def _questions(header: Sequence[str]) -> list[int]:
-    return [place for place in range(len(header) - 1)
-            if _QUESTION.match(header[place]) and _POINTS.fullmatch(trimmed(header[place + 1]))]
+    return [
+        place
+        for place in range(len(header) - 1)
+        if _QUESTION.match(header[place]) and _POINTS.fullmatch(trimmed(header[place + 1]))
+    ]
 
 
-def _columns(table: Table, questions: Sequence[int], asks: ExamAsks) -> Mapping[str, tuple[int, ...]]:
+def _columns(
+    table: Table, questions: Sequence[int], asks: ExamAsks
+) -> Mapping[str, tuple[int, ...]]:
     named = asks_by_name(table.header, questions, asks)
     if any(len(places) > 1 for places in named.values()):
         return named
@@ -65,7 +84,9 @@ def _response(row: Row, places: Sequence[int]) -> str:
 
 
 def _moment(row: Row, people: Sequence[int]) -> str:
-    return next((row.cell(place) for place in people if _MOMENT.fullmatch(trimmed(row.cell(place)))), "")
+    return next(
+        (row.cell(place) for place in people if _MOMENT.fullmatch(trimmed(row.cell(place)))), ""
+    )
 
 
 def _named(header: Sequence[str], people: Sequence[int]) -> Mapping[Kind, Sequence[int]]:

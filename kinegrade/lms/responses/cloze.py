@@ -36,7 +36,10 @@ def wording(cells: Sequence[str]) -> Wording | None:
     >>> wording(["Teil 1: 3; Teil 2: 4", "Teil 1: ; Teil 2:"])
     Wording(stem='Teil ', colon=':')
     """
-    beginnings = {found.groups() if (found := _BEGINNING.match(cell[:_LONGEST_BEGINNING])) else None for cell in cells}
+    beginnings = {
+        found.groups() if (found := _BEGINNING.match(cell[:_LONGEST_BEGINNING])) else None
+        for cell in cells
+    }
     only = beginnings.pop() if len(beginnings) == 1 else None
     return Wording(*only) if only else None
 
@@ -61,7 +64,9 @@ def parts(cell: str, words: Wording, count: int) -> tuple[str, ...] | None:
     ('1,5; 2', '', '')
     """
     separators = [words.separator(number) for number in range(2, count + 1)]
-    if not cell.startswith(words.mark(1)) or any(cell.count(separator) != 1 for separator in separators):
+    if not cell.startswith(words.mark(1)) or any(
+        cell.count(separator) != 1 for separator in separators
+    ):
         return None
     rest, typed = cell.removeprefix(words.mark(1)), []
     for separator in separators:

@@ -33,9 +33,13 @@ DIALECTS: Mapping[str, Dialect] = {
 
 def detected(table: Table) -> str:
     """The name of the first dialect that knows the header. Raises TableError where none does."""
-    name = next((name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None)
+    name = next(
+        (name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None
+    )
     if name is None:
         shown = ", ".join(one_line(cell[:60]) for cell in table.header[:6])
-        raise TableError(f"{table.file}: its columns ({shown} ...) are those of no system known here - expected one of "
-                         f"{', '.join(DIALECTS)} - say which it is, if it is one of them")
+        raise TableError(
+            f"{table.file}: its columns ({shown} ...) are those of no system known here - expected one of "
+            f"{', '.join(DIALECTS)} - say which it is, if it is one of them"
+        )
     return name

@@ -38,7 +38,9 @@ class ExamAsks:
     @property
     def summary(self) -> str:
         """The exam's questions in a few words, for messages."""
-        counts = ", ".join(f"{question}: {len(columns)}" for question, columns in self.questions.items())
+        counts = ", ".join(
+            f"{question}: {len(columns)}" for question, columns in self.questions.items()
+        )
         return f"{len(self.columns)} asks in {len(self.questions)} questions ({counts})"
 
 
@@ -47,13 +49,21 @@ def read_exam_asks(folder: Path) -> ExamAsks:
     path = folder / "exam.json"
     try:
         exam = json.loads(path.read_text(encoding="utf-8"))
-        questions = {str(question["question"]): _columns(question) for question in exam["questions"]}
-        students = tuple(Person(str(entry["student"]), str(entry.get("email", ""))) for entry in exam["students"])
+        questions = {
+            str(question["question"]): _columns(question) for question in exam["questions"]
+        }
+        students = tuple(
+            Person(str(entry["student"]), str(entry.get("email", ""))) for entry in exam["students"]
+        )
     except OSError as fault:
-        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade "
-                        "generate - check the name") from fault
+        raise ExamError(
+            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade "
+            "generate - check the name"
+        ) from fault
     except BROKEN as fault:
-        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
+        raise ExamError(
+            f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
+        ) from fault
     return ExamAsks(questions, students)
 
 

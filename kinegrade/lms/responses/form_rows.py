@@ -21,29 +21,45 @@ _TITLES: Mapping[str, re.Pattern[str]] = {
 _COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
 
 
-def form_rows(table: Table, asks: ExamAsks, *, questions: Sequence[int],
-              known: Mapping[Kind, Sequence[int]]) -> TypedRows:
+def form_rows(
+    table: Table, asks: ExamAsks, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
+) -> TypedRows:
     """The responses of a form of which these columns are questions; `known` are other columns that say who it is.
 
     Raises TableError where questions and asks do not agree.
     """
     questions = without_derived(table.header, questions)
-    taken = {place for places in asks_by_name(table.header, questions, asks).values() for place in places}
-    about = {kind: [place for place in questions if place not in taken and _asks_for(kind, table.header[place])]
-             for kind in _TITLES}
+    taken = {
+        place for places in asks_by_name(table.header, questions, asks).values() for place in places
+    }
+    about = {
+        kind: [
+            place
+            for place in questions
+            if place not in taken and _asks_for(kind, table.header[place])
+        ]
+        for kind in _TITLES
+    }
     personal = {place for places in about.values() for place in places}
     columns = columns_of_asks(table, [place for place in questions if place not in personal], asks)
-    named: dict[Kind, Sequence[int]] = {"id": about["id"], "email": [*known.get("email", ()), *about["email"]]}
+    named: dict[Kind, Sequence[int]] = {
+        "id": about["id"],
+        "email": [*known.get("email", ()), *about["email"]],
+    }
     rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
     rows = tuple(TypedRow(row, tuple(map(row.cell, columns.values()))) for row in table.rows)
-    assumed = "; ".join(f'"{" ".join(table.header[place].split())[:60]}" is {column}'
-                        for column, place in columns.items())
-    return TypedRows(tuple(columns), frozenset(columns.values()), rows, tuple(rest), named, assumed=assumed)
+    assumed = "; ".join(
+        f'"{" ".join(table.header[place].split())[:60]}" is {column}'
+        for column, place in columns.items()
+    )
+    return TypedRows(
+        tuple(columns), frozenset(columns.values()), rows, tuple(rest), named, assumed=assumed
+    )
 
 
 def _asks_for(kind: str, title: str) -> bool:
     """Whether a question asks for id, address or name."""
-    key = header_key(re.sub(r"[*?:：？_.]", " ", title[:_LONGEST_TITLE + 1]))
+    key = header_key(re.sub(r"[*?:：？_.]", " ", title[: _LONGEST_TITLE + 1]))
     if len(title) > _LONGEST_TITLE:
         return False
     return key in COLUMN_NAMES[_COLUMN_NAMES[kind]] or _TITLES[kind].search(key) is not None

@@ -40,7 +40,9 @@ class _Slot:
 def recognises(header: Sequence[str]) -> bool:
     """Whether these are the columns of a Moodle quiz report, of responses or of grades."""
     grades = grade_columns(header)
-    return len(grades) > 1 or (len(grades) == 1 and columns_per_question(header[grades[0] + 1:]) is not None)
+    return len(grades) > 1 or (
+        len(grades) == 1 and columns_per_question(header[grades[0] + 1 :]) is not None
+    )
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
@@ -51,14 +53,22 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     for row in table.rows:
         reason = _not_taken(row, columns, attempts)
         if reason:
-            complaints.append(Complaint(table.file, row.line, table.header[columns.grade], whole(row), *reason))
+            complaints.append(
+                Complaint(table.file, row.line, table.header[columns.grade], whole(row), *reason)
+            )
             continue
         responses, faults = _responses(table, row, slots)
         rows.append(TypedRow(row, responses, right=_right(row, slots)))
         complaints += faults
     assumed = "; ".join(f"{table.header[slot.column]} is {', '.join(slot.asks)}" for slot in slots)
-    return TypedRows(asks.columns, frozenset(slot.column for slot in slots), tuple(rows),
-                     tuple(range(_NAMES, columns.grade)), complaints=tuple(complaints), assumed=assumed)
+    return TypedRows(
+        asks.columns,
+        frozenset(slot.column for slot in slots),
+        tuple(rows),
+        tuple(range(_NAMES, columns.grade)),
+        complaints=tuple(complaints),
+        assumed=assumed,
+    )
 
 
 def _not_taken(row: Row, columns: MoodleColumns, attempts: Attempts) -> tuple[str, str] | None:
@@ -68,10 +78,15 @@ def _not_taken(row: Row, columns: MoodleColumns, attempts: Attempts) -> tuple[st
         return "no student: a row of averages", "not graded"
     if trimmed(row.cell(columns.grade)) != NOTHING:
         return None
-    if before[-1] == NOTHING and all(_response(row, question) in ("", NOTHING) for question in columns.questions):
+    if before[-1] == NOTHING and all(
+        _response(row, question) in ("", NOTHING) for question in columns.questions
+    ):
         return "no attempt, or one without answers", "not graded"
     if attempts == "finished":
-        return "the attempt has no grade: it is not finished", "not graded, unless all attempts are asked for"
+        return (
+            "the attempt has no grade: it is not finished",
+            "not graded, unless all attempts are asked for",
+        )
     return None
 
 
@@ -83,12 +98,14 @@ def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot,
     found = [_parts_of(table, question) for question in columns.questions]
     by_question = len(found) == len(asks.questions)
     sizes = [len(each) for each in asks.questions.values()] if by_question else [1] * len(found)
-    counts = [size if count is None else count for (_, count), size in zip(found, sizes, strict=True)]
+    counts = [
+        size if count is None else count for (_, count), size in zip(found, sizes, strict=True)
+    ]
     if sum(counts) != len(asks.columns):
         raise _disagreement(table, counts, asks)
     slots, first = [], 0
     for question, (words, _), count in zip(columns.questions, found, counts, strict=True):
-        mine = asks.columns[first:first + count]
+        mine = asks.columns[first : first + count]
         if len({name.partition(".")[0] for name in mine}) > 1:
             raise _disagreement(table, counts, asks)
         slots.append(_Slot(question.response, question.right_answer, mine, words))
@@ -98,8 +115,10 @@ def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot,
 
 def _disagreement(table: Table, counts: Sequence[int], asks: ExamAsks) -> TableError:
     shown = ", ".join(map(str, counts))
-    return TableError(f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has {asks.summary} "
-                      "- download the responses of the quiz that was made of this exam")
+    return TableError(
+        f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has {asks.summary} "
+        "- download the responses of the quiz that was made of this exam"
+    )
 
 
 def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, int | None]:
@@ -121,11 +140,15 @@ def _right(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
     right: list[str] = []
     for slot in slots:
         cell = "" if slot.right_answer is None else row.cell(slot.right_answer)
-        right += (parts(cell, slot.words, len(slot.asks)) if slot.words else (cell,)) or ("",) * len(slot.asks)
+        right += (parts(cell, slot.words, len(slot.asks)) if slot.words else (cell,)) or (
+            "",
+        ) * len(slot.asks)
     return tuple(right)
 
 
-def _responses(table: Table, row: Row, slots: Sequence[_Slot]) -> tuple[tuple[str, ...], list[Complaint]]:
+def _responses(
+    table: Table, row: Row, slots: Sequence[_Slot]
+) -> tuple[tuple[str, ...], list[Complaint]]:
     responses: list[str] = []
     faults = []
     for slot in slots:
@@ -137,7 +160,15 @@ def _responses(table: Table, row: Row, slots: Sequence[_Slot]) -> tuple[tuple[st
         elif typed is None:
             typed = ("",) * len(slot.asks)
             problem = f"{len(slot.asks)} parts were expected, and which is which cannot be told"
-            faults.append(Complaint(table.file, row.line, table.header[slot.column], shortened(cell), problem,
-                                    f"{', '.join(slot.asks)} count as blank; put them right by hand"))
+            faults.append(
+                Complaint(
+                    table.file,
+                    row.line,
+                    table.header[slot.column],
+                    shortened(cell),
+                    problem,
+                    f"{', '.join(slot.asks)} count as blank; put them right by hand",
+                )
+            )
         responses += typed
     return tuple(responses), faults

@@ -20,7 +20,14 @@ _MOST_COLUMNS = 3
 _LONGEST_NAME = 200  # of which the end tells
 _LONGEST_SHOWN = 60
 _LETTER = re.compile(r"[^\W\d_]")
-_RIGHT_ANSWER = {"right answer", "richtige antwort", "réponse correcte", "respuesta correcta", "标准答案", "正解"}
+_RIGHT_ANSWER = {
+    "right answer",
+    "richtige antwort",
+    "réponse correcte",
+    "respuesta correcta",
+    "标准答案",
+    "正解",
+}
 _QUESTION = {"question", "frage", "pregunta", "题目", "問題"}
 _ADVICE = "download the quiz's responses report as CSV, with its column of responses"
 
@@ -43,7 +50,11 @@ class MoodleColumns:
 
 def grade_columns(header: Sequence[str]) -> list[int]:
     """The columns of marks: one in a report of responses, several in one of grades."""
-    return [index for index, name in enumerate(header) if _GRADE.fullmatch(trimmed(name[-_LONGEST_NAME:]))]
+    return [
+        index
+        for index, name in enumerate(header)
+        if _GRADE.fullmatch(trimmed(name[-_LONGEST_NAME:]))
+    ]
 
 
 def columns_per_question(names: Sequence[str]) -> int | None:
@@ -58,7 +69,11 @@ def columns_per_question(names: Sequence[str]) -> int | None:
         if not names or len(stems) < len(names):
             continue
         width = stems.index(stems[0], 1) if stems[0] in stems[1:] else len(stems)
-        if width <= _MOST_COLUMNS and len(stems) % width == 0 and stems == stems[:width] * (len(stems) // width):
+        if (
+            width <= _MOST_COLUMNS
+            and len(stems) % width == 0
+            and stems == stems[:width] * (len(stems) // width)
+        ):
             return width
     return None
 
@@ -67,30 +82,44 @@ def moodle_columns(table: Table) -> MoodleColumns:
     """The columns of a report of responses. Raises TableError for another report, or one without responses."""
     grades = grade_columns(table.header)
     if len(grades) != 1:
-        problem = "is Moodle's report of grades, without responses" if grades else "has no grades like Grade/10.00"
+        problem = (
+            "is Moodle's report of grades, without responses"
+            if grades
+            else "has no grades like Grade/10.00"
+        )
         raise TableError(f"{table.file}: {problem} - expected the quiz's responses - {_ADVICE}")
     first = grades[0] + 1
     names = table.header[first:]
     width = columns_per_question(names)
     if width is None:
         shown = ", ".join(one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
-        raise TableError(f"{table.file}: after the grade stands {shown} - expected numbered columns like Response 1, "
-                         f"Response 2 - {_ADVICE}")
+        raise TableError(
+            f"{table.file}: after the grade stands {shown} - expected numbered columns like Response 1, "
+            f"Response 2 - {_ADVICE}"
+        )
     starts = range(first, len(table.header), width)
     response = _response(table, names[:width], starts)
     right = response + 1 if response + 1 < width else None
-    return MoodleColumns(grades[0], tuple(QuestionColumns(start + response, None if right is None else start + right)
-                                          for start in starts))
+    return MoodleColumns(
+        grades[0],
+        tuple(
+            QuestionColumns(start + response, None if right is None else start + right)
+            for start in starts
+        ),
+    )
 
 
 def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
     """Which of a question's columns is the response; the text comes before it, the right answer after."""
     stems = [_stem(name) for name in names]
     missing = (len(names) == 1 and stems[0] in _RIGHT_ANSWER | _QUESTION) or (
-        len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER)
+        len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER
+    )
     if missing:
         shown = " and ".join(one_line(name[:_LONGEST_SHOWN]) for name in names)
-        raise TableError(f"{table.file}: has {shown}, but no responses - expected a column of them - {_ADVICE}")
+        raise TableError(
+            f"{table.file}: has {shown}, but no responses - expected a column of them - {_ADVICE}"
+        )
     if len(names) == 2 and stems[1] not in _RIGHT_ANSWER:
         first, second = (_letters(table, [start + place for start in starts]) for place in (0, 1))
         return 1 if stems[0] in _QUESTION or first > 2 * second else 0

@@ -20,7 +20,7 @@ _BETWEEN = ("total points", "quiz feedback", "last modified time")
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether these are the first columns of every such file, by their English names."""
-    return tuple(map(header_key, header[:len(_FIRST)])) == _FIRST
+    return tuple(map(header_key, header[: len(_FIRST)])) == _FIRST
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
@@ -28,6 +28,9 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
 
     Raises TableError where questions and asks do not agree.
     """
-    questions = [place for place in range(len(_FIRST), len(table.header))
-                 if header_key(table.header[place]) not in _BETWEEN]
+    questions = [
+        place
+        for place in range(len(_FIRST), len(table.header))
+        if header_key(table.header[place]) not in _BETWEEN
+    ]
     return form_rows(table, asks, questions=questions, known={"email": [_ADDRESS]})

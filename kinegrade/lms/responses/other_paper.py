@@ -31,14 +31,21 @@ def right_answers(folder: Path) -> Mapping[str, Mapping[str, float]]:
     except FileNotFoundError:
         return {}
     except OSError as fault:
-        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - expected the key - check the file") from fault
+        raise ExamError(
+            f"{path}: cannot be read ({fault.strerror}) - expected the key - check the file"
+        ) from fault
     except BROKEN as fault:
-        raise ExamError(f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}") from fault
+        raise ExamError(
+            f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
+        ) from fault
 
 
 def _values(paper: Mapping[str, Any]) -> Mapping[str, float]:
-    return {f"{question['question']}.{name}": float(ask["value"])
-            for question in paper["questions"] for name, ask in question["asks"].items()}
+    return {
+        f"{question['question']}.{name}": float(ask["value"])
+        for question in paper["questions"]
+        for name, ask in question["asks"].items()
+    }
 
 
 def difference(columns: Sequence[str], told: Sequence[str], own: Mapping[str, float]) -> str:

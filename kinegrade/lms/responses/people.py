@@ -70,18 +70,34 @@ class People:
         """The one student whose id differs from a cell, or from the login in its address, by zeros or case alone."""
         return _only(self._near.get(_bare(unwrapped(cell.partition("@")[0]))))
 
-    def columns(self, rows: Sequence[Row], candidates: Sequence[int],
-                named: Mapping[Kind, Sequence[int]] | None = None) -> Columns:
+    def columns(
+        self,
+        rows: Sequence[Row],
+        candidates: Sequence[int],
+        named: Mapping[Kind, Sequence[int]] | None = None,
+    ) -> Columns:
         """Which of the candidates hold ids and addresses: those whose names say so, else those with most known ones."""
         named = named or {}
-        return Columns(self._best(rows, named.get("id", ()), candidates, self.by_id),
-                       self._best(rows, named.get("email", ()), candidates, self.by_email))
+        return Columns(
+            self._best(rows, named.get("id", ()), candidates, self.by_id),
+            self._best(rows, named.get("email", ()), candidates, self.by_email),
+        )
 
-    def _best(self, rows: Sequence[Row], named: Sequence[int], candidates: Sequence[int],
-              find: Callable[[str], str | None]) -> int | None:
+    def _best(
+        self,
+        rows: Sequence[Row],
+        named: Sequence[int],
+        candidates: Sequence[int],
+        find: Callable[[str], str | None],
+    ) -> int | None:
         """The column that knows most students, the first of equals; one that is named even if it knows nobody."""
-        known = {index: (_count(rows, index, find), _count(rows, index, self.likely) if find == self.by_id else 0)
-                 for index in named or candidates}
+        known = {
+            index: (
+                _count(rows, index, find),
+                _count(rows, index, self.likely) if find == self.by_id else 0,
+            )
+            for index in named or candidates
+        }
         best = max(known, key=lambda index: known[index], default=None)
         return best if best is not None and (named or any(known[best])) else None
 
@@ -96,19 +112,27 @@ class People:
             return Found(None, "", "no student id and no e-mail address")
         if named:
             who = " and ".join(sorted(named))
-            return Found(None, header[index], f"id and e-mail address are those of different students ({who})")
+            return Found(
+                None,
+                header[index],
+                f"id and e-mail address are those of different students ({who})",
+            )
         return self._unknown(cells[index], header[index])
 
     def _unknown(self, cell: str, column: str) -> Found:
         shown = shortened(student_key(cell))
         if header_key(cell) in self._by_email:
-            return Found(None, column, f'several students of the exam have the e-mail address "{shown}"')
+            return Found(
+                None, column, f'several students of the exam have the e-mail address "{shown}"'
+            )
         likely = self.likely(cell)
         hint = f'; probably "{likely}": correct the file and grade again' if likely else ""
         return Found(None, column, f'no student "{shown}" in the exam', hint)
 
 
-def _grouped(people: Iterable[Person], key: Callable[[Person], str]) -> Mapping[str, tuple[str, ...]]:
+def _grouped(
+    people: Iterable[Person], key: Callable[[Person], str]
+) -> Mapping[str, tuple[str, ...]]:
     groups: dict[str, list[str]] = defaultdict(list)
     for person in people:
         if key(person):

@@ -22,13 +22,17 @@ def recognises(header: Sequence[str]) -> bool:
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     """All columns but the one of ids. Raises TableError where nothing says who it is."""
     if not recognises(table.header):
-        raise TableError(f'{table.file}: no column "student" - expected one with the student ids, or one "email" '
-                         "- fill in the answers.csv of the exam folder")
+        raise TableError(
+            f'{table.file}: no column "student" - expected one with the student ids, or one "email" '
+            "- fill in the answers.csv of the exam folder"
+        )
     student, email = _places(table.header, "student"), _places(table.header, "email")
     named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1]}
     others = [place for place in range(len(table.header)) if place not in student[:1]]
     rows = tuple(TypedRow(row, tuple(map(row.cell, others))) for row in table.rows)
-    return TypedRows(tuple(table.header[place] for place in others), frozenset(others), rows, (), named)
+    return TypedRows(
+        tuple(table.header[place] for place in others), frozenset(others), rows, (), named
+    )
 
 
 def _places(header: Sequence[str], column: str) -> list[int]:

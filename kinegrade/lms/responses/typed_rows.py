@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from kinegrade.csv_writing import csv_text
 from kinegrade.lms.responses.people import Kind
-from kinegrade.tables import Complaint, Row, csv_text, shortened
+from kinegrade.tables import Complaint, Row, shortened
 
 Attempts = Literal["finished", "all"]
 

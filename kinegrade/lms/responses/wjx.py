@@ -25,8 +25,10 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     """The responses in the order of the file. Raises TableError where questions and asks do not agree."""
     questions = _questions(table.header)
     if not questions:
-        raise TableError(f"{table.file}: has no questions like 1、学号 - expected {TITLE} "
-                         "- download its answers as texts")
+        raise TableError(
+            f"{table.file}: has no questions like 1、学号 - expected {TITLE} "
+            "- download its answers as texts"
+        )
     return form_rows(table, asks, questions=questions, known={})
 
 

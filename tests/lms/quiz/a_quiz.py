@@ -6,11 +6,20 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Literal
 
-from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
+from kinegrade.exam.quiz_document import (
+    Quiz,
+    QuizAsk,
+    QuizFigure,
+    QuizMistake,
+    QuizPaper,
+    QuizQuestion,
+)
 
 ROOT = Fraction("1.732050807568877293527446341505872366943")  # sqrt(3)
-SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="50mm" viewBox="0 0 80 50">'
-       b'<path d="M5 45L30 10L75 45" fill="none" stroke="black"/></svg>')
+SVG = (
+    b'<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="50mm" viewBox="0 0 80 50">'
+    b'<path d="M5 45L30 10L75 45" fill="none" stroke="black"/></svg>'
+)
 FIGURE = QuizFigure(SVG, 80.0, 50.0, 'Slider-crank, "to scale" & more')
 HOSTILE = 'Bars ]]> & **AB** "x" \\<script\\>alert(1)\\</script\\>'
 
@@ -22,43 +31,85 @@ def ask(name: str, value: Fraction, low: Fraction, high: Fraction, **more: objec
     return replace(made, **more)  # type: ignore[arg-type]
 
 
-def relative(name: str, value: Fraction, share: Fraction = Fraction(1, 50), **more: object) -> QuizAsk:
+def relative(
+    name: str, value: Fraction, share: Fraction = Fraction(1, 50), **more: object
+) -> QuizAsk:
     """An ask right within a share of its value."""
     room = abs(value) * share
     return ask(name, value, value - room, value + room, **more)
 
 
-CORIOLIS = QuizMistake("coriolis", Fraction(-7), Fraction(1, 2), "Coriolis term < left out & more ]]>",
-                       Fraction("-7.14"), Fraction("-6.86"))
+CORIOLIS = QuizMistake(
+    "coriolis",
+    Fraction(-7),
+    Fraction(1, 2),
+    "Coriolis term < left out & more ]]>",
+    Fraction("-7.14"),
+    Fraction("-6.86"),
+)
 REVERSED = QuizMistake("sense", Fraction("12.345"), Fraction(0), "wrong sense")
 
 SPEED = relative("v_B", Fraction(5, 2) * ROOT, mistakes=(), points=Fraction(5, 2))
-ACCELERATION = relative("a_C", Fraction("-12.345"), Fraction(1, 100), unit="m/s^2", sign="positive along $+x$",
-                        mistakes=(CORIOLIS, REVERSED), symbol=r"a_{C}^{\mathrm{n}}")
+ACCELERATION = relative(
+    "a_C",
+    Fraction("-12.345"),
+    Fraction(1, 100),
+    unit="m/s^2",
+    sign="positive along $+x$",
+    mistakes=(CORIOLIS, REVERSED),
+    symbol=r"a_{C}^{\mathrm{n}}",
+)
 ZERO = ask("v_D", Fraction(0), Fraction(-1, 100), Fraction(1, 100), sign="")
 UNEVEN = ask("v_E", Fraction(10), Fraction(9), Fraction("12.5"))
-ANGLE = ask("phi", Fraction(30), Fraction("29.5"), Fraction("30.5"), unit="deg", symbol=r"\varphi",
-            meaning="angle of $AB$", sign="counter-clockwise positive", period=Fraction(360))
-RATIO = relative("k", Fraction(7, 3), unit="1", meaning="ratio of speeds", sign="", points=Fraction(1))
+ANGLE = ask(
+    "phi",
+    Fraction(30),
+    Fraction("29.5"),
+    Fraction("30.5"),
+    unit="deg",
+    symbol=r"\varphi",
+    meaning="angle of $AB$",
+    sign="counter-clockwise positive",
+    period=Fraction(360),
+)
+RATIO = relative(
+    "k", Fraction(7, 3), unit="1", meaning="ratio of speeds", sign="", points=Fraction(1)
+)
 TINY = relative("v_F", Fraction("0.00425"), Fraction(1, 100), meaning="speed of $F$")
 LOST = relative("omega", Fraction("0.00004"), unit="rad/s", symbol=r"\omega_{AB}")
 
 STATEMENT = {
-    "en": HOSTILE + "\n\nThe crank $OA$ turns with $\\omega = 3\\,\\unit{rad/s}$ and $a < b$.\n\n1. one\n2. two",
+    "en": HOSTILE
+    + "\n\nThe crank $OA$ turns with $\\omega = 3\\,\\unit{rad/s}$ and $a < b$.\n\n1. one\n2. two",
     "zh": "曲柄 $OA$ 以匀角速度 $\\omega = 3\\,\\unit{rad/s}$ 转动，且 $a < b$。\n求：",
 }
 TITLE = {"en": "Slider-crank $OAB$ & co.", "zh": "曲柄滑块机构 $OAB$"}
 RULE = {"en": "Right within 2 %.", "zh": "误差不超过 2% 为正确。"}
-SOLUTION = ('<h4>Solution</h4>\n<p>\\(v_B = v_A &lt; 1\\)</p>\n<table><tbody>\n'
-            '<tr><th scope="row">magnitude</th><td style="padding:0 .5em">\\(r\\)</td></tr>\n</tbody></table>\n'
-            '<ol start="3"><li>so <em>it</em> is</li></ol>\n')
+SOLUTION = (
+    "<h4>Solution</h4>\n<p>\\(v_B = v_A &lt; 1\\)</p>\n<table><tbody>\n"
+    '<tr><th scope="row">magnitude</th><td style="padding:0 .5em">\\(r\\)</td></tr>\n</tbody></table>\n'
+    '<ol start="3"><li>so <em>it</em> is</li></ol>\n'
+)
 
 
-def question(paper: str, name: str, asks: tuple[QuizAsk, ...], language: Literal["en", "zh"] = "en",
-             **more: object) -> QuizQuestion:
+def question(
+    paper: str,
+    name: str,
+    asks: tuple[QuizAsk, ...],
+    language: Literal["en", "zh"] = "en",
+    **more: object,
+) -> QuizQuestion:
     """A question of a paper, with a figure."""
-    made = QuizQuestion(f"exam-{paper}-{name}", name, TITLE[language], STATEMENT[language], FIGURE, asks, "",
-                        RULE[language])
+    made = QuizQuestion(
+        f"exam-{paper}-{name}",
+        name,
+        TITLE[language],
+        STATEMENT[language],
+        FIGURE,
+        asks,
+        "",
+        RULE[language],
+    )
     return replace(made, **more)  # type: ignore[arg-type]
 
 
@@ -67,8 +118,15 @@ def papers(language: Literal["en", "zh"] = "en") -> tuple[QuizPaper, ...]:
     first = question("P1", "q1", (SPEED, ACCELERATION, ZERO, UNEVEN), language, solution=SOLUTION)
     second = question("P1", "q2", (ANGLE, RATIO, TINY), language, figure=None)
     other = replace(SPEED, value=Fraction(3), low=Fraction("2.94"), high=Fraction("3.06"))
-    return (QuizPaper("P1", "0012345", "王伟 <&> \"Bo\"", (first, second)),
-            QuizPaper("P2", "=1+1", "O'Neil", (question("P2", "q1", (other, ACCELERATION, ZERO, UNEVEN), language),)))
+    return (
+        QuizPaper("P1", "0012345", '王伟 <&> "Bo"', (first, second)),
+        QuizPaper(
+            "P2",
+            "=1+1",
+            "O'Neil",
+            (question("P2", "q1", (other, ACCELERATION, ZERO, UNEVEN), language),),
+        ),
+    )
 
 
 def quiz(language: Literal["en", "zh"] = "en") -> Quiz:

@@ -11,9 +11,34 @@ from fractions import Fraction
 from urllib.parse import unquote
 from xml.etree import ElementTree
 
-FRACTIONS = set(map(Fraction, (
-    "100", "90", "83.33333", "80", "75", "70", "66.66667", "60", "50", "40", "33.33333", "30", "25", "20", "16.66667",
-    "14.28571", "12.5", "11.11111", "10", "5", "0")))
+FRACTIONS = set(
+    map(
+        Fraction,
+        (
+            "100",
+            "90",
+            "83.33333",
+            "80",
+            "75",
+            "70",
+            "66.66667",
+            "60",
+            "50",
+            "40",
+            "33.33333",
+            "30",
+            "25",
+            "20",
+            "16.66667",
+            "14.28571",
+            "12.5",
+            "11.11111",
+            "10",
+            "5",
+            "0",
+        ),
+    )
+)
 NUMBER = r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 BOX = re.compile(r"\{([0-9]*):(?:NUMERICAL|NM):(.*?)(?<!\\)\}", re.DOTALL)
 ANYTHING_LIKE_A_BOX = re.compile(r"\{(?:[0-9]*:|#)")
@@ -60,11 +85,27 @@ def read(content: str) -> list[Question]:
 def question(element: ElementTree.Element, category: str) -> Question:
     text = text_of(element, "questiontext/text")
     kind = element.get("type", "")
-    boxes = cloze_boxes(text) if kind == "cloze" else ((Fraction(text_of(element, "defaultgrade")), answers(element)),)
-    files = {file.get("name", ""): b64decode(file.text or "", validate=True) for file in element.iter("file")}
+    boxes = (
+        cloze_boxes(text)
+        if kind == "cloze"
+        else ((Fraction(text_of(element, "defaultgrade")), answers(element)),)
+    )
+    files = {
+        file.get("name", ""): b64decode(file.text or "", validate=True)
+        for file in element.iter("file")
+    }
     tags = tuple(tag.text or "" for tag in element.findall("tags/tag/text"))
-    return Question(kind, category, text_of(element, "name/text"), text, text_of(element, "idnumber"),
-                    text_of(element, "generalfeedback/text"), tags, files, boxes)
+    return Question(
+        kind,
+        category,
+        text_of(element, "name/text"),
+        text,
+        text_of(element, "idnumber"),
+        text_of(element, "generalfeedback/text"),
+        tags,
+        files,
+        boxes,
+    )
 
 
 def text_of(element: ElementTree.Element, path: str) -> str:
@@ -72,13 +113,21 @@ def text_of(element: ElementTree.Element, path: str) -> str:
 
 
 def answers(element: ElementTree.Element) -> tuple[Answer, ...]:
-    return tuple(Answer(number(text_of(answer, "text")), number(text_of(answer, "tolerance")),
-                        number(answer.get("fraction", "")), text_of(answer, "feedback/text"))
-                 for answer in element.findall("answer"))
+    return tuple(
+        Answer(
+            number(text_of(answer, "text")),
+            number(text_of(answer, "tolerance")),
+            number(answer.get("fraction", "")),
+            text_of(answer, "feedback/text"),
+        )
+        for answer in element.findall("answer")
+    )
 
 
 def cloze_boxes(text: str) -> tuple[tuple[Fraction, tuple[Answer, ...]], ...]:
-    return tuple((Fraction(mark or 1), tuple(alternatives(inside))) for mark, inside in BOX.findall(text))
+    return tuple(
+        (Fraction(mark or 1), tuple(alternatives(inside))) for mark, inside in BOX.findall(text)
+    )
 
 
 def alternatives(inside: str) -> Iterator[Answer]:
@@ -100,7 +149,10 @@ def number(text: str) -> Fraction:
 
 def right(found: tuple[Answer, ...], typed: Fraction) -> Fraction:
     """The share that a typed number gets: the first answer that fits, both ends included."""
-    return next((answer.share for answer in found if answer.interval[0] <= typed <= answer.interval[1]), Fraction(0))
+    return next(
+        (answer.share for answer in found if answer.interval[0] <= typed <= answer.interval[1]),
+        Fraction(0),
+    )
 
 
 def faults(content: str) -> list[str]:
@@ -109,15 +161,23 @@ def faults(content: str) -> list[str]:
     found = [] if questions else ["a quiz without questions is an exception"]
     if "<!" in content.replace("<![CDATA[", ""):
         found.append("a declaration or entity")
-    found += [f"the name {name} comes {count} times" for name, count in Counter(
-        (one.category, one.name) for one in questions).items() if count > 1]
-    found += [f"{place} loses its idnumber" for place, count in Counter(
-        (one.category, one.identifier) for one in questions).items() if count > 1]
+    found += [
+        f"the name {name} comes {count} times"
+        for name, count in Counter((one.category, one.name) for one in questions).items()
+        if count > 1
+    ]
+    found += [
+        f"{place} loses its idnumber"
+        for place, count in Counter((one.category, one.identifier) for one in questions).items()
+        if count > 1
+    ]
     return found + [f"{one.name}: {fault}" for one in questions for fault in faults_of(one)]
 
 
 def faults_of(one: Question) -> Iterator[str]:
-    if not one.category.startswith("$course$/top/") or any(not 0 < len(part) < 250 for part in one.category.split("/")):
+    if not one.category.startswith("$course$/top/") or any(
+        not 0 < len(part) < 250 for part in one.category.split("/")
+    ):
         yield f"category {one.category}"
     if not 0 < len(one.name) < 250 or not 0 < len(one.identifier) <= 100:
         yield "name or idnumber empty or cut"

@@ -22,10 +22,14 @@ def listing(package: Path) -> str:
 
 def bare(text: str) -> Element:
     """A document without namespaces, which stand on the roots alone."""
-    return fromstring(re.sub(r' xmlns(:xsi)?="[^"]*"| xsi:schemaLocation="[^"]*"| xml:lang="[^"]*"', "", text))
+    return fromstring(
+        re.sub(r' xmlns(:xsi)?="[^"]*"| xsi:schemaLocation="[^"]*"| xml:lang="[^"]*"', "", text)
+    )
 
 
-def misplaced(root: Element, models: Mapping[str, str], attributes: Mapping[str, str]) -> Iterator[str]:
+def misplaced(
+    root: Element, models: Mapping[str, str], attributes: Mapping[str, str]
+) -> Iterator[str]:
     """What breaks the rules: `models` are regular expressions over the names of children, each followed by a blank,
     with `#` where text may stand; `attributes` are the names an element may have, those with `!` it must have."""
     for node in root.iter():

@@ -36,7 +36,10 @@ def one_ask(ask: a_quiz.QuizAsk, tmp_path: Path) -> tuple[list[str], list[str]]:
 
 def many(count: int) -> Quiz:
     """A pool of as many variants of one ask."""
-    papers = (QuizPaper(f"P{i}", "", "", (a_quiz.question(f"P{i}", "q1", (a_quiz.SPEED,)),)) for i in range(count))
+    papers = (
+        QuizPaper(f"P{i}", "", "", (a_quiz.question(f"P{i}", "q1", (a_quiz.SPEED,)),))
+        for i in range(count)
+    )
     return Quiz("en", "", "Test", papers)
 
 
@@ -45,7 +48,9 @@ def test_the_interval_of_every_ask_is_the_exams(tmp_path: Path) -> None:
     found = lines(tmp_path / "quiz.txt")
     assert [len(fields) for fields in found] == [4] * 11
     assert {fields[0] for fields in found} == {"NUM"}
-    for (name, ask), (_, _, value, tolerance) in zip(a_quiz.all_asks().items(), found, strict=False):
+    for (name, ask), (_, _, value, tolerance) in zip(
+        a_quiz.all_asks().items(), found, strict=False
+    ):
         low, high = Fraction(value) - Fraction(tolerance), Fraction(value) + Fraction(tolerance)
         if name in DOUBLE:
             assert (low, high) == (ask.low, ask.high)
@@ -57,8 +62,10 @@ def test_the_interval_of_every_ask_is_the_exams(tmp_path: Path) -> None:
 def test_an_uneven_interval_stands_about_its_middle_and_that_is_said(tmp_path: Path) -> None:
     fields, complaints = one_ask(a_quiz.UNEVEN, tmp_path)
     assert fields[2:] == ["10.75", "1.75"]
-    assert ("blackboard: q1.v_E is not in the middle of what is right - the middle stands there as the answer, so that "
-            "the tolerance is exactly the exam's - tell the students the answer from the key") in complaints
+    assert (
+        "blackboard: q1.v_E is not in the middle of what is right - the middle stands there as the answer, so that "
+        "the tolerance is exactly the exam's - tell the students the answer from the key"
+    ) in complaints
 
 
 def test_an_angle_is_asked_for_within_half_a_turn(tmp_path: Path) -> None:
@@ -96,7 +103,8 @@ def test_more_questions_than_blackboard_takes_are_refused(tmp_path: Path) -> Non
         write(many(251), tmp_path / "more.txt")
     assert refusal.value.problems == (
         f"{tmp_path / 'more.txt'}: would hold 251 questions - expected up to 250, the most that Blackboard takes at a "
-        "time - write to a name that ends in .zip, which gives every paper its own file",)
+        "time - write to a name that ends in .zip, which gives every paper its own file",
+    )
     assert [path.name for path in tmp_path.iterdir()] == ["quiz.txt"]
 
 

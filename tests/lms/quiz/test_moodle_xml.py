@@ -14,7 +14,14 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError, OutputError
 from kinegrade.exam.quiz import read_quiz
-from kinegrade.exam.quiz_document import Language, Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
+from kinegrade.exam.quiz_document import (
+    Language,
+    Quiz,
+    QuizAsk,
+    QuizMistake,
+    QuizPaper,
+    QuizQuestion,
+)
 from kinegrade.exam.quiz_paper import QuizWishes
 from kinegrade.lms.quiz.moodle_xml import Form, write
 from kinegrade.lms.quiz.moodle_xml_answers import SHARES
@@ -60,13 +67,17 @@ def holds(found: tuple[Answer, ...], ask: QuizAsk) -> None:
     all_points = [answer.interval for answer in found if answer.share == 100]
     assert any(same(low, ask.low, size) and same(high, ask.high, size) for low, high in all_points)
     if ask.period is None:
-        assert all(low >= ask.low - NEAR * size and high <= ask.high + NEAR * size for low, high in all_points)
+        assert all(
+            low >= ask.low - NEAR * size and high <= ask.high + NEAR * size
+            for low, high in all_points
+        )
 
 
 @FORMS
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_every_number_is_read_back_as_the_key_has_it(small_class: Path, target: Path, form: Form,
-                                                      language: Language) -> None:
+def test_every_number_is_read_back_as_the_key_has_it(
+    small_class: Path, target: Path, form: Form, language: Language
+) -> None:
     put = read_quiz(small_class / "EXAM", language)
     put = replace(put, papers=tuple(put.papers))
     questions = read(written(put, target, form))
@@ -77,8 +88,12 @@ def test_every_number_is_read_back_as_the_key_has_it(small_class: Path, target: 
         holds(found, ask)
         assert mark == ask.points * (2 if form == "cloze" else 1)
         for mistake in ask.mistakes:
-            told = next(answer.feedback for answer in found if answer.interval[0] <= mistake.value <= answer.interval[1]
-                        and mistake.sentence in unescape(answer.feedback).replace("’", "'"))
+            told = next(
+                answer.feedback
+                for answer in found
+                if answer.interval[0] <= mistake.value <= answer.interval[1]
+                and mistake.sentence in unescape(answer.feedback).replace("’", "'")
+            )
             assert told
 
 
@@ -104,7 +119,9 @@ def test_mistakes_earn_their_share_and_are_told(target: Path) -> None:
     assert right(found, Fraction("-12.345")) == right(found, Fraction("-12.46845")) == 100
     assert right(found, Fraction("-12.46846")) == 0
     assert [(answer.value, answer.share, answer.feedback) for answer in found[1:]] == [
-        (Fraction("12.345"), 0, "wrong sense"), (-7, 50, "Coriolis term &lt; left out &amp; more ]]&gt;")]
+        (Fraction("12.345"), 0, "wrong sense"),
+        (-7, 50, "Coriolis term &lt; left out &amp; more ]]&gt;"),
+    ]
 
 
 def test_a_sentence_of_all_that_cloze_uses_is_told_as_it_is(target: Path) -> None:
@@ -113,34 +130,50 @@ def test_a_sentence_of_all_that_cloze_uses_is_told_as_it_is(target: Path) -> Non
     assert unescape(answers_to(replace(SPEED, mistakes=(mistake,)), target)[1].feedback) == sentence
 
 
-def test_equal_mistakes_are_one_answer_with_both_sentences_and_the_better_share(target: Path) -> None:
-    twice = (QuizMistake("a", Fraction(7), Fraction(1, 10), "First.", Fraction(6), Fraction(8)),
-             QuizMistake("b", Fraction(7), Fraction(1, 4), "Second.", Fraction(6), Fraction(8)),
-             QuizMistake("c", Fraction(5), Fraction(0), "Exact."))
+def test_equal_mistakes_are_one_answer_with_both_sentences_and_the_better_share(
+    target: Path,
+) -> None:
+    twice = (
+        QuizMistake("a", Fraction(7), Fraction(1, 10), "First.", Fraction(6), Fraction(8)),
+        QuizMistake("b", Fraction(7), Fraction(1, 4), "Second.", Fraction(6), Fraction(8)),
+        QuizMistake("c", Fraction(5), Fraction(0), "Exact."),
+    )
     found = answers_to(replace(SPEED, mistakes=twice), target)[1:]
     assert [(answer.room, answer.share, answer.feedback) for answer in found] == [
-        (0, 0, "Exact."), (1, 25, "First.<br/>Second.")]
+        (0, 0, "Exact."),
+        (1, 25, "First.<br/>Second."),
+    ]
 
 
 @FORMS
-def test_an_uneven_interval_is_whole_and_the_right_number_is_shown(target: Path, form: Form) -> None:
+def test_an_uneven_interval_is_whole_and_the_right_number_is_shown(
+    target: Path, form: Form
+) -> None:
     found = answers_to(UNEVEN, target, form)
     assert [answer.interval for answer in found] == [(9, 11), (9, Fraction("12.5"))]
     assert found[0].value == 10
-    assert [right(found, Fraction(typed)) for typed in ("8.999", "9", "12.5", "12.501")] == [0, 100, 100, 0]
+    assert [right(found, Fraction(typed)) for typed in ("8.999", "9", "12.5", "12.501")] == [
+        0,
+        100,
+        100,
+        0,
+    ]
 
 
 @FORMS
 def test_zero_has_its_absolute_room(target: Path, form: Form) -> None:
-    assert [(answer.value, answer.room) for answer in answers_to(ZERO, target, form)] == [(0, Fraction(1, 100))]
+    assert [(answer.value, answer.room) for answer in answers_to(ZERO, target, form)] == [
+        (0, Fraction(1, 100))
+    ]
 
 
 @FORMS
 def test_whole_turns_more_or_less_are_right(target: Path, form: Form) -> None:
     found = answers_to(ANGLE, target, form)
     assert found[0].value == 30
-    assert [right(found, Fraction(typed)) for typed in (30, -330, 31, "29.5", "-330.5", "-331")] == [
-        100, 100, 0, 100, 100, 0]
+    assert [
+        right(found, Fraction(typed)) for typed in (30, -330, 31, "29.5", "-330.5", "-331")
+    ] == [100, 100, 0, 100, 100, 0]
 
 
 @given(st.fractions(-1000, 1000), st.fractions(0, 10), st.fractions(0, 10))
@@ -159,7 +192,10 @@ TRAPS = st.text(st.sampled_from("{}#~:=%\\/\"'<>&]1NMUERICAL$ \n\x00é中")) | s
 def test_no_text_breaks_a_question(name: str, sentence: str, title: str) -> None:
     from tempfile import TemporaryDirectory
 
-    ask = replace(SPEED, mistakes=(QuizMistake("m", Fraction(9), Fraction(0), sentence, Fraction(8), Fraction(10)),))
+    ask = replace(
+        SPEED,
+        mistakes=(QuizMistake("m", Fraction(9), Fraction(0), sentence, Fraction(8), Fraction(10)),),
+    )
     question = QuizQuestion("e-P-q1", "q1", title, "Find it.", None, (ask,), rule="")
     put = Quiz("en", "", f"T{title}", [QuizPaper("P", "1", name, (question,))])
     with TemporaryDirectory() as folder:
@@ -168,7 +204,9 @@ def test_no_text_breaks_a_question(name: str, sentence: str, title: str) -> None
     assert [answer.value for answer in found.boxes[0][1]][1:] == [9]
 
 
-@pytest.mark.parametrize("text", ["{1:SHORTANSWER:=x}", "{:NM:=1}", "{#1}", "a {2:MC:=x~y} b", "\\{1:NM:=1:2\\}"])
+@pytest.mark.parametrize(
+    "text", ["{1:SHORTANSWER:=x}", "{:NM:=1}", "{#1}", "a {2:MC:=x~y} b", "\\{1:NM:=1:2\\}"]
+)
 def test_a_text_that_looks_like_a_box_is_none(target: Path, text: str) -> None:
     ask = replace(SPEED, meaning=f"speed {text}", sign=f"sign {text}")
     [question] = read(written(of_asks(ask, statement=f"Take {text} as it is."), target))
@@ -189,11 +227,17 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
     [question] = read(target.read_text(encoding="utf-8"))
     assert [mark for mark, _ in question.boxes] == [10, 4, 1]
     assert "4 times its points" in question.text
-    assert remarks == ["marks in Moodle are 4 times the points, because a Cloze question has whole marks only; the "
-                       "maximum grade of the quiz sets that right"]
+    assert remarks == [
+        "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; the "
+        "maximum grade of the quiz sets that right"
+    ]
     assert write(of_asks(*asks), target, "numerical") == []
     numerical = read(target.read_text(encoding="utf-8"))
-    assert [question.boxes[0][0] for question in numerical] == [Fraction("2.5"), 1, Fraction("0.25")]
+    assert [question.boxes[0][0] for question in numerical] == [
+        Fraction("2.5"),
+        1,
+        Fraction("0.25"),
+    ]
 
 
 def test_papers_have_categories_and_pools_have_one_for_each_question(target: Path) -> None:
@@ -204,7 +248,8 @@ def test_papers_have_categories_and_pools_have_one_for_each_question(target: Pat
     assert [(question.category, question.tags) for question in pool] == [
         ("$course$/top/Kinematics/q1 Slider-crank OAB & co.", ("kinegrade", "q1")),
         ("$course$/top/Kinematics/q2 Slider-crank OAB & co.", ("kinegrade", "q2")),
-        ("$course$/top/Kinematics/q1 Slider-crank OAB & co.", ("kinegrade", "q1"))]
+        ("$course$/top/Kinematics/q1 Slider-crank OAB & co.", ("kinegrade", "q1")),
+    ]
 
 
 def test_identifiers_stay_when_the_exam_is_written_again(small_class: Path, target: Path) -> None:
@@ -238,22 +283,37 @@ def credited(credit: Fraction) -> QuizAsk:
     return replace(SPEED, mistakes=(QuizMistake("m", Fraction(9), credit, "No."),))
 
 
-@pytest.mark.parametrize(("credit", "share"), [(Fraction(1, 3), "33.33333"), (Fraction(1, 8), "12.5"),
-                                               (Fraction(5, 6), "83.33333"), (Fraction(1, 20), "5")])
+@pytest.mark.parametrize(
+    ("credit", "share"),
+    [
+        (Fraction(1, 3), "33.33333"),
+        (Fraction(1, 8), "12.5"),
+        (Fraction(5, 6), "83.33333"),
+        (Fraction(1, 20), "5"),
+    ],
+)
 def test_a_third_is_moodles_third(target: Path, credit: Fraction, share: str) -> None:
     assert answers_to(credited(credit), target, "numerical")[1].share == Fraction(share)
 
 
 def test_credits_that_moodle_does_not_know_are_refused(target: Path) -> None:
-    with pytest.raises(ExportError, match="credit of 33 per cent for known mistakes: Moodle has no such share - exp"):
+    with pytest.raises(
+        ExportError,
+        match="credit of 33 per cent for known mistakes: Moodle has no such share - exp",
+    ):
         write(of_asks(credited(Fraction(33, 100))), target)
-    with pytest.raises(ExportError, match="v_B: a share of the points that is no whole per cent - expected one in"):
+    with pytest.raises(
+        ExportError, match="v_B: a share of the points that is no whole per cent - expected one in"
+    ):
         write(of_asks(credited(Fraction(1, 3))), target)
     assert not list(target.parent.iterdir())
 
 
 def test_an_empty_quiz_is_refused(target: Path) -> None:
-    with pytest.raises(ExportError, match="quiz: no paper - expected at least one - choose an exam that somebody sits"):
+    with pytest.raises(
+        ExportError,
+        match="quiz: no paper - expected at least one - choose an exam that somebody sits",
+    ):
         write(Quiz("en", "", "", ()), target)
 
 
@@ -270,7 +330,9 @@ def test_a_file_appears_whole_or_not_at_all(target: Path) -> None:
     target.write_text("old", encoding="utf-8")
     with pytest.raises(ExportError, match="in the middle"):
         write(replace(quiz(), papers=breaking()), target)
-    assert [(file.name, file.read_text()) for file in target.parent.iterdir()] == [("quiz.xml", "old")]
+    assert [(file.name, file.read_text()) for file in target.parent.iterdir()] == [
+        ("quiz.xml", "old")
+    ]
 
 
 def names(questions: list[Question]) -> list[str]:
@@ -279,6 +341,11 @@ def names(questions: list[Question]) -> list[str]:
 
 def test_a_numerical_question_says_what_it_asks_for(target: Path) -> None:
     questions = read(written(quiz(), target, "numerical"))
-    assert names(questions)[:2] == ["P1 q1 Slider-crank OAB & co.: v_B", "P1 q1 Slider-crank OAB & co.: a_C"]
+    assert names(questions)[:2] == [
+        "P1 q1 Slider-crank OAB & co.: v_B",
+        "P1 q1 Slider-crank OAB & co.: a_C",
+    ]
     assert r"\(v_B =\) ? m/s (2.5 points)" in questions[0].text
-    assert r"(positive along \(+x\)): \(a_{C}^{\mathrm{n}} =\) ? m/s<sup>2</sup>" in questions[1].text
+    assert (
+        r"(positive along \(+x\)): \(a_{C}^{\mathrm{n}} =\) ? m/s<sup>2</sup>" in questions[1].text
+    )

@@ -19,24 +19,57 @@ from tests.lms.quiz.packages import bare, files_of, listing, misplaced
 
 # the part of the standard's DTD that is used, with Canvas's own <points_per_item> where the DTD allows anything
 MODELS = {
-    "questestinterop": "assessment ", "assessment": "qtimetadata section ", "qtimetadata": "(qtimetadatafield )+",
-    "qtimetadatafield": "fieldlabel fieldentry ", "fieldlabel": "#", "fieldentry": "#",
-    "section": "(selection_ordering )?(item |section )*", "selection_ordering": "selection ",
-    "selection": "selection_number selection_extension ", "selection_number": "#",
-    "selection_extension": "points_per_item ", "points_per_item": "#",
-    "item": "itemmetadata presentation resprocessing (itemfeedback )*", "itemmetadata": "qtimetadata ",
-    "presentation": "material response_str ", "material": "mattext ", "mattext": "#", "response_str": "render_fib ",
-    "render_fib": "response_label ", "response_label": "", "resprocessing": "outcomes (respcondition )+",
-    "outcomes": "decvar ", "decvar": "", "respcondition": "conditionvar (setvar )?(displayfeedback )?",
-    "conditionvar": "or |vargte varlte |other ", "or": "varequal and ", "and": "vargte varlte ", "other": "",
-    "varequal": "#", "vargte": "#", "varlte": "#", "setvar": "#", "displayfeedback": "", "itemfeedback": "flow_mat ",
+    "questestinterop": "assessment ",
+    "assessment": "qtimetadata section ",
+    "qtimetadata": "(qtimetadatafield )+",
+    "qtimetadatafield": "fieldlabel fieldentry ",
+    "fieldlabel": "#",
+    "fieldentry": "#",
+    "section": "(selection_ordering )?(item |section )*",
+    "selection_ordering": "selection ",
+    "selection": "selection_number selection_extension ",
+    "selection_number": "#",
+    "selection_extension": "points_per_item ",
+    "points_per_item": "#",
+    "item": "itemmetadata presentation resprocessing (itemfeedback )*",
+    "itemmetadata": "qtimetadata ",
+    "presentation": "material response_str ",
+    "material": "mattext ",
+    "mattext": "#",
+    "response_str": "render_fib ",
+    "render_fib": "response_label ",
+    "response_label": "",
+    "resprocessing": "outcomes (respcondition )+",
+    "outcomes": "decvar ",
+    "decvar": "",
+    "respcondition": "conditionvar (setvar )?(displayfeedback )?",
+    "conditionvar": "or |vargte varlte |other ",
+    "or": "varequal and ",
+    "and": "vargte varlte ",
+    "other": "",
+    "varequal": "#",
+    "vargte": "#",
+    "varlte": "#",
+    "setvar": "#",
+    "displayfeedback": "",
+    "itemfeedback": "flow_mat ",
     "flow_mat": "material ",
 }
 ATTRIBUTES = {
-    "assessment": "ident! title!", "section": "ident! title", "item": "ident! title!", "mattext": "texttype!",
-    "response_str": "ident! rcardinality!", "render_fib": "fibtype!", "response_label": "ident!",
-    "decvar": "maxvalue minvalue varname! vartype!", "respcondition": "continue!", "setvar": "action! varname!",
-    "varequal": "respident!", "vargte": "respident!", "varlte": "respident!", "itemfeedback": "ident!",
+    "assessment": "ident! title!",
+    "section": "ident! title",
+    "item": "ident! title!",
+    "mattext": "texttype!",
+    "response_str": "ident! rcardinality!",
+    "render_fib": "fibtype!",
+    "response_label": "ident!",
+    "decvar": "maxvalue minvalue varname! vartype!",
+    "respcondition": "continue!",
+    "setvar": "action! varname!",
+    "varequal": "respident!",
+    "vargte": "respident!",
+    "varlte": "respident!",
+    "itemfeedback": "ident!",
     "displayfeedback": "feedbacktype! linkrefid!",
 }
 EXACT = ("v_D", "v_E", "a_C", "phi")  # whose numbers a double holds with all their digits
@@ -58,14 +91,20 @@ def intervals(item: Element) -> list[tuple[Fraction | None, Fraction, Fraction]]
     for condition in item.iter("respcondition"):
         if condition.find("setvar") is not None:
             value = condition.find(".//varequal")
-            low, high = (Fraction(node.text or "") for tag in ("vargte", "varlte") for node in condition.iter(tag))
+            low, high = (
+                Fraction(node.text or "")
+                for tag in ("vargte", "varlte")
+                for node in condition.iter(tag)
+            )
             found.append((None if value is None else Fraction(value.text or ""), low, high))
     return found
 
 
 def one_ask(ask: QuizAsk) -> Quiz:
     """A quiz of nothing but this ask."""
-    return Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))])
+    return Quiz(
+        "en", "", "Test", [QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))]
+    )
 
 
 @pytest.fixture
@@ -74,10 +113,16 @@ def package(tmp_path: Path) -> Path:
     return tmp_path / "quiz.zip"
 
 
-@pytest.mark.parametrize("quiz", [a_quiz.quiz("en"), a_quiz.quiz("zh"), a_quiz.pooled("en"), a_quiz.pooled("zh")])
+@pytest.mark.parametrize(
+    "quiz", [a_quiz.quiz("en"), a_quiz.quiz("zh"), a_quiz.pooled("en"), a_quiz.pooled("zh")]
+)
 def test_every_element_stands_where_the_standard_lets_it(quiz: Quiz, tmp_path: Path) -> None:
     write(quiz, tmp_path / "quiz.zip")
-    assert [fault for root in quizzes(tmp_path / "quiz.zip") for fault in misplaced(root, MODELS, ATTRIBUTES)] == []
+    assert [
+        fault
+        for root in quizzes(tmp_path / "quiz.zip")
+        for fault in misplaced(root, MODELS, ATTRIBUTES)
+    ] == []
 
 
 def test_every_number_that_a_double_holds_is_the_exams(package: Path) -> None:
@@ -94,7 +139,7 @@ def test_numbers_without_end_lose_nothing_that_is_right_and_less_than_a_double_c
     package: Path, place: str, name: str
 ) -> None:
     ask = a_quiz.all_asks()[name]
-    (value, low, high), = intervals(items(package)[f"exam-P1-{place}-{name}"])
+    ((value, low, high),) = intervals(items(package)[f"exam-P1-{place}-{name}"])
     assert value is not None
     for read, meant in ((value, ask.value), (low, ask.low), (high, ask.high)):
         assert abs(read - meant) < abs(meant) / 10**16
@@ -125,14 +170,21 @@ def test_an_answer_too_small_for_four_decimals_is_asked_for_in_a_finer_unit(pack
     assert "Mind the unit: mm/s here, not m/s." in text
 
 
-@pytest.mark.parametrize(("unit", "value", "finer", "factor"), [
-    ("m", "0.0021", "mm", 1000), ("cm", "0.0011", "mm", 10), ("km", "0.0000020", "mm", 10**6),
-    ("m/s^2", "0.0008", "mm/s^2", 1000),
-])
-def test_units_change_by_whole_powers_of_ten(unit: str, value: str, finer: str, factor: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("unit", "value", "finer", "factor"),
+    [
+        ("m", "0.0021", "mm", 1000),
+        ("cm", "0.0011", "mm", 10),
+        ("km", "0.0000020", "mm", 10**6),
+        ("m/s^2", "0.0008", "mm/s^2", 1000),
+    ],
+)
+def test_units_change_by_whole_powers_of_ten(
+    unit: str, value: str, finer: str, factor: int, tmp_path: Path
+) -> None:
     ask = a_quiz.relative("x", Fraction(value), unit=unit)
     write(one_ask(ask), tmp_path / "quiz.zip")
-    (found, low, high), = intervals(items(tmp_path / "quiz.zip")["exam-P-q1-x"])
+    ((found, low, high),) = intervals(items(tmp_path / "quiz.zip")["exam-P-q1-x"])
     assert (found, low, high) == (ask.value * factor, ask.low * factor, ask.high * factor)
     shown, meant = (one.replace("^2", "&lt;sup&gt;2&lt;/sup&gt;") for one in (finer, unit))
     text = listing(tmp_path / "quiz.zip")
@@ -142,24 +194,35 @@ def test_units_change_by_whole_powers_of_ten(unit: str, value: str, finer: str, 
 
 def test_an_answer_whose_unit_has_no_finer_one_is_refused_with_all_others(tmp_path: Path) -> None:
     area = replace(a_quiz.LOST, identifier="area", symbol="A", unit="m^2")
-    questions = tuple(a_quiz.question("P", f"q{number}", (ask,)) for number, ask in enumerate((a_quiz.LOST, area), 1))
+    questions = tuple(
+        a_quiz.question("P", f"q{number}", (ask,))
+        for number, ask in enumerate((a_quiz.LOST, area), 1)
+    )
     quiz = Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", questions)])
     with pytest.raises(ExportError) as refusal:
         write(quiz, tmp_path / "quiz.zip")
     first, second = refusal.value.problems
-    assert first == ("exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is finer than the four "
-                     "decimals that Canvas keeps - expected an answer of 0 or of 0.001 and more, with 0.0001 or more "
-                     "allowed on either side, or 0.0002 between bounds of four decimals - draw larger numbers, or "
-                     "allow more")
+    assert first == (
+        "exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is finer than the four "
+        "decimals that Canvas keeps - expected an answer of 0 or of 0.001 and more, with 0.0001 or more "
+        "allowed on either side, or 0.0002 between bounds of four decimals - draw larger numbers, or "
+        "allow more"
+    )
     assert second.startswith("exam-P-q2: A = 0.00004 m^2, ")
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(("low", "high", "taken"), [
-    ("0.2235", "0.2245", True), ("0.22435", "0.22455", False), ("0.2244", "0.2245", False),
-])
-def test_bounds_that_canvas_keeps_are_taken_near_the_right_number_too(low: str, high: str, taken: bool,
-                                                                      tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("low", "high", "taken"),
+    [
+        ("0.2235", "0.2245", True),
+        ("0.22435", "0.22455", False),
+        ("0.2244", "0.2245", False),
+    ],
+)
+def test_bounds_that_canvas_keeps_are_taken_near_the_right_number_too(
+    low: str, high: str, taken: bool, tmp_path: Path
+) -> None:
     ask = replace(a_quiz.LOST, value=Fraction("0.224488"), low=Fraction(low), high=Fraction(high))
     if taken:
         write(one_ask(ask), tmp_path / "quiz.zip")
@@ -170,7 +233,10 @@ def test_bounds_that_canvas_keeps_are_taken_near_the_right_number_too(low: str, 
 
 
 def test_hundreds_of_refusals_are_told_by_the_first_and_a_count(tmp_path: Path) -> None:
-    papers = [QuizPaper(str(i), str(i), "", (a_quiz.question(str(i), "q1", (a_quiz.LOST,)),)) for i in range(100)]
+    papers = [
+        QuizPaper(str(i), str(i), "", (a_quiz.question(str(i), "q1", (a_quiz.LOST,)),))
+        for i in range(100)
+    ]
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", papers), tmp_path / "quiz.zip")
     assert len(refusal.value.problems) == 41
@@ -178,7 +244,10 @@ def test_hundreds_of_refusals_are_told_by_the_first_and_a_count(tmp_path: Path) 
 
 
 def test_whole_numbers_may_be_asked_for_exactly(tmp_path: Path) -> None:
-    write(one_ask(a_quiz.ask("n", Fraction(3), Fraction(3), Fraction(3), unit="1")), tmp_path / "quiz.zip")
+    write(
+        one_ask(a_quiz.ask("n", Fraction(3), Fraction(3), Fraction(3), unit="1")),
+        tmp_path / "quiz.zip",
+    )
     assert intervals(items(tmp_path / "quiz.zip")["exam-P-q1-n"]) == [(3, 3, 3)]
 
 
@@ -192,7 +261,10 @@ def test_texts_are_text_and_figures_are_files_of_the_package(package: Path) -> N
     assert picture is not None
     assert picture.get("src", "").removeprefix("$IMS-CC-FILEBASE$/") in files
     assert picture.get("alt") == a_quiz.FIGURE.description
-    assert bare(files["exam-P1-q1-v_B-paper/assessment_meta.xml"]).findtext("points_possible") == "13.5"
+    assert (
+        bare(files["exam-P1-q1-v_B-paper/assessment_meta.xml"]).findtext("points_possible")
+        == "13.5"
+    )
 
 
 def test_the_manifest_names_every_file_and_nothing_else(package: Path) -> None:
@@ -205,11 +277,19 @@ def test_the_manifest_names_every_file_and_nothing_else(package: Path) -> None:
     assert {node.get("identifierref") for node in root.iter("dependency")} <= known
 
 
-def test_the_solution_comes_once_with_the_last_ask_and_with_every_pooled_one(package: Path, tmp_path: Path) -> None:
-    solved = [name for name, item in items(package).items() if item.find("itemfeedback") is not None]
+def test_the_solution_comes_once_with_the_last_ask_and_with_every_pooled_one(
+    package: Path, tmp_path: Path
+) -> None:
+    solved = [
+        name for name, item in items(package).items() if item.find("itemfeedback") is not None
+    ]
     assert solved == ["exam-P1-q1-v_E"]
     write(a_quiz.pooled(), tmp_path / "pool.zip")
-    solved = [name for name, item in items(tmp_path / "pool.zip").items() if item.find("itemfeedback") is not None]
+    solved = [
+        name
+        for name, item in items(tmp_path / "pool.zip").items()
+        if item.find("itemfeedback") is not None
+    ]
     assert solved == [f"exam-P1-q1-{name}" for name in ("v_B", "a_C", "v_D", "v_E")]
 
 
@@ -220,21 +300,30 @@ def test_pooled_questions_are_drawn_one_variant_for_every_ask(tmp_path: Path) ->
     assert [len(group.findall("item")) for group in groups.values()] == [2, 2, 2, 2, 1, 1, 1]
     for group in groups.values():
         assert group.findtext("selection_ordering/selection/selection_number") == "1"
-        worth = {entry.text for item in group.findall("item") for entry in item.iter("fieldentry")
-                 if re.fullmatch(r"[0-9.]+", entry.text or "")}
+        worth = {
+            entry.text
+            for item in group.findall("item")
+            for entry in item.iter("fieldentry")
+            if re.fullmatch(r"[0-9.]+", entry.text or "")
+        }
         assert worth == {group.findtext(".//points_per_item")}
-    assert any(line.startswith("qti12: Canvas draws every question by itself") for line in complaints)
+    assert any(
+        line.startswith("qti12: Canvas draws every question by itself") for line in complaints
+    )
 
 
 def test_variants_of_different_worth_are_refused(tmp_path: Path) -> None:
     dearer = replace(a_quiz.SPEED, points=Fraction(3))
-    papers = [QuizPaper(code, "", "", (a_quiz.question(code, "q1", (ask,)),))
-              for code, ask in (("P1", a_quiz.SPEED), ("P2", dearer))]
+    papers = [
+        QuizPaper(code, "", "", (a_quiz.question(code, "q1", (ask,)),))
+        for code, ask in (("P1", a_quiz.SPEED), ("P2", dearer))
+    ]
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", papers), tmp_path / "pool.zip")
     assert refusal.value.problems == (
         "exam-P2-q1-v_B: is worth 3 points, and the first variant 5/2 - expected the same for all variants of an ask - "
-        "mend the points in the bank",)
+        "mend the points in the bank",
+    )
 
 
 def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> None:
@@ -249,11 +338,15 @@ def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> Non
 
 
 def test_texts_that_cannot_be_shown_are_refused_once_for_all_asks(tmp_path: Path) -> None:
-    broken = a_quiz.question("P", "q1", (a_quiz.SPEED, a_quiz.ZERO), statement="see [here](x) and $\\foo$")
+    broken = a_quiz.question(
+        "P", "q1", (a_quiz.SPEED, a_quiz.ZERO), statement="see [here](x) and $\\foo$"
+    )
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", [QuizPaper("P", "1", "Bo", (broken,))]), tmp_path / "quiz.zip")
     assert [problem.split(";")[0] for problem in refusal.value.problems] == [
-        "q1: a link cannot be printed", "q1: formula $\\foo$: unknown command \\foo"]
+        "q1: a link cannot be printed",
+        "q1: formula $\\foo$: unknown command \\foo",
+    ]
 
 
 @pytest.mark.parametrize("form", ["quiz", "pooled"])

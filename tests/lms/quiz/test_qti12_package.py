@@ -32,8 +32,11 @@ def test_the_same_quiz_gives_the_same_bytes(write: Writer, tmp_path: Path) -> No
 def test_an_error_in_between_leaves_what_was_there(write: Writer, tmp_path: Path) -> None:
     (tmp_path / "quiz.zip").write_text("before")
     paper = a_quiz.papers()[0]
-    with pytest.raises(ExportError, match='the name "[^"]*" stands for two things - expected one for each paper and '
-                                          "question - set the exam anew"):
+    with pytest.raises(
+        ExportError,
+        match='the name "[^"]*" stands for two things - expected one for each paper and '
+        "question - set the exam anew",
+    ):
         write(Quiz("en", "", "Test", [paper, paper]), tmp_path / "quiz.zip")
     assert [path.name for path in tmp_path.iterdir()] == ["quiz.zip"]
     assert (tmp_path / "quiz.zip").read_text() == "before"
@@ -41,7 +44,10 @@ def test_an_error_in_between_leaves_what_was_there(write: Writer, tmp_path: Path
 
 @pytest.mark.parametrize("write", WRITERS)
 def test_a_place_that_cannot_be_written_is_named(write: Writer, tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="quiz.zip: cannot be written .* - expected a place with room and permission"):
+    with pytest.raises(
+        OutputError,
+        match="quiz.zip: cannot be written .* - expected a place with room and permission",
+    ):
         write(a_quiz.quiz(), tmp_path / "missing" / "quiz.zip")
 
 
@@ -49,7 +55,9 @@ def test_a_place_that_cannot_be_written_is_named(write: Writer, tmp_path: Path) 
 def test_memory_does_not_grow_with_the_class(write: Writer, tmp_path: Path) -> None:
     def peak(count: int) -> int:
         questions = (a_quiz.question(f"P{i}", "q1", (a_quiz.SPEED,)) for i in range(count))
-        papers = (QuizPaper(f"P{i}", str(i), "", (question,)) for i, question in enumerate(questions))
+        papers = (
+            QuizPaper(f"P{i}", str(i), "", (question,)) for i, question in enumerate(questions)
+        )
         tracemalloc.reset_peak()
         write(Quiz("en", "", "Test", papers), tmp_path / "quiz.zip")
         return tracemalloc.get_traced_memory()[1]

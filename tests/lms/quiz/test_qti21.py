@@ -22,34 +22,74 @@ FLOW = "(p |h4 |h5 |table |ol |ul )*"
 INLINE = "#(strong |em |sup |img |textEntryInteraction )*"
 ITEM_MODELS = {
     "assessmentItem": "(responseDeclaration )*(outcomeDeclaration )*itemBody responseProcessing (modalFeedback )*",
-    "responseDeclaration": "correctResponse ", "correctResponse": "value ", "value": "#",
-    "outcomeDeclaration": "(defaultValue )?", "defaultValue": "value ", "itemBody": FLOW, "modalFeedback": FLOW,
-    "p": INLINE, "h4": INLINE, "h5": INLINE, "li": INLINE, "th": INLINE, "td": INLINE, "strong": INLINE, "em": INLINE,
-    "sup": INLINE, "img": "", "textEntryInteraction": "", "ol": "(li )*", "ul": "(li )*", "table": "tbody ",
-    "tbody": "(tr )+", "tr": "(th |td )+", "responseProcessing": "(responseCondition |setOutcomeValue )+",
+    "responseDeclaration": "correctResponse ",
+    "correctResponse": "value ",
+    "value": "#",
+    "outcomeDeclaration": "(defaultValue )?",
+    "defaultValue": "value ",
+    "itemBody": FLOW,
+    "modalFeedback": FLOW,
+    "p": INLINE,
+    "h4": INLINE,
+    "h5": INLINE,
+    "li": INLINE,
+    "th": INLINE,
+    "td": INLINE,
+    "strong": INLINE,
+    "em": INLINE,
+    "sup": INLINE,
+    "img": "",
+    "textEntryInteraction": "",
+    "ol": "(li )*",
+    "ul": "(li )*",
+    "table": "tbody ",
+    "tbody": "(tr )+",
+    "tr": "(th |td )+",
+    "responseProcessing": "(responseCondition |setOutcomeValue )+",
     "responseCondition": "responseIf (responseElseIf )*(responseElse )?",
-    "responseIf": "(equal |or )(setOutcomeValue )*", "responseElseIf": "(equal |or )(setOutcomeValue )*",
-    "or": "(equal )+", "equal": "variable baseValue ", "variable": "", "baseValue": "#",
-    "setOutcomeValue": "(baseValue |sum |multiple )", "sum": "(variable )+", "multiple": "(variable |baseValue )*",
+    "responseIf": "(equal |or )(setOutcomeValue )*",
+    "responseElseIf": "(equal |or )(setOutcomeValue )*",
+    "or": "(equal )+",
+    "equal": "variable baseValue ",
+    "variable": "",
+    "baseValue": "#",
+    "setOutcomeValue": "(baseValue |sum |multiple )",
+    "sum": "(variable )+",
+    "multiple": "(variable |baseValue )*",
 }
 ITEM_ATTRIBUTES = {
     "assessmentItem": "identifier! title! adaptive! timeDependent!",
     "responseDeclaration": "identifier! cardinality! baseType!",
     "outcomeDeclaration": "identifier! cardinality! baseType! normalMaximum",
-    "modalFeedback": "outcomeIdentifier! identifier! showHide!", "img": "src! alt! width height", "th": "scope",
-    "textEntryInteraction": "responseIdentifier! expectedLength", "equal": "toleranceMode! tolerance",
-    "variable": "identifier!", "baseValue": "baseType!", "setOutcomeValue": "identifier!",
+    "modalFeedback": "outcomeIdentifier! identifier! showHide!",
+    "img": "src! alt! width height",
+    "th": "scope",
+    "textEntryInteraction": "responseIdentifier! expectedLength",
+    "equal": "toleranceMode! tolerance",
+    "variable": "identifier!",
+    "baseValue": "baseType!",
+    "setOutcomeValue": "identifier!",
 }
 TEST_MODELS = {
-    "assessmentTest": "outcomeDeclaration testPart outcomeProcessing ", "outcomeDeclaration": "",
-    "testPart": "(assessmentSection )+", "assessmentSection": "(selection )?(assessmentItemRef )+", "selection": "",
-    "assessmentItemRef": "", "outcomeProcessing": "setOutcomeValue ", "setOutcomeValue": "sum ",
-    "sum": "testVariables ", "testVariables": "",
+    "assessmentTest": "outcomeDeclaration testPart outcomeProcessing ",
+    "outcomeDeclaration": "",
+    "testPart": "(assessmentSection )+",
+    "assessmentSection": "(selection )?(assessmentItemRef )+",
+    "selection": "",
+    "assessmentItemRef": "",
+    "outcomeProcessing": "setOutcomeValue ",
+    "setOutcomeValue": "sum ",
+    "sum": "testVariables ",
+    "testVariables": "",
 }
 TEST_ATTRIBUTES = {
-    "assessmentTest": "identifier! title!", "outcomeDeclaration": "identifier! cardinality! baseType!",
-    "testPart": "identifier! navigationMode! submissionMode!", "assessmentSection": "identifier! title! visible!",
-    "selection": "select!", "assessmentItemRef": "identifier! href!", "setOutcomeValue": "identifier!",
+    "assessmentTest": "identifier! title!",
+    "outcomeDeclaration": "identifier! cardinality! baseType!",
+    "testPart": "identifier! navigationMode! submissionMode!",
+    "assessmentSection": "identifier! title! visible!",
+    "selection": "select!",
+    "assessmentItemRef": "identifier! href!",
+    "setOutcomeValue": "identifier!",
     "testVariables": "variableIdentifier!",
 }
 FIRST = "items/exam-P1-q1.xml"
@@ -88,7 +128,9 @@ def marked(root: Element, answers: Mapping[str, Fraction]) -> tuple[Fraction, se
             if rule.tag == "responseCondition":
                 for branch in rule:
                     variable = branch.find(".//variable")
-                    if variable is not None and right(branch[0], answers.get(variable.get("identifier", ""))):
+                    if variable is not None and right(
+                        branch[0], answers.get(variable.get("identifier", ""))
+                    ):
                         follow(list(branch)[1:])
                         break
             elif rule.get("identifier") == "FEEDBACK":
@@ -115,31 +157,50 @@ def test_identifiers_are_xml_names_and_stand_once(package: Path) -> None:
     for name in (FIRST, SECOND):
         root = item(package, name)
         declared = [node.get("identifier", "") for node in root if "Declaration" in node.tag]
-        assert all(re.fullmatch(r"[A-Za-z_][\w.-]*", one) for one in (*declared, root.get("identifier", "")))
+        assert all(
+            re.fullmatch(r"[A-Za-z_][\w.-]*", one)
+            for one in (*declared, root.get("identifier", ""))
+        )
         assert len(set(declared)) == len(declared)
         boxes = [node.get("responseIdentifier") for node in root.iter("textEntryInteraction")]
         assert boxes == [one for one in declared if one.startswith("RESPONSE_")]
 
 
-@pytest.mark.parametrize(("name", "place", "ask"), [
-    (FIRST, 2, a_quiz.ACCELERATION), (FIRST, 3, a_quiz.ZERO), (FIRST, 4, a_quiz.UNEVEN), (SECOND, 1, a_quiz.ANGLE),
-    (SECOND, 3, a_quiz.TINY),
-])
+@pytest.mark.parametrize(
+    ("name", "place", "ask"),
+    [
+        (FIRST, 2, a_quiz.ACCELERATION),
+        (FIRST, 3, a_quiz.ZERO),
+        (FIRST, 4, a_quiz.UNEVEN),
+        (SECOND, 1, a_quiz.ANGLE),
+        (SECOND, 3, a_quiz.TINY),
+    ],
+)
 def test_the_ends_of_what_is_right_are_right_and_what_is_beyond_is_not(
     package: Path, name: str, place: int, ask: a_quiz.QuizAsk
 ) -> None:
     root, box, beyond = item(package, name), f"RESPONSE_{place}", (ask.high - ask.low) / 10**12
-    assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.value, ask.high)] == [ask.points] * 3
-    assert [marked(root, {box: answer})[0] for answer in (ask.low - beyond, ask.high + beyond)] == [0, 0]
+    assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.value, ask.high)] == [
+        ask.points
+    ] * 3
+    assert [marked(root, {box: answer})[0] for answer in (ask.low - beyond, ask.high + beyond)] == [
+        0,
+        0,
+    ]
 
 
-@pytest.mark.parametrize(("name", "place", "ask"), [(FIRST, 1, a_quiz.SPEED), (SECOND, 2, a_quiz.RATIO)])
+@pytest.mark.parametrize(
+    ("name", "place", "ask"), [(FIRST, 1, a_quiz.SPEED), (SECOND, 2, a_quiz.RATIO)]
+)
 def test_numbers_without_end_are_right_to_the_last_digit_of_a_double(
     package: Path, name: str, place: int, ask: a_quiz.QuizAsk
 ) -> None:
     root, box, hair = item(package, name), f"RESPONSE_{place}", abs(ask.value) / 10**15
     assert [marked(root, {box: answer})[0] for answer in (ask.low, ask.high)] == [ask.points] * 2
-    assert [marked(root, {box: answer})[0] for answer in (ask.low - hair, ask.high + hair)] == [0, 0]
+    assert [marked(root, {box: answer})[0] for answer in (ask.low - hair, ask.high + hair)] == [
+        0,
+        0,
+    ]
 
 
 def test_points_add_up_and_an_empty_box_earns_none(package: Path) -> None:
@@ -148,7 +209,10 @@ def test_points_add_up_and_an_empty_box_earns_none(package: Path) -> None:
     answers = {f"RESPONSE_{place}": ask.value for place, ask in enumerate(asks, start=1)}
     assert marked(root, answers) == (Fraction("8.5"), {"SOLUTION"})
     assert marked(root, {}) == (0, {"SOLUTION"})
-    limits = {node.get("identifier"): node.get("normalMaximum") for node in root.iter("outcomeDeclaration")}
+    limits = {
+        node.get("identifier"): node.get("normalMaximum")
+        for node in root.iter("outcomeDeclaration")
+    }
     assert limits["SCORE"] == limits["MAXSCORE"] == "8.5"
 
 
@@ -156,12 +220,17 @@ def test_a_known_mistake_earns_its_share_and_its_sentence_is_shown(package: Path
     root = item(package, FIRST)
     assert marked(root, {"RESPONSE_2": Fraction("-6.9")}) == (1, {"MISTAKE_2_1", "SOLUTION"})
     assert marked(root, {"RESPONSE_2": Fraction("12.345")}) == (0, {"MISTAKE_2_2", "SOLUTION"})
-    shown = {node.get("identifier"): "".join(node.itertext()).strip() for node in root.iter("modalFeedback")}
+    shown = {
+        node.get("identifier"): "".join(node.itertext()).strip()
+        for node in root.iter("modalFeedback")
+    }
     assert shown["MISTAKE_2_1"] == "Coriolis term < left out & more ]]>"
 
 
 def test_mistakes_that_lead_to_the_same_number_are_told_together(tmp_path: Path) -> None:
-    twin = replace(a_quiz.CORIOLIS, identifier="twin", credit=Fraction(1, 4), sentence="another way there")
+    twin = replace(
+        a_quiz.CORIOLIS, identifier="twin", credit=Fraction(1, 4), sentence="another way there"
+    )
     ask = replace(a_quiz.ACCELERATION, mistakes=(twin, a_quiz.CORIOLIS))
     paper = QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))
     write(Quiz("en", "", "Test", [paper]), tmp_path / "quiz.zip")
@@ -172,7 +241,9 @@ def test_mistakes_that_lead_to_the_same_number_are_told_together(tmp_path: Path)
 
 def test_an_angle_may_have_whole_turns_more_or_less(package: Path) -> None:
     root = item(package, SECOND)
-    found = {answer: marked(root, {"RESPONSE_1": Fraction(answer)})[0] for answer in (30, -330, 210, 390)}
+    found = {
+        answer: marked(root, {"RESPONSE_1": Fraction(answer)})[0] for answer in (30, -330, 210, 390)
+    }
     assert found == {30: 2, -330: 2, 210: 0, 390: 0}
     assert "within one turn of zero" in "".join(root.itertext())
 
@@ -189,7 +260,9 @@ def test_texts_are_text_and_the_figure_is_beside_the_items(package: Path) -> Non
 def test_the_manifest_names_every_file_and_nothing_else(package: Path) -> None:
     files = files_of(package)
     root = bare(files["imsmanifest.xml"])
-    assert sorted(node.get("href", "") for node in root.iter("file")) == sorted(set(files) - {"imsmanifest.xml"})
+    assert sorted(node.get("href", "") for node in root.iter("file")) == sorted(
+        set(files) - {"imsmanifest.xml"}
+    )
     kinds = {node.get("identifier"): node.get("type") for node in root.iter("resource")}
     uses = [node.get("identifierref") for node in root.iter("dependency")]
     assert {kinds[use] for use in uses} == {"imsqti_item_xmlv2p1"}
@@ -198,9 +271,15 @@ def test_the_manifest_names_every_file_and_nothing_else(package: Path) -> None:
 
 def test_variants_are_drawn_one_of_each_question(tmp_path: Path) -> None:
     write(a_quiz.pooled(), tmp_path / "pool.zip")
-    (test,) = (bare(text) for name, text in files_of(tmp_path / "pool.zip").items() if name.startswith("tests/"))
-    drawn = [(len(section.findall("assessmentItemRef")), section.find("selection") is not None)
-             for section in test.iter("assessmentSection")]
+    (test,) = (
+        bare(text)
+        for name, text in files_of(tmp_path / "pool.zip").items()
+        if name.startswith("tests/")
+    )
+    drawn = [
+        (len(section.findall("assessmentItemRef")), section.find("selection") is not None)
+        for section in test.iter("assessmentSection")
+    ]
     assert drawn == [(2, True), (1, False)]
 
 
@@ -214,7 +293,8 @@ def test_texts_that_cannot_be_shown_are_refused_and_nothing_is_written(tmp_path:
 def test_what_a_person_has_to_know_is_said(tmp_path: Path) -> None:
     assert [line.split(" - ")[0] for line in write(a_quiz.quiz(), tmp_path / "quiz.zip")] == [
         r"qti21: formulas are LaTeX between \( and \)",
-        "qti21: Canvas turns these questions into texts to be matched and drops the tolerance"]
+        "qti21: Canvas turns these questions into texts to be matched and drops the tolerance",
+    ]
 
 
 @pytest.mark.parametrize("form", ["quiz", "pooled"])

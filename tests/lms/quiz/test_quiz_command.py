@@ -29,14 +29,35 @@ def test_every_form_is_written(small_class: Path, tmp_path: Path, system: str) -
     result = put(small_class / "EXAM", "--to", system, "-o", target, "--no-mistakes")
     assert result.exit_code in (0, 1), result.stderr
     assert f"{target}: written; it gives the key away, for instructors only" in result.stderr
-    assert "marked there, every number stands alone: kinegrade grade on its responses knows" in result.stderr
+    assert (
+        "marked there, every number stands alone: kinegrade grade on its responses knows"
+        in result.stderr
+    )
     assert target.stat().st_size > 2000
 
 
-def test_moodle_in_chinese_one_number_a_question_with_solutions(small_class: Path, tmp_path: Path) -> None:
+def test_moodle_in_chinese_one_number_a_question_with_solutions(
+    small_class: Path, tmp_path: Path
+) -> None:
     target = tmp_path / "quiz.xml"
-    result = put(small_class / "EXAM", "--to", "moodle-xml", "-o", target, "--as", "numerical", "--lang", "zh",
-                 "--variants", "2", "--solutions", "--mistake-credit", "33.33333", "--method", "pole")
+    result = put(
+        small_class / "EXAM",
+        "--to",
+        "moodle-xml",
+        "-o",
+        target,
+        "--as",
+        "numerical",
+        "--lang",
+        "zh",
+        "--variants",
+        "2",
+        "--solutions",
+        "--mistake-credit",
+        "33.33333",
+        "--method",
+        "pole",
+    )
     assert result.exit_code == 0, result.stderr
     text = target.read_text(encoding="utf-8")
     assert faults(text) == []
@@ -44,7 +65,10 @@ def test_moodle_in_chinese_one_number_a_question_with_solutions(small_class: Pat
     assert len(questions) == 12
     assert "曲柄" in questions[0].text
     assert questions[0].feedback
-    assert {str(answer.share) for question in questions for answer in question.boxes[0][1]} == {"100", "3333333/100000"}
+    assert {str(answer.share) for question in questions for answer in question.boxes[0][1]} == {
+        "100",
+        "3333333/100000",
+    }
 
 
 def test_what_is_left_to_do_is_a_complaint(small_class: Path, tmp_path: Path) -> None:
@@ -53,22 +77,35 @@ def test_what_is_left_to_do_is_a_complaint(small_class: Path, tmp_path: Path) ->
     assert "complaint: marks in Moodle are 2 times the points" in result.stderr
 
 
-def test_a_file_that_stands_there_is_replaced_only_by_force(small_class: Path, tmp_path: Path) -> None:
+def test_a_file_that_stands_there_is_replaced_only_by_force(
+    small_class: Path, tmp_path: Path
+) -> None:
     target = tmp_path / "quiz.xml"
     target.write_text("mine", encoding="utf-8")
     wanted = small_class / "EXAM", "--to", "moodle-xml", "--as", "numerical", "-o"
     result = put(*wanted, target)
     assert (result.exit_code, target.read_text(encoding="utf-8")) == (2, "mine")
-    assert "already exists - expected a new file - add --force to replace it, or choose another name" in result.stderr
+    assert (
+        "already exists - expected a new file - add --force to replace it, or choose another name"
+        in result.stderr
+    )
     assert put(*wanted, target, "--force").exit_code == 0
-    assert "is not a plain file - expected a file to write - choose another name" in put(*wanted, tmp_path).stderr
+    assert (
+        "is not a plain file - expected a file to write - choose another name"
+        in put(*wanted, tmp_path).stderr
+    )
 
 
 def test_refusals_are_one_line_and_leave_nothing(small_class: Path, tmp_path: Path) -> None:
     target = tmp_path / "quiz.xml"
     result = put(small_class / "EXAM", "--to", "moodle-xml", "-o", target, "--mistake-credit", "33")
     assert result.exit_code == 2
-    assert result.stderr.startswith("error: credit of 33 per cent for known mistakes: Moodle has no such share")
+    assert result.stderr.startswith(
+        "error: credit of 33 per cent for known mistakes: Moodle has no such share"
+    )
     assert put(tmp_path / "nowhere", "--to", "moodle-xml", "-o", target).exit_code == 2
-    assert put(small_class / "EXAM", "--to", "moodle-xml", "--variants", "9", "-o", target).exit_code == 2
+    assert (
+        put(small_class / "EXAM", "--to", "moodle-xml", "--variants", "9", "-o", target).exit_code
+        == 2
+    )
     assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,76 @@
+"""CSV as kinegrade writes it: UTF-8, LF, comma.
+
+`neutralised` keeps a typed cell from running as a formula in a spreadsheet, `restored` undoes it.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterable, Sequence
+from itertools import chain
+from pathlib import Path
+
+_QUOTED = re.compile('[,"\r\n]')
+_FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
+_HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+def neutralised(text: str) -> str:
+    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line break.
+
+    Plain numbers and a lone dash stay as they are. `restored` is exact, because apostrophes typed
+    before such a sign get one more.
+
+    >>> neutralised("=1+1"), neutralised("-12"), neutralised("O'Neil")
+    ("'=1+1", '-12', "O'Neil")
+    """
+    if not _FORMULA.match(text) or _HARMLESS.fullmatch(text):
+        return text
+    return f"'{text}"
+
+
+def restored(text: str) -> str:
+    """The cell that `neutralised` was given."""
+    return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
+
+
+def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
+    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
+    lines = _Lines()
+    csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
+    text = "".join(lines.written)
+    if text.count("\r") == len(lines.written):
+        return text.replace("\r\n", "\n")
+    return "".join(f"{line[:-2]}\n" for line in lines.written)
+
+
+def csv_cell(text: str) -> str:
+    """A cell as `csv_text` writes it among others: in quotation marks only where it has to be.
+
+    >>> csv_cell("0.5"), csv_cell("0,5"), csv_cell("v = 0,5")
+    ('0.5', '"0,5"', '"v = 0,5"')
+    """
+    if _QUOTED.search(text) is None:
+        return text
+    doubled = text.replace('"', '""')
+    return f'"{doubled}"'
+
+
+def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Writes a CSV file: UTF-8 without mark, LF, comma."""
+    path.write_bytes(encoded(csv_text(header, rows)))
+
+
+def encoded(text: str) -> bytes:
+    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an escape."""
+    return text.encode("utf-8", "backslashreplace")
+
+
+class _Lines:
+    """Takes the csv module's output a record at a time."""
+
+    def __init__(self) -> None:
+        self.written: list[str] = []
+        self.write = self.written.append

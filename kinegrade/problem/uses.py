@@ -1,0 +1,84 @@
+"""Whether the parts of a template name only what the template has: points, bodies, values, asks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from kinegrade.errors import did_you_mean
+from kinegrade.expression import Expression, names
+from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.problem.conditions import mixed
+from kinegrade.problem.template import Template
+
+
+@dataclass(frozen=True)
+class Uses:
+    """Checks names where they are used; `fault` takes a path in the template's tables and what is wrong there."""
+
+    fault: Callable[[str, str], None]
+
+    def check(self, template: Template) -> None:
+        """Names in expressions are known where they are used; published results and asks belong together."""
+        parameters = {*template.parameters, "pi"}
+        self.check_order("lengths", template.lengths, parameters)
+        self.check_order("points", template.points, {*parameters, *template.lengths, *BRANCHES})
+        self.check_sentences(
+            template, {*parameters, *template.lengths, *BRANCHES, *template.points}
+        )
+        for index, condition in enumerate(template.conditions):
+            for tree in (condition.left, condition.right):
+                self.check_known(f"conditions[{index}]", tree, parameters)
+            if mixed(condition, template.angles):
+                self.fault(
+                    f"conditions[{index}]",
+                    f'"{condition.text}": an angle against a number: '
+                    "write degrees as parts of pi, like phi < pi/2",
+                )
+        for index, result in enumerate(template.published):
+            for name, tree in result.gives.items():
+                if name not in template.asks:
+                    self.fault(
+                        f"published[{index}]",
+                        f'no ask "{name}": {did_you_mean(name, template.asks)}',
+                    )
+                self.check_known(f"published[{index}].gives.{name}", tree, parameters)
+
+    def check_order(self, key: str, trees: Mapping[str, Expression], known: set[str]) -> None:
+        """Lengths and points may name what stands before them."""
+        for name, tree in trees.items():
+            self.check_known(f"{key}.{name}", tree, known)
+            known = {*known, name}
+
+    def check_sentences(self, template: Template, known: set[str]) -> None:
+        """Joints, inputs and asks name bodies, points and values that there are."""
+        bodies = {GROUND, *(body.name for body in template.bodies)}
+        for joint in template.joints:
+            self.check_listed(
+                joint.text, "body", (joint.body, joint.of, joint.carrier, *joint.bodies), bodies
+            )
+            self.check_listed(joint.text, "point", (joint.point,), set(template.points))
+            for shape in (joint.circle, joint.on):
+                self.check_known(joint.text, shape, known)
+        for driver in template.drivers:
+            self.check_listed(driver.text, "body", (driver.body, driver.of), bodies)
+            self.check_listed(
+                driver.text, "point", (driver.point, driver.centre), set(template.points)
+            )
+            for tree in (driver.velocity, driver.acceleration, driver.along):
+                self.check_known(driver.text, tree, known)
+        for name, ask in template.asks.items():
+            self.check_known(f"asks.{name}", ask.quantity, known | bodies)
+
+    def check_listed(self, path: str, kind: str, named: tuple[str, ...], there: set[str]) -> None:
+        """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
+        for name in named:
+            if name and name not in there:
+                self.fault(path, f'no {kind} "{name}": {did_you_mean(name, there)}')
+
+    def check_known(self, path: str, tree: Expression | None, known: set[str]) -> None:
+        """A fault for every name that is not known at this place."""
+        for name in dict.fromkeys(names(tree)) if tree is not None else ():
+            if name not in known:
+                self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
