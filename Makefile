@@ -2,6 +2,7 @@
 # make test   lint, types, tests
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
+# make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make tex    LaTeX, for those who typeset with it (Debian and Ubuntu; elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 
@@ -10,7 +11,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench fairness golden check-templates tex clean
+.PHONY: demo demo-answers test lint types bench measure fairness golden check-templates tex clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -44,6 +45,9 @@ check-templates: $(READY)
 
 bench: $(READY)
 	$(BIN)/python -m benchmarks
+
+measure: $(READY)
+	$(BIN)/python -m benchmarks.measures
 
 fairness: $(READY)
 	$(BIN)/python -m benchmarks.fairness
