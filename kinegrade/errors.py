@@ -6,7 +6,10 @@ ends with status 2. An error may carry several problems, because all faults of a
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+
+SUGGESTIONS = 3  # names that a hint offers for a wrong one
+LISTED = 8  # known names that a hint lists whole: of more, only the nearest are shown
 
 
 class KinegradeError(Exception):
@@ -70,21 +73,36 @@ class ExportError(KinegradeError):
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
-    """A closing hint for an unknown word: the nearest known one, or all known ones.
+    """A closing hint for an unknown word: the nearest known ones, and all of them where they are few.
 
     >>> did_you_mean("phy", ["phi", "omega"])
     'did you mean "phi"? (known here: omega, phi)'
+    >>> did_you_mean("theta_1", [f"theta_{number}" for number in range(2, 60)])
+    'did you mean "theta_51", "theta_41" or "theta_31"?'
     """
     from difflib import get_close_matches  # only refusals need it, and it would slow every start
 
     known = sorted(choices)
-    near = [name for name in known if name.lower() == word.lower()] or get_close_matches(
-        word, known, n=1
-    )
+    same = [name for name in known if name.lower() == word.lower()]
+    near = same or get_close_matches(word, known, n=SUGGESTIONS)
+    if len(known) > LISTED and near:
+        return f"did you mean {either(near)}?"
     listing = ", ".join(known) if known else "none"
-    return (
-        f'did you mean "{near[0]}"? (known here: {listing})' if near else f"known here: {listing}"
-    )
+    if len(known) > LISTED:
+        listing = f"{', '.join(known[:SUGGESTIONS])} and {len(known) - SUGGESTIONS} more"
+    if not near:
+        return f"known here: {listing}"
+    return f'did you mean "{near[0]}"? (known here: {listing})'
+
+
+def either(words: Sequence[str]) -> str:
+    """Words to choose from, each in quotation marks.
+
+    >>> either(["a", "b", "c"])
+    '"a", "b" or "c"'
+    """
+    quoted = [f'"{word}"' for word in words]
+    return " or ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
 
 
 def one_line(text: str) -> str:

@@ -150,7 +150,7 @@ def test_what_is_no_expression_is_told_with_its_place(text: str, message: str) -
         ("__class__", 'unknown name "__class__"'),
         ("__import__(1)", 'unknown function "__import__"'),
         ("eval(1)", 'unknown function "eval"'),
-        ("sine(phi)", 'unknown function "sine": did you mean "sin"?'),
+        ("sine(phi)", 'unknown function "sine": did you mean "sin" or "asin"?'),
         ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
         (
             "sin()",

@@ -219,8 +219,7 @@ number = 2
 """,
     )
     assert found == [
-        'unknown key "titel": did you mean "title"? (known here: course, credit, date, engine, questions, shuffle, '
-        "solutions, title, tolerance, versions)",
+        'unknown key "titel": did you mean "title"?',
         'tolerance: unknown key "size": known here: absolute, figures, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
         'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
@@ -438,7 +437,8 @@ def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
         ("{ mistakes = 1 }", 'credit.mistakes: expected a table like { coriolis-halved = "1/2" }'),
         (
             "{ mistakes = { coriolis-halfed = 1 } }",
-            'credit.mistakes: unknown mistake "coriolis-halfed": did you mean "coriolis-halved"?',
+            'credit.mistakes: unknown mistake "coriolis-halfed": '
+            'did you mean "coriolis-halved", "coriolis-dropped" or "coriolis-reversed"?',
         ),
     ],
 )

@@ -76,8 +76,7 @@ def test_all_faults_come_at_once() -> None:
         'crank.toml: figure.angles: expected a list of tables; write [{ symbol = "r", ... }]',
         "crank.toml: figure.shapes.AB: no shape 'geer'; "
         'did you mean "gear"? (known here: bar, bent, cam, gear, through)',
-        'crank.toml: figure.axis: unknown entry; did you mean "axes"? '
-        "(known here: angles, arrows, axes, circles, labels, lengths, lines, radii, shapes)",
+        'crank.toml: figure.axis: unknown entry; did you mean "axes"?',
     )
 
 

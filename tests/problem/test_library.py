@@ -33,11 +33,18 @@ def test_any_file_is_found_by_its_path_and_any_folder_may_serve(tmp_path: Path) 
 
 
 @pytest.mark.parametrize(
-    "name", ["slider", "Slider-Crank", "../templates/slider-crank", "slider-crank/", ""]
+    "name", ["slider", "Slider-Crank", "../templates/slider-crank", "slider-crank/"]
 )
-def test_an_unknown_name_is_refused_with_those_known(name: str) -> None:
-    assert refusal(name).startswith(f'no template "{name}": ')
+def test_an_unknown_name_is_refused_with_the_nearest_ones(name: str) -> None:
+    assert refusal(name).startswith(f'no template "{name}": did you mean ')
     assert "slider-crank" in refusal(name)
+    assert refusal(name).count('"') <= 2 + 2 * 3
+
+
+def test_a_name_like_no_other_lists_three_of_fifty() -> None:
+    message = refusal("")
+    assert message.endswith(f" and {len(template_names()) - 3} more")
+    assert sum(name in message for name in template_names()) == 3
 
 
 def test_a_file_that_cannot_be_read_says_why(tmp_path: Path) -> None:

@@ -282,7 +282,7 @@ def test_a_template_with_many_faults_reports_all_of_them_each_with_its_place() -
         (
             'A = "polar(O, r, phi)"',
             'A = "polar(M, r, phi)"',
-            'points.A: unknown name "M": known here: O, clockwise',
+            'points.A: unknown name "M": known here: O, clockwise, counterclockwise and 9 more',
         ),
         ('half = "r/2"', 'half = "whole/2"\nwhole = "r"', 'lengths.half: unknown name "whole"'),
         (

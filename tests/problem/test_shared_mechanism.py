@@ -204,9 +204,7 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
     listed = "bodies, conditions, figure, joints, lengths, parameters, points"
     found = faults((('family = "crank"', 'famly = "crank"'),), shared)
     assert found[:2] == [
-        "crank.toml: unknown table or key 'famly': did you mean \"family\"? (known here: asks, bodies, conditions, "
-        "family, figure, inputs, joints, lengths, mechanism, method, parameters, points, published, source, statement, "
-        "tags, title)",
+        "crank.toml: unknown table or key 'famly': did you mean \"family\"?",
         "crank.toml: family is missing: every template needs it",
     ]
     assert found[2:8] == [
