@@ -28,6 +28,10 @@ class ExpressionError(KinegradeError):
     """An arithmetic expression that cannot be read or evaluated."""
 
 
+class TomlError(KinegradeError):
+    """A text that is not TOML; the message names the line and the slip, but no file."""
+
+
 class TemplateError(KinegradeError):
     """A template file, or a value given for one of its parameters, is at fault."""
 

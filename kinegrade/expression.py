@@ -32,6 +32,20 @@ TOKEN = re.compile(
     re.ASCII,
 )
 ANGLES = frozenset({"asin", "acos", "atan", "atan2"})
+DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
+# What is expected in place of a character that our grammar does not have.
+SLIPS: Mapping[str, str] = {
+    "°": DEGREES,
+    "º": DEGREES,
+    "^": "a power written as **",
+    "π": "pi",
+    "−": "a plain minus, -",
+    "·": "a product written as *",
+    "×": "a product written as *",
+    "²": "a square written as **2",
+    "³": "a cube written as **3",
+    "√": "a root written as sqrt(...)",
+}
 
 
 @dataclass(frozen=True)
@@ -109,7 +123,7 @@ class Reader:
         found = f'"{one_line(self.token)}"' if self.token else "the end"
         return ExpressionError(
             f'"{one_line(self.text)}", character {self.start + 1}: found {found}, '
-            f"expected {expected}"
+            f"expected {SLIPS.get(self.token, expected)}"
         )
 
     def take(self, *marks: str) -> str | None:

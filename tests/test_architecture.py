@@ -20,6 +20,7 @@ FLOORS = {
     "expression": 0,
     "exact": 0,
     "units": 0,
+    "toml_reading": 0,
     "files": 0,
     "tables": 0,
     "csv_writing": 0,

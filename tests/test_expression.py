@@ -119,6 +119,13 @@ def test_what_expressions_come_to(text: str, result: str) -> None:
             "1 if 1 else 2",
             '"1 if 1 else 2", character 3: found "if", expected an operator or the end',
         ),
+        ("r^2", '"r^2", character 2: found "^", expected a power written as **'),
+        ("r²", '"r²", character 2: found "²", expected a square written as **2'),
+        (
+            "30°",
+            '"30°", character 3: found "°", expected the number alone where the unit is deg, '
+            "and parts of pi elsewhere: 30 degrees is pi/6",
+        ),
         ("x == y", '"x == y", character 3: found "=", expected an operator or the end'),
         ("'a'", '"\'a\'", character 1: found "\'", expected a number, a name or a bracket'),
         ("1 // 2", '"1 // 2", character 4: found "/", expected a number, a name or a bracket'),

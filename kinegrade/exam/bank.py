@@ -25,12 +25,11 @@ points = 10                              # optional: shared out as the template 
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, cast
 
-from kinegrade.errors import BankError, did_you_mean
+from kinegrade.errors import BankError, TomlError, did_you_mean
 from kinegrade.exam.bank_credit import read_credit
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
 from kinegrade.exam.bank_values import Values, written
@@ -39,7 +38,8 @@ from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
-from kinegrade.problem.toml_text import TOO_LARGE, short_line, too_large
+from kinegrade.problem.toml_text import short_line
+from kinegrade.toml_reading import read_toml
 
 KEYS = (
     "title",
@@ -89,20 +89,16 @@ def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
                 f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank file"
             )
         text = data.decode("utf-8-sig")
-        table = tomllib.loads(text, parse_float=str)
+        table = read_toml(text)
     except OSError as error:
         raise BankError(
             f"{path}: cannot be read: {error.strerror}: give the path of a bank file"
         ) from error
-    except (
-        ValueError,
-        RecursionError,
-    ) as error:  # no UTF-8, no TOML, an integer of thousands of digits
+    except (UnicodeDecodeError, TomlError) as error:
         raise BankError(
-            f"{path}: not readable as TOML in UTF-8: {error}: mend it, or give a bank file"
+            f"{path}: not readable as TOML in UTF-8: {short_line(str(error))}: "
+            "fix it, or give a bank file"
         ) from error
-    if too_large(table):
-        raise BankError(f"{path}: {TOO_LARGE}")
     return blueprint(Values(path), table, text, folder or shipped("templates"))
 
 

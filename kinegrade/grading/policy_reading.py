@@ -25,7 +25,6 @@ all of it. `read_policy` and `stated_policy` are called by `grade`.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -33,7 +32,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from kinegrade.errors import ExpressionError, PolicyError, did_you_mean, one_line
+from kinegrade.errors import ExpressionError, PolicyError, TomlError, did_you_mean, one_line
 from kinegrade.expression import Expression, is_angle, names, read
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.key import Ask, Sitting, questions
@@ -41,6 +40,7 @@ from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import NO_ROOM, Accepted, Attempts, Policy, Room, Ruling, Void
 from kinegrade.grading.policy_values import Values, shown, written
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion, written_unit
+from kinegrade.toml_reading import read_toml
 
 MAX_BYTES = 1_000_000
 _ATTEMPTS = ("last", "first", "best")
@@ -121,17 +121,14 @@ def _table(path: Path) -> tuple[str, Mapping[str, Any]]:
                 f"{path}: too large - expected at most {MAX_BYTES} bytes - check the name"
             )
         text = content.decode("utf-8-sig")
-        return text, tomllib.loads(text, parse_float=str)
+        return text, read_toml(text)
     except OSError as fault:
         raise PolicyError(
             f"{path}: cannot be read ({fault.strerror}) - expected a policy file - check the name"
         ) from fault
-    except (
-        ValueError,
-        RecursionError,
-    ) as fault:  # no UTF-8, no TOML, an integer of thousands of digits
+    except (UnicodeDecodeError, TomlError) as fault:
         raise PolicyError(
-            f"{path}: {one_line(str(fault))} - expected TOML in UTF-8 - mend it"
+            f"{path}: {one_line(str(fault))} - expected TOML in UTF-8 - fix it"
         ) from fault
 
 

@@ -5,15 +5,13 @@ Which tables there are, and faults cut to one line, are here too.
 
 from __future__ import annotations
 
-import tomllib
 from typing import Any
 
-from kinegrade.errors import TemplateError, one_line
-from kinegrade.expression import MAX_DIGITS
+from kinegrade.errors import TemplateError, TomlError, one_line
+from kinegrade.toml_reading import read_toml
 
 MAX_CHARACTERS = 100_000
 MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, what was expected
-TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 
 KEYS = (
     "title",
@@ -53,26 +51,12 @@ def toml_tables(where: str, text: str) -> dict[str, Any]:
     if len(text) > MAX_CHARACTERS:
         raise TemplateError(f"{where}: {len(text)} characters: at most {MAX_CHARACTERS} are read")
     try:
-        table = tomllib.loads(text, parse_float=str)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        return read_toml(text)
+    except TomlError as error:
         raise TemplateError(f"{where}: not readable as TOML: {short_line(str(error))}") from error
-    except ValueError as error:  # Python reads no integer of more than 4,300 digits
-        raise TemplateError(f"{where}: {TOO_LARGE}") from error
-    if too_large(table):
-        raise TemplateError(f"{where}: {TOO_LARGE}")
-    return table
 
 
 def short_line(text: str) -> str:
     """A text as one line of a message can hold it."""
     line = one_line(text)
     return line if len(line) <= MAX_PROBLEM else f"{line[: MAX_PROBLEM - 1]}…"
-
-
-def too_large(value: Any) -> bool:
-    """Whether a whole number of absurdly many digits stands anywhere in a TOML value."""
-    if isinstance(value, (dict, list)):
-        return any(
-            too_large(part) for part in (value.values() if isinstance(value, dict) else value)
-        )
-    return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS

@@ -314,11 +314,13 @@ number = 2
         ),
         (
             QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}",
-            "a whole number of more than 60 digits: round it",
+            "not readable as TOML in UTF-8: a whole number of more than 60 digits: round it: "
+            "fix it, or give a bank file",
         ),
         (
             QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}",
-            "a whole number of more than 60 digits: round it",
+            "not readable as TOML in UTF-8: a whole number of more than 60 digits: round it: "
+            "fix it, or give a bank file",
         ),
         (
             QUESTION + 'asks = { "v\\nB" = 1 }',

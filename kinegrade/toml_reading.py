@@ -1,0 +1,139 @@
+"""TOML as people write it: the tables of a text, and a line that names the slip where it is no TOML.
+
+Templates, banks and policies are read with it, each adding the file's name and what to do. Numbers with a point stay
+texts, so that nothing is rounded on reading.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable
+from typing import Any
+from unicodedata import normalize
+
+from kinegrade.errors import TomlError, one_line
+from kinegrade.expression import MAX_DIGITS
+
+STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
+PLACE = re.compile(r"line (\d+), column \d+")
+LONGEST_SHOWN = 40
+TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
+FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
+PLAIN_VALUE = re.compile(r"[-+]?\d[\d_.eE+-]*|true|false", re.ASCII)
+Advice = Callable[[re.Match[str]], str]
+
+
+def read_toml(text: str) -> dict[str, Any]:
+    """The tables of a TOML text; numbers with a point stay texts. Raises TomlError naming the line and the slip."""
+    try:
+        tables = tomllib.loads(text, parse_float=str)
+        absurd = too_large(tables)
+    except tomllib.TOMLDecodeError as error:
+        raise TomlError(named(text, str(error))) from error
+    except RecursionError as error:
+        raise TomlError("nested too deeply: write it more simply") from error
+    except ValueError as error:  # Python reads no integer of more than 4,300 digits
+        raise TomlError(TOO_LARGE) from error
+    if absurd:
+        raise TomlError(TOO_LARGE)
+    return tables
+
+
+def too_large(value: Any) -> bool:
+    """Whether a whole number of absurdly many digits stands anywhere in a TOML value."""
+    if isinstance(value, (dict, list)):
+        return any(
+            too_large(part) for part in (value.values() if isinstance(value, dict) else value)
+        )
+    return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS
+
+
+def named(text: str, fault: str) -> str:
+    """The fault of the parser, or the slip that is behind it, with its line."""
+    place = PLACE.search(fault)
+    if place is None:
+        return one_line(fault)
+    number = int(place[1])
+    slip = slip_in(text.split("\n")[number - 1])
+    return f"line {number}: {slip}" if slip else one_line(fault)
+
+
+def slip_in(line: str) -> str:
+    """What a line's writer did that TOML does not know, and what to write; "" where none of the usual slips is seen.
+
+    >>> slip_in("draw = [30°, 60°]")
+    '30°: a number without its unit is expected: write 30, and unit = "deg"'
+    >>> slip_in("date = 3.12.2026")
+    '3.12.2026: write a date as 2026-12-03, or as a text in quotation marks, "3.12.2026"'
+    """
+    outside = STRING.sub('""', line).partition("#")[0]
+    for pattern, advice in SLIPS:
+        found = pattern.search(outside)
+        if found is not None:
+            return one_line(advice(found))
+    return "" if outside.lstrip().startswith("[") else unquoted(outside)
+
+
+def dotted_date(found: re.Match[str]) -> str:
+    """A date as it is written in much of Europe: day, month, year."""
+    day, month, year = (part.zfill(2) for part in found.groups())
+    text = "".join(found[0].split())
+    return (
+        f"{text}: write a date as {year}-{month}-{day}, "
+        f'or as a text in quotation marks, "{found[0]}"'
+    )
+
+
+def other_date(found: re.Match[str]) -> str:
+    """A date whose day and month cannot be told apart, or that lacks a zero."""
+    return (
+        f"{found[0]}: write a date as year-month-day, like 2026-05-01, "
+        f'or as a text in quotation marks, "{found[0]}"'
+    )
+
+
+SLIPS: tuple[tuple[re.Pattern[str], Advice], ...] = (
+    (
+        re.compile("[“”„‟«»‘’‚‛＂＇]"),
+        lambda found: f'{found[0]}: a curly quotation mark: write straight ones, "..."',
+    ),
+    (
+        re.compile(r"(-?\d+(?:\.\d+)?)\s*[°º˚]"),
+        lambda found: (
+            f'{found[0]}: a number without its unit is expected: write {found[1]}, and unit = "deg"'
+        ),
+    ),
+    (
+        re.compile(f"[{FULL_WIDTH}]"),
+        lambda found: f'{found[0]}: a full-width character: write "{normalize("NFKC", found[0])}"',
+    ),
+    (re.compile(r"(?<![\d.])(\d{1,2})\.\s?(\d{1,2})\.\s?(\d{4})(?!\d)"), dotted_date),
+    (re.compile(r"\d{1,2}/\d{1,2}/\d{4}|\d{4}[-./]\d{1,2}[-./]\d{1,2}"), other_date),
+    (
+        re.compile(r"=\s*(-?\d+),(\d+)\s*(?:$|[,}])"),
+        lambda found: (
+            f"{found[1]},{found[2]}: a decimal comma: write a point, {found[1]}.{found[2]}"
+        ),
+    ),
+    (
+        re.compile(r"\d+(?:\.\d+)?\s*%"),
+        lambda found: f'{found[0]}: write a percentage in quotation marks, "{found[0]}"',
+    ),
+    (
+        re.compile(r"^\s*([\w-]+)\s*:"),
+        lambda found: f"{found[1]}: write = between a name and its value, not a colon",
+    ),
+)
+VALUE = re.compile(r"(?:=|\[|,)\s*([^\s\"'\[\]{},=#][^\"'\[\]{},=#]*)")
+
+
+def unquoted(outside: str) -> str:
+    """The first value that is a text without quotation marks; "" where there is none."""
+    for found in VALUE.finditer(outside):
+        value = found[1].strip()
+        if value.lower() in ("true", "false") and value != value.lower():
+            return f"{value}: write {value.lower()}"
+        if not PLAIN_VALUE.fullmatch(value) and len(value) <= LONGEST_SHOWN:
+            return f'{value}: a text or an expression needs quotation marks: write "{value}"'
+    return ""
