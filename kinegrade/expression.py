@@ -31,7 +31,7 @@ TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
-ANGLES = frozenset({"asin", "acos", "atan", "atan2"})
+ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
 DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
 # What is expected in place of a character that our grammar does not have.
 SLIPS: Mapping[str, str] = {
@@ -296,6 +296,21 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
 
 def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
     """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow without bound."""
+    power = whole_power(exponent)
+    negative, size = power < 0, abs(power)
+    if isinstance(base, (fmpq, Surd)) and height(base) * size > MAX_HEIGHT:
+        raise Inexact("a power of too many digits")
+    try:
+        raised = base**size
+    except TypeError as error:
+        raise ExpressionError("only a number can be raised to a power") from error
+    except OverflowError as error:
+        raise ExpressionError("a power too large for a double: check the values given") from error
+    return combined("/", arithmetic.number(fmpq(1)), raised, exponent) if negative else raised
+
+
+def whole_power(exponent: Expression) -> int:
+    """The whole number that an exponent is. Raises ExpressionError for anything else, and for more than MAX_POWER."""
     negative = (
         isinstance(exponent, Operation)
         and exponent.sign == "-"
@@ -306,15 +321,7 @@ def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
         raise ExpressionError(
             f"a power must be a whole number of at most {MAX_POWER}: for roots write sqrt(...)"
         )
-    if isinstance(base, (fmpq, Surd)) and height(base) * literal.value > MAX_HEIGHT:
-        raise Inexact("a power of too many digits")
-    try:
-        power = base ** int(literal.value)
-    except TypeError as error:
-        raise ExpressionError("only a number can be raised to a power") from error
-    except OverflowError as error:
-        raise ExpressionError("a power too large for a double: check the values given") from error
-    return combined("/", arithmetic.number(fmpq(1)), power, exponent) if negative else power
+    return -int(literal.value) if negative else int(literal.value)
 
 
 def combined(mark: str, left: Any, right: Any, tree: Expression) -> Any:

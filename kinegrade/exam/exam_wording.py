@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import kept_template
 from kinegrade.problem.mistake_kinds import sentences
 from kinegrade.problem.template import Language, Template
 
@@ -63,7 +63,7 @@ def _templates(exam: Path) -> dict[str, Template]:
     found: dict[str, Template] = {}
     for question in _head(exam / "exam.json")["questions"]:
         try:
-            found[str(question["question"])] = load_template(
+            found[str(question["question"])] = kept_template(
                 str(question["template"]), exam / "templates"
             )
         except (KinegradeError, KeyError, TypeError):

@@ -18,7 +18,7 @@ from typing import Any
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import Follower, connections, generic_plan, in_plan_order
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import kept_template
 from kinegrade.problem.mistakes import in_float
 from kinegrade.problem.template import Template
 
@@ -140,7 +140,7 @@ class FollowThrough:
             raise _unreadable(file, fault) from fault
         for question, name in questions.items():
             try:
-                found[question] = load_template(name, self.exam / "templates")
+                found[question] = kept_template(name, self.exam / "templates")
             except KinegradeError:
                 continue
         return found

@@ -14,7 +14,7 @@ from typing import Any
 
 from kinegrade.errors import ExamError, TemplateError
 from kinegrade.exam.quiz_document import Language
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import kept_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
@@ -164,7 +164,7 @@ def _templates(folder: Path, head: Mapping[str, Any]) -> dict[str, Template]:
     faults: list[str] = []
     for question in head["questions"]:
         try:
-            found[str(question["question"])] = load_template(
+            found[str(question["question"])] = kept_template(
                 str(question["template"]), folder / "templates"
             )
         except TemplateError as error:

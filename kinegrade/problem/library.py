@@ -25,11 +25,11 @@ def template_names() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in shipped("templates").glob("*.toml")))
 
 
-def load_template(name: str, folder: Path | None = None) -> Template:
+def load_template(name: str, folder: Path | None = None, *, kept: bool = False) -> Template:
     """The template of that name in `folder` (default: the shipped ones), or of a path that ends in .toml.
 
     The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises TemplateError when there is
-    no such template, or with all faults of the file.
+    no such template, or with all faults of the file; see `read_template` for `kept`.
     """
     path = (
         Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
@@ -38,8 +38,19 @@ def load_template(name: str, folder: Path | None = None) -> Template:
     if not name.endswith(".toml") and name not in known:
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
     return read_template(
-        path.stem, template_text(path), partial(mechanism_text, path.parent / FOLDER)
+        path.stem,
+        template_text(path),
+        partial(mechanism_text, path.parent / FOLDER),
+        kept=kept,
     )
+
+
+def kept_template(name: str, folder: Path) -> Template:
+    """The template of that name which an exam keeps in `folder`; rules that came after the exam do not refuse it.
+
+    Raises TemplateError when it is not there or cannot be read.
+    """
+    return load_template(name, folder, kept=True)
 
 
 def mechanism_text(folder: Path, name: str) -> str:

@@ -18,6 +18,7 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.author_words import read_method, read_tags
 from kinegrade.problem.conditions import read_condition
+from kinegrade.problem.consistency import inconsistencies
 from kinegrade.problem.domain import read_choices
 from kinegrade.problem.hints import FigureHints, read_hints
 from kinegrade.problem.notation import symbol
@@ -50,13 +51,23 @@ def no_mechanisms(name: str) -> str:
     raise TemplateError(f'no folder to look for "{name}" in: load the template from its file')
 
 
-def read_template(name: str, text: str, mechanisms: Mechanisms = no_mechanisms) -> Template:
+def read_template(
+    name: str, text: str, mechanisms: Mechanisms = no_mechanisms, *, kept: bool = False
+) -> Template:
     """The template of that name. Raises TemplateError with all faults, each with its file and the place in it.
 
     `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the text of the
-    mechanism that the template shares with others.
+    mechanism that the template shares with others. A template that is `kept` with an exam was good enough to set it:
+    it is read without a look at dimensions, so that no later rule closes an exam's folder.
     """
-    return Reader(name, text, mechanisms).template()
+    reader = Reader(name, text, mechanisms)
+    template = reader.template()
+    faults = [] if kept else inconsistencies(template)
+    for path, problem in faults:
+        reader.fault(path, problem)
+    if reader.faults:
+        raise TemplateError(*reader.faults)
+    return template
 
 
 class Reader:
@@ -162,10 +173,20 @@ class Reader:
             self.mechanism,
             read_method(self.table.get("method"), self.fault),
         )
-        Uses(self.fault).check(result)
-        if self.faults:
-            raise TemplateError(*self.faults)
+        Uses(self.fault, self.declared - self.understood(result)).check(result)
         return result
+
+    @property
+    def declared(self) -> frozenset[str]:
+        """The names that the tables declare, by something that can be read or not."""
+        tables = (self.table.get(key) for key in ("parameters", "lengths", "points", "asks"))
+        return frozenset(name for table in tables if isinstance(table, dict) for name in table)
+
+    def understood(self, template: Template) -> frozenset[str]:
+        """The names of the parts that could be read."""
+        return frozenset(
+            (*template.parameters, *template.lengths, *template.points, *template.asks)
+        )
 
     def translated(self, table: Mapping[str, Any], key: str, path: str = "") -> Translated:
         """A text in en and zh."""
@@ -233,7 +254,7 @@ class Reader:
             particle = words[:1] == ["particle"]
             marked = tuple(words[1:] if particle else words)
             for point in marked:
-                if point not in points:
+                if point not in points and point not in self.declared:
                     self.fault(
                         f"bodies.{name}", f'no point "{point}": {did_you_mean(point, points)}'
                     )
@@ -341,7 +362,7 @@ class Reader:
                 continue
             given = {key: str(value) for key, value in entry.get("given", {}).items()}
             for key in given:
-                if key not in parameters:
+                if key not in parameters and key not in self.declared:
                     self.fault(
                         path, f'given: no parameter "{key}": {did_you_mean(key, parameters)}'
                     )

@@ -15,9 +15,14 @@ from kinegrade.problem.template import Template
 
 @dataclass(frozen=True)
 class Uses:
-    """Checks names where they are used; `fault` takes a path in the template's tables and what is wrong there."""
+    """Checks names where they are used; `fault` takes a path in the template's tables and what is wrong there.
+
+    `faulty` are names that the file declares by something that cannot be read: that is reported once, there, and not
+    again wherever the name is used.
+    """
 
     fault: Callable[[str, str], None]
+    faulty: frozenset[str] = frozenset()
 
     def check(self, template: Template) -> None:
         """Names in expressions are known where they are used; published results and asks belong together."""
@@ -38,7 +43,7 @@ class Uses:
                 )
         for index, result in enumerate(template.published):
             for name, tree in result.gives.items():
-                if name not in template.asks:
+                if name not in template.asks and name not in self.faulty:
                     self.fault(
                         f"published[{index}]",
                         f'no ask "{name}": {did_you_mean(name, template.asks)}',
@@ -74,11 +79,11 @@ class Uses:
     def check_listed(self, path: str, kind: str, named: tuple[str, ...], there: set[str]) -> None:
         """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
         for name in named:
-            if name and name not in there:
+            if name and name not in there and name not in self.faulty:
                 self.fault(path, f'no {kind} "{name}": {did_you_mean(name, there)}')
 
     def check_known(self, path: str, tree: Expression | None, known: set[str]) -> None:
         """A fault for every name that is not known at this place."""
         for name in dict.fromkeys(names(tree)) if tree is not None else ():
-            if name not in known:
+            if name not in known and name not in self.faulty:
                 self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')

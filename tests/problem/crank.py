@@ -50,6 +50,6 @@ def crank_text(*changes: tuple[str, str]) -> str:
     return text
 
 
-def crank(*changes: tuple[str, str]) -> Template:
-    """The template with some passages replaced."""
-    return read_template("crank", crank_text(*changes))
+def crank(*changes: tuple[str, str], kept: bool = False) -> Template:
+    """The template with some passages replaced; `kept` as an exam keeps it, without a look at dimensions."""
+    return read_template("crank", crank_text(*changes), kept=kept)

@@ -70,7 +70,7 @@ def test_a_published_result_that_cannot_be_worked_out_is_a_fault() -> None:
         ('gives = { v_x = "-omega*h" }', 'given = { h = "x" }\ngives = { v_x = "-omega*h" }')
     )
     assert 'unknown name "x"' in check(strange, sample=18).faults[0]
-    divided = crank(('v_x = "-omega*h"', 'v_x = "1/(r - r)"'))
+    divided = crank(('v_x = "-omega*h"', 'v_x = "omega*h*r/(r - r)"'))
     assert "v_x: division by zero: check the values given" in check(divided, sample=18).faults[0]
 
 

@@ -61,14 +61,14 @@ AB = "A B"
 )
 
 
-def with_asks(text: str, **asks: str) -> Template:
+def with_asks(text: str, *, kept: bool = False, **asks: str) -> Template:
     """A template that asks for the given quantities, each in the unit after the bar."""
     lines = [
         f'{name} = {{ quantity = "{ask.split("|")[0]}", unit = "{ask.split("|")[1]}", sign = "signed", '
         f"points = 1, vanishes = true, means = {TEXTS} }}"
         for name, ask in asks.items()
     ]
-    return read_template("test", text + "\n".join(lines))
+    return read_template("test", text + "\n".join(lines), kept=kept)
 
 
 def test_the_pole_of_a_rod_in_a_guide_tube_moves_on_a_circle_about_the_pivot_of_the_crank() -> None:
@@ -102,7 +102,7 @@ def test_a_centrode_that_is_no_circle_is_refused() -> None:
 )
 def test_a_centrode_needs_a_body_and_an_angle(quantity: str, message: str) -> None:
     with pytest.raises(MechanismError, match=message):
-        solve_template(with_asks(SLIDER, rho=quantity), {})
+        solve_template(with_asks(SLIDER, kept=True, rho=quantity), {})
 
 
 def test_a_pole_at_infinity_is_an_answer_and_leaves_the_others_alone() -> None:

@@ -62,13 +62,13 @@ def faults(*changes: tuple[str, str], name: str = "crank") -> list[str]:
 
 
 def solving(*changes: tuple[str, str], **values: str) -> str:
-    """What solving the changed template refuses."""
+    """What solving the changed template refuses, read as an exam keeps it: without a look at dimensions."""
     text = CRANK
     for old, new in changes:
         assert text.count(old) >= 1, old
         text = text.replace(old, new, 1)
     with pytest.raises(KinegradeError) as refusal:
-        solve_template(read_template("crank", text), values)
+        solve_template(read_template("crank", text, kept=True), values)
     assert all("\n" not in problem for problem in refusal.value.problems)
     return str(refusal.value)
 
@@ -672,7 +672,9 @@ def test_values_that_no_precision_tells_from_degenerate_ones_are_refused() -> No
 )
 def test_degrees_may_be_numbers_or_angles(value: str, exact: str | None) -> None:
     text = CRANK.replace("magnitude(velocity(A))", "y(A)*2/sqrt(3)" if exact == "1" else "y(A)*2")
-    answer = solve_template(read_template("crank", text), {"phi": value, "r": "1"})["v_A"]
+    answer = solve_template(read_template("crank", text, kept=True), {"phi": value, "r": "1"})[
+        "v_A"
+    ]
     assert answer.exact == exact
 
 

@@ -26,7 +26,7 @@ UNASKED = ("points = 2, ", "")
     ],
 )
 def test_the_highest_kind_that_has_points_is_the_tag(change: tuple[str, str], tag: str) -> None:
-    assert tags(crank(change)) == {tag}
+    assert tags(crank(change, kept=True)) == {tag}
 
 
 def test_an_angular_acceleration_beside_velocities_makes_an_acceleration_problem() -> None:

@@ -1,0 +1,242 @@
+"""Whether a template's expressions make sense before any numbers are put in: functions, kinds and dimensions.
+
+What is asked for must have the dimension of its unit, points the dimension of a length, inputs that of a rate or of a
+velocity. `reading` reports what is found here with the place where it stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinegrade.errors import ExpressionError
+from kinegrade.expression import Expression, names
+from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.joints import GROUND
+from kinegrade.problem.dimension import (
+    ACCELERATION,
+    CHANGE,
+    LENGTH,
+    NUMBER,
+    RATE,
+    SPEED,
+    Dimension,
+    dimension_of,
+)
+from kinegrade.problem.kinds import (
+    Arrow,
+    BodyKind,
+    Kind,
+    Ring,
+    Scalar,
+    Side,
+    Straight,
+    Unknown,
+    in_words,
+    united,
+)
+from kinegrade.problem.meaning import Scope
+from kinegrade.problem.radians import radians_slip
+from kinegrade.problem.sentences import DriverSentence, JointSentence
+from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
+from kinegrade.problem.template import Ask, Condition, Published, Template
+
+Fault = tuple[str, str]  # a path in the template's tables, and what is wrong there
+VECTOR = "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
+POINT = "expected a point, like (x, y) or polar(O, r, phi)"
+ALONG = "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
+
+
+def inconsistencies(template: Template) -> list[Fault]:
+    """What makes no sense in a template, each with its place; a wrong unit that explains it all is one fault."""
+    faults = list(Consistency(template, given(template)).faults())
+    if len(faults) < 2:
+        return faults
+    for name, parameter in template.parameters.items():
+        if not list(Consistency(template, {**given(template), name: Unknown()}).faults()):
+            place, problem = faults[0]
+            others = len(faults) - 1
+            return [
+                (
+                    f"parameters.{name}",
+                    f'unit "{parameter.unit.text}" does not fit where {name} is used: '
+                    f"{place}: {problem} (and {others} more fault{'' if others == 1 else 's'})",
+                )
+            ]
+    return faults
+
+
+def given(template: Template) -> dict[str, Kind]:
+    """The parameters as numbers of their dimensions."""
+    return {
+        name: Scalar(dimension_of(parameter.unit))
+        for name, parameter in template.parameters.items()
+    }
+
+
+@dataclass(frozen=True)
+class Consistency:
+    """Looks through one template; `parameters` are the kinds of its parameters."""
+
+    template: Template
+    parameters: Mapping[str, Kind]
+
+    def faults(self) -> Iterator[Fault]:
+        """Every fault with its place."""
+        values = dict(self.parameters)
+        places: dict[str, Kind] = {}
+        yield from self.lengths(values)
+        places = {**values, **{side: Side() for side in BRANCHES}}
+        yield from self.points(places)
+        scope = self.scope(places, CONSTRUCTIONS)
+        for joint in self.template.joints:
+            yield from tried(joint.text, self.joint, scope, joint)
+        for driver in self.template.drivers:
+            yield from tried(driver.text, self.driver, scope, driver)
+        for index, condition in enumerate(self.template.conditions):
+            yield from tried(f"conditions[{index}]", self.condition, condition)
+        bodies = {name: BodyKind() for name in (GROUND, *self.bodies)}
+        scope = self.scope({**bodies, **places}, QUANTITIES)
+        for name, ask in self.template.asks.items():
+            yield from tried(f"asks.{name}", self.ask, scope, ask)
+        for index, result in enumerate(self.template.published):
+            yield from self.published(f"published[{index}].gives", result)
+
+    @property
+    def bodies(self) -> frozenset[str]:
+        """The names of the bodies, without the ground."""
+        return frozenset(body.name for body in self.template.bodies)
+
+    def scope(self, names: Mapping[str, Kind], functions: Mapping[str, Signature]) -> Scope:
+        """What may be used where these names and functions are known."""
+        return Scope(names, functions, self.bodies, self.template.angles)
+
+    def lengths(self, values: dict[str, Kind]) -> Iterator[Fault]:
+        """The named lengths, added to `values` one after the other."""
+        for name, tree in self.template.lengths.items():
+            scope = self.scope(dict(values), CONSTRUCTIONS)
+            values[name] = Unknown()
+            yield from tried(f"lengths.{name}", self.note, values, name, scope, tree)
+
+    def note(self, values: dict[str, Kind], name: str, scope: Scope, tree: Expression) -> None:
+        """Put the kind of an expression under its name."""
+        values[name] = scope.kind(tree)
+
+    def points(self, places: dict[str, Kind]) -> Iterator[Fault]:
+        """The points, added to `places` one after the other; each is a point, even where its expression is at fault."""
+        for name, tree in self.template.points.items():
+            scope = self.scope(dict(places), CONSTRUCTIONS)
+            places[name] = Arrow(LENGTH, name)
+            yield from tried(f"points.{name}", self.point, scope, tree)
+
+    def point(self, scope: Scope, tree: Expression) -> None:
+        """A point: its coordinates are lengths."""
+        kind = scope.kind(tree)
+        if not isinstance(kind, Arrow | Unknown):
+            raise ExpressionError(POINT)
+        require(kind, LENGTH, "its coordinates are")
+
+    def joint(self, scope: Scope, sentence: JointSentence) -> None:
+        """A joint: its lines and circles."""
+        for shape in (sentence.circle, sentence.on):
+            kind = scope.kind(shape) if shape is not None else Unknown()
+            if not isinstance(kind, Straight | Ring | Unknown):
+                raise ExpressionError(
+                    "expected line(POINT, angle or point) or circle(POINT, radius)"
+                )
+
+    def driver(self, scope: Scope, sentence: DriverSentence) -> None:
+        """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
+        turns = sentence.kind == "rotation"
+        velocity, acceleration = (RATE, CHANGE) if turns else (SPEED, ACCELERATION)
+        require(number(scope.kind(sentence.velocity)), velocity, "its velocity is")
+        require(number(scope.kind(sentence.acceleration)), acceleration, "its acceleration is")
+        if sentence.along is None:
+            return
+        radians_slip(sentence.along)
+        direction = scope.kind(sentence.along)
+        if not isinstance(direction, Scalar | Unknown):
+            raise ExpressionError(ALONG)
+        require(direction, NUMBER, "its direction is")
+
+    def condition(self, condition: Condition) -> None:
+        """A condition: two numbers of one dimension, made of parameters."""
+        scope = self.scope(self.parameters, ELEMENTARY)
+        united(
+            f'"{condition.text}"',
+            number(scope.kind(condition.left)),
+            number(scope.kind(condition.right)),
+        )
+
+    def ask(self, scope: Scope, ask: Ask) -> None:
+        """An ask: a number of the dimension of its unit."""
+        kind = scope.kind(ask.quantity)
+        if not isinstance(kind, Scalar | Unknown):
+            raise ExpressionError(VECTOR)
+        require_unit(kind, ask)
+
+    def published(self, path: str, result: Published) -> Iterator[Fault]:
+        """Published results, of the dimension of what they are results of.
+
+        Where the source states values with units that a result does not name, they are in its numbers: then no
+        dimension can be told.
+        """
+        for name, tree in result.gives.items():
+            hidden = bool(self.stated(result) - set(names(tree)))
+            kinds = dict.fromkeys(self.parameters, Unknown()) if hidden else self.parameters
+            scope = self.scope(kinds, ELEMENTARY)
+            ask = None if hidden else self.template.asks.get(name)
+            yield from tried(f"{path}.{name}", self.result, scope, tree, ask)
+
+    def stated(self, result: Published) -> set[str]:
+        """The parameters with a dimension for which a source states a value other than zero."""
+        return {
+            name
+            for name, text in result.given.items()
+            if text != "0" and self.parameters.get(name) != Scalar(NUMBER)
+        }
+
+    def result(self, scope: Scope, tree: Expression, ask: Ask | None) -> None:
+        """A published result: a number, of the dimension of the ask's unit where that can be told."""
+        kind = number(scope.kind(tree))
+        if ask is not None:
+            require_unit(kind, ask)
+
+
+def tried(place: str, work: Callable[..., None], *arguments: Any) -> Iterator[Fault]:
+    """The faults that `work` finds in its arguments, each with its place."""
+    try:
+        work(*arguments)
+    except ExpressionError as error:
+        for problem in error.problems:
+            yield place, problem
+
+
+def number(kind: Kind) -> Kind:
+    """A kind that must be a number. Raises ExpressionError for anything else."""
+    if not isinstance(kind, Scalar | Unknown):
+        raise ExpressionError(f"expected a number, not {in_words(kind)}")
+    return kind
+
+
+def require(kind: Kind, expected: Dimension, what: str) -> None:
+    """Raises ExpressionError where a kind has another dimension than is expected."""
+    found = kind.dimension if isinstance(kind, Scalar | Arrow) else None
+    if found is not None and found != expected:
+        raise ExpressionError(f"{what} {found}: expected {expected}: check the units")
+
+
+def require_unit(kind: Kind, ask: Ask) -> None:
+    """Raises ExpressionError where a kind cannot be counted in the ask's unit."""
+    found = kind.dimension if isinstance(kind, Scalar) else None
+    if found is not None and found != dimension_of(ask.unit):
+        raise ExpressionError(
+            f'this is {found}: it cannot be counted in "{ask.unit.text}": '
+            f"write unit = {units_of(found)}, or ask for something else"
+        )
+
+
+def units_of(found: Dimension) -> str:
+    """The units in SI that a dimension may be counted in."""
+    return '"rad", "deg" or "1"' if found == NUMBER else f'"{found.unit}"'

@@ -1,0 +1,76 @@
+"""Dimensions: the powers of length and time that a unit has, and a quantity must have; angles are pure numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.units import Unit
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """Powers of length and time; a root makes halves of them."""
+
+    length: Fraction
+    time: Fraction
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        return Dimension(self.length + other.length, self.time + other.time)
+
+    def __truediv__(self, other: Dimension) -> Dimension:
+        return Dimension(self.length - other.length, self.time - other.time)
+
+    def __pow__(self, exponent: Fraction) -> Dimension:
+        return Dimension(self.length * exponent, self.time * exponent)
+
+    def __str__(self) -> str:
+        return NAMES.get(self, f"something in {self.unit}")
+
+    @property
+    def unit(self) -> str:
+        """The unit in SI: "m/s^2"; rates count radians.
+
+        >>> SPEED.unit, RATE.unit, (SPEED * SPEED).unit
+        ('m/s', 'rad/s', 'm^2/s^2')
+        """
+        if self == NUMBER:
+            return "1"
+        over = [powered("m", self.length)] if self.length > 0 else []
+        over += [powered("s", self.time)] if self.time > 0 else []
+        under = [powered("m", -self.length)] if self.length < 0 else []
+        under += [powered("s", -self.time)] if self.time < 0 else []
+        plain = "rad" if under == [powered("s", -self.time)] else "1"
+        return "/".join(["*".join(over) or plain, *under])
+
+
+def powered(unit: str, power: Fraction) -> str:
+    """A unit to a positive power."""
+    return unit if power == 1 else f"{unit}^{power}"
+
+
+def dimension(length: int, time: int) -> Dimension:
+    """The dimension of these powers."""
+    return Dimension(Fraction(length), Fraction(time))
+
+
+def dimension_of(unit: Unit) -> Dimension:
+    """The dimension of a unit; radians and degrees are pure numbers."""
+    return dimension(unit.length, unit.time)
+
+
+NUMBER = dimension(0, 0)
+LENGTH = dimension(1, 0)
+SPEED = dimension(1, -1)
+ACCELERATION = dimension(1, -2)
+RATE = dimension(0, -1)
+CHANGE = dimension(0, -2)
+NAMES = {
+    NUMBER: "a pure number or an angle",
+    LENGTH: "a length (m)",
+    dimension(0, 1): "a time (s)",
+    SPEED: "a velocity (m/s)",
+    ACCELERATION: "an acceleration (m/s^2)",
+    RATE: "an angular velocity (rad/s)",
+    CHANGE: "an angular acceleration (rad/s^2)",
+}

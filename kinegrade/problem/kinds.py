@@ -1,0 +1,96 @@
+"""What an expression of a template gives: a number or a vector of some dimension, a line, a circle, a body, a side.
+
+It is known without any values. `meaning` finds it; `signatures` says what functions take and give.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import assert_never
+
+from kinegrade.errors import ExpressionError
+from kinegrade.problem.dimension import Dimension
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """A number or an angle. The dimension is None where only literals made it: they take any, as 2 in `2 < omega`."""
+
+    dimension: Dimension | None
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A point or a vector; its components have the dimension. `point` is its name where a point is named."""
+
+    dimension: Dimension | None
+    point: str = ""
+
+
+@dataclass(frozen=True)
+class Straight:
+    """A line."""
+
+
+@dataclass(frozen=True)
+class Ring:
+    """A circle."""
+
+
+@dataclass(frozen=True)
+class BodyKind:
+    """A body, by its name."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """The name of one of two common points, such as upper."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """What a fault that is reported elsewhere leaves open; it goes with everything."""
+
+
+Kind = Scalar | Arrow | Straight | Ring | BodyKind | Side | Unknown
+
+
+def in_words(kind: Kind) -> str:
+    """A kind for a message."""
+    match kind:
+        case Scalar(None):
+            return "a number"
+        case Scalar(dimension):
+            return str(dimension)
+        case Arrow(_, ""):
+            return "a vector"
+        case Arrow():
+            return "a point"
+        case Straight():
+            return "a line"
+        case Ring():
+            return "a circle"
+        case BodyKind():
+            return "a body"
+        case Side():
+            return "the name of a side"
+        case Unknown():
+            return "unknown"
+        case _:
+            assert_never(kind)
+
+
+def united(where: str, *kinds: Kind) -> Dimension | None:
+    """The one dimension of numbers and vectors that go together; None where all are literals or unknown.
+
+    Raises ExpressionError where two differ; `where` says what brings them together.
+    """
+    found: Dimension | None = None
+    for kind in kinds:
+        own = kind.dimension if isinstance(kind, Scalar | Arrow) else None
+        if own is None:
+            continue
+        if found is not None and own != found:
+            raise ExpressionError(f"{where}: {found} and {own} do not go together: check the units")
+        found = own
+    return found

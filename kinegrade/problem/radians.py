@@ -1,0 +1,61 @@
+"""Plain numbers where an angle is due: `polar(O, r, 60)` is 60 radians, and its author meant 60 degrees."""
+
+from __future__ import annotations
+
+from typing import Any, assert_never
+
+from kinegrade.errors import ExpressionError
+from kinegrade.expression import Call, Expression, Name, Number, Operation
+
+
+def radians_slip(tree: Expression) -> None:
+    """Raises ExpressionError for an angle that is written as a number other than zero, without pi.
+
+    An angle of so many radians can be had as a parameter whose unit is rad.
+    """
+    value = plain_number(tree)
+    if value is None or value == 0:
+        return
+    plural = "" if abs(value) == 1 else "s"
+    raise ExpressionError(
+        f"{value} radian{plural}: did you mean {value} degree{plural}? write {parts_of_pi(value)}"
+    )
+
+
+def plain_number(tree: Expression) -> Any:
+    """The rational that literals alone make; None for anything else."""
+    match tree:
+        case Number(value):
+            return value
+        case Name() | Call():
+            return None
+        case Operation(sign, left, right):
+            return worked_out(sign, plain_number(left), plain_number(right))
+        case _:
+            assert_never(tree)
+
+
+def worked_out(sign: str, left: Any, right: Any) -> Any:
+    """left sign right of two rationals; None where one is missing or the sign is no such operation."""
+    if left is None or right is None or (sign == "/" and right == 0):
+        return None
+    if sign == "+":
+        return left + right
+    if sign == "-":
+        return left - right
+    if sign == "*":
+        return left * right
+    return left / right if sign == "/" else None
+
+
+def parts_of_pi(degrees: Any) -> str:
+    """An angle in degrees as a part of pi.
+
+    >>> from flint import fmpq
+    >>> parts_of_pi(fmpq(60)), parts_of_pi(fmpq(-37)), parts_of_pi(fmpq(180))
+    ('pi/3', '-37*pi/180', 'pi')
+    """
+    share = degrees / 180
+    sign = "-" if share < 0 else ""
+    top = "pi" if abs(share.p) == 1 else f"{abs(share.p)}*pi"
+    return f"{sign}{top}" if share.q == 1 else f"{sign}{top}/{share.q}"

@@ -1,0 +1,363 @@
+"""What makes no sense in a template is found before any numbers are put in, by `check` and by whatever reads it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kinegrade.errors import TemplateError
+from kinegrade.exact.field import Field
+from kinegrade.expression import elementary, read
+from kinegrade.mechanics.geometry import constructions
+from kinegrade.problem.centrode import Centrodes
+from kinegrade.problem.consistency import inconsistencies
+from kinegrade.problem.dimension import LENGTH, SPEED
+from kinegrade.problem.kinds import Arrow, BodyKind, Kind, Ring, Scalar, Side, Straight, in_words
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.meaning import Scope
+from kinegrade.problem.quantities import quantities
+from kinegrade.problem.radians import radians_slip
+from kinegrade.problem.reading import read_template
+from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES
+from tests.problem.crank import crank, crank_text
+from tests.small_class import kinegrade
+
+PUBLISHED = 'gives = { v_x = "-omega*h" }'
+ON_REQUEST = '\n[asks]\nw = { quantity = "%s", unit = "%s", means = { en = "w", zh = "w 量" } }\n'
+
+
+def faults(*changes: tuple[str, str]) -> list[str]:
+    """What reading the changed crank refuses."""
+    with pytest.raises(TemplateError) as refusal:
+        crank(*changes)
+    return list(refusal.value.problems)
+
+
+def asking(quantity: str, unit: str) -> list[str]:
+    """What reading the crank refuses when something further may be asked for on request."""
+    return faults(("\n[asks]\n", ON_REQUEST % (quantity, unit)))
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_shipped_template_makes_sense(name: str) -> None:
+    assert inconsistencies(load_template(name)) == []
+
+
+@pytest.mark.parametrize(
+    ("quantity", "unit", "problem"),
+    [
+        (
+            "direction(A - O)",
+            "deg",
+            "direction(...) of 1 argument: expected direction(POINT, POINT)",
+        ),
+        ("angle(P - A)", "deg", "angle(...) of 1 argument: expected angle(VECTOR, VECTOR)"),
+        (
+            "speed(A)",
+            "m/s",
+            'unknown function "speed": known here: abs, acceleration, acos and 35 more',
+        ),
+        ("omega(A)", "rad/s", "omega(...): argument 1 is a point: expected omega(BODY[, BODY])"),
+        (
+            "magnitude(velocity(A + P))",
+            "m/s",
+            "velocity(...): argument 1 is a vector: expected velocity(POINT[, BODY])",
+        ),
+        (
+            "magnitude(velocity(A, r))",
+            "m/s",
+            "velocity(...): argument 2 is a length (m): expected velocity(POINT[, BODY])",
+        ),
+        (
+            "radius(circle_of_poles(OA, h))",
+            "m",
+            "circle_of_poles(...): argument 2 is a length (m): "
+            "expected circle_of_poles(BODY, PARAMETER)",
+        ),
+        (
+            "velocity(A)",
+            "m/s",
+            "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector",
+        ),
+        (
+            "x(acceleration(A))",
+            "m/s",
+            'this is an acceleration (m/s^2): it cannot be counted in "m/s": '
+            'write unit = "m/s^2", or ask for something else',
+        ),
+        (
+            "distance(O, A)",
+            "rad/s",
+            'this is a length (m): it cannot be counted in "rad/s": '
+            'write unit = "m", or ask for something else',
+        ),
+        (
+            "angle(A - O, P - A)",
+            "m",
+            'this is a pure number or an angle: it cannot be counted in "m": '
+            'write unit = "rad", "deg" or "1", or ask for something else',
+        ),
+        (
+            "omega(OA)*r**2",
+            "m/s",
+            'this is something in m^2/s: it cannot be counted in "m/s": '
+            'write unit = "m^2/s", or ask for something else',
+        ),
+        (
+            "magnitude(velocity(A)) + r",
+            "m/s",
+            '"+": a velocity (m/s) and a length (m) do not go together: check the units',
+        ),
+        (
+            "x(velocity(A) + A)",
+            "m/s",
+            '"+": a velocity (m/s) and a length (m) do not go together: check the units',
+        ),
+        (
+            "x(A*A)",
+            "m",
+            '"*" between a point and a point: angles go with angles, points with points, '
+            "numbers with numbers",
+        ),
+        (
+            "r/A",
+            "m",
+            '"/" between a length (m) and a point: angles go with angles, points with points, '
+            "numbers with numbers",
+        ),
+        (
+            "OA*2",
+            "m",
+            '"*" between a body and a number: angles go with angles, points with points, '
+            "numbers with numbers",
+        ),
+        (
+            "right + 1",
+            "m",
+            '"+" between the name of a side and a number: angles go with angles, '
+            "points with points, numbers with numbers",
+        ),
+        ("A**2", "m^2", "only a number can be raised to a power"),
+        ("sqrt(r)", "m", 'this is something in m^1/2: it cannot be counted in "m"'),
+        ("sin(r)", "1", "sin(...): argument 1 is a length (m): expected sin(ANGLE)"),
+        ("sin(60)", "1", "60 radians: did you mean 60 degrees? write pi/3"),
+        ("direction(O, A) + 90", "deg", "90 radians: did you mean 90 degrees? write pi/2"),
+    ],
+)
+def test_an_ask_on_request_that_makes_no_sense_is_refused(
+    quantity: str, unit: str, problem: str
+) -> None:
+    (fault,) = asking(quantity, unit)
+    assert fault.startswith(f"crank.toml: asks.w: {problem}")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        (
+            '"(0, h)"',
+            '"polar(O, r, 60)"',
+            "points.P: 60 radians: did you mean 60 degrees? write pi/3",
+        ),
+        (
+            "line(P, 0)",
+            "line(P, -37/2)",
+            "points.A: -37/2 radians: did you mean -37/2 degrees? write -37*pi/360",
+        ),
+        ("line(P, 0)", "line(P, 1)", "points.A: 1 radian: did you mean 1 degree? write pi/180"),
+        (
+            '"(0, h)"',
+            '"(0, omega)"',
+            "points.P: its coordinates are an angular velocity (rad/s): expected a length (m): "
+            "check the units",
+        ),
+        (
+            '"(0, h)"',
+            '"(omega, h)"',
+            "points.P: (x, y): an angular velocity (rad/s) and a length (m) do not go together: "
+            "check the units",
+        ),
+        ('"(0, h)"', '"h"', "points.P: expected a point, like (x, y) or polar(O, r, phi)"),
+        (
+            '"(0, h)"',
+            '"(right, h)"',
+            "points.P: (x, y): argument 1 is the name of a side: expected (NUMBER, NUMBER)",
+        ),
+        (
+            '"OA turns", velocity = "omega"',
+            '"OA turns", velocity = "omega*r"',
+            "OA turns: its velocity is a velocity (m/s): expected an angular velocity (rad/s): "
+            "check the units",
+        ),
+        (
+            '"OA turns", velocity = "omega"',
+            '"OA turns", velocity = "omega", acceleration = "omega"',
+            "OA turns: its acceleration is an angular velocity (rad/s): "
+            "expected an angular acceleration (rad/s^2): check the units",
+        ),
+        (
+            '"OA turns", velocity = "omega"',
+            '"A of OA moves along 30", velocity = "omega*r"',
+            "A of OA moves along 30: 30 radians: did you mean 30 degrees? write pi/6",
+        ),
+        (
+            '"OA turns", velocity = "omega"',
+            '"A of OA moves along O", velocity = "omega*r"',
+            "A of OA moves along O: moves along ...: expected +x, -x, +y, -y or an angle, "
+            "like direction(O, A)",
+        ),
+        (
+            '"pin O: ground OA"',
+            '"pin O: ground OA", "circle(O, omega) of OA touches line(A, 0)"',
+            "circle(O, omega) of OA touches line(A, 0): circle(...): a length (m) and "
+            "an angular velocity (rad/s) do not go together: check the units",
+        ),
+        (
+            "omega < 10000000",
+            "omega < h",
+            'conditions[0]: "omega < h": an angular velocity (rad/s) and a length (m) '
+            "do not go together: check the units",
+        ),
+        (
+            "omega < 10000000",
+            "distance(h, r) < h",
+            'conditions[0]: unknown function "distance": known here: abs, acos, asin and 6 more',
+        ),
+        (
+            PUBLISHED,
+            'gives = { v_x = "-omega" }',
+            "published[0].gives.v_x: this is an angular velocity (rad/s): "
+            'it cannot be counted in "m/s": write unit = "rad/s", or ask for something else',
+        ),
+        (PUBLISHED, 'gives = { v_x = "omega*length(h)" }', "published[0].gives.v_x: unknown func"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_with_its_place(old: str, new: str, problem: str) -> None:
+    found = faults((old, new))
+    assert any(fault.startswith(f"crank.toml: {problem}") for fault in found), found
+
+
+def test_a_named_length_of_two_dimensions_is_refused_once() -> None:
+    lengths = '\n[lengths]\nmixed = "h + omega"\n\n[points]\n'
+    assert faults(("\n[points]\n", lengths), ('"(0, h)"', '"(mixed, mixed)"')) == [
+        'crank.toml: lengths.mixed: "+": a length (m) and an angular velocity (rad/s) '
+        "do not go together: check the units"
+    ]
+
+
+def test_numbers_of_the_source_may_stand_for_values_with_units() -> None:
+    """A source that states h = 1/2 m prints its result without h; a literal alone takes any dimension."""
+    crank(
+        ('[0, "1/2", 3]', '["1/2"]'),
+        (PUBLISHED, 'given = { h = "1/2" }\ngives = { v_x = "-omega/2" }'),
+    )
+    crank((PUBLISHED, 'given = { h = "0" }\ngives = { v_x = "0" }'))
+    crank(("omega < 10000000", "2*omega < 1/5"))
+
+
+def test_check_refuses_a_template_whose_ask_on_request_has_the_wrong_unit(tmp_path: Path) -> None:
+    file = tmp_path / "crank.toml"
+    file.write_text(
+        crank_text(("\n[asks]\n", ON_REQUEST % ("x(acceleration(A))", "m/s"))), encoding="utf-8"
+    )
+    shown = kinegrade("check", file)
+    assert shown.exit_code == 2
+    assert "asks.w: this is an acceleration (m/s^2): it cannot be counted in" in shown.stderr
+
+
+def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
+    text = crank_text(("\n[asks]\n", ON_REQUEST % ("x(acceleration(A))", "m/s")))
+    assert read_template("crank", text, kept=True).asks["w"].unit.text == "m/s"
+
+
+def test_one_unreadable_unit_is_one_fault() -> None:
+    assert faults(('r     = { unit = "m"', 'r     = { unit = "furlong"')) == [
+        'crank.toml: parameters.r: unit "furlong": expected a product like m/s^2 of '
+        "1, cm, deg, h, km, m, min, mm, rad, s"
+    ]
+
+
+def test_one_wrong_unit_is_one_fault() -> None:
+    (fault,) = faults(('h     = { unit = "m"', 'h     = { unit = "s"'))
+    assert fault == (
+        'crank.toml: parameters.h: unit "s" does not fit where h is used: points.P: '
+        "its coordinates are a time (s): expected a length (m): check the units (and 1 more fault)"
+    )
+
+
+def test_one_point_or_ask_that_cannot_be_read_is_one_fault() -> None:
+    assert faults(('"(0, h)"', '"(0, h"')) == [
+        'crank.toml: points.P: "(0, h", character 6: found the end, expected "," or ")"'
+    ]
+    assert faults(('"(0, 0)"', '"(0 0)"')) == [
+        'crank.toml: points.O: "(0 0)", character 4: found "0", expected "," or ")"'
+    ]
+    assert faults(('"x(velocity(A))"', '"x(velocity(A)"')) == [
+        'crank.toml: asks.v_x: "x(velocity(A)", character 14: found the end, expected "," or ")"'
+    ]
+
+
+def test_signatures_are_there_for_every_function_and_for_no_other() -> None:
+    field, nothing = Field(), {}
+    values = elementary(field)
+    places = {**values, **constructions(field, nothing)}
+    motion: Any = None
+    of_poles = Centrodes(crank(), nothing, None).functions(field)
+    assert set(ELEMENTARY) == set(values)
+    assert set(CONSTRUCTIONS) == set(places)
+    assert set(QUANTITIES) == {*places, *quantities(motion, field), *of_poles}
+
+
+SCOPE = Scope(
+    {
+        "r": Scalar(LENGTH),
+        "A": Arrow(LENGTH, "A"),
+        "v": Arrow(SPEED),
+        "rod": BodyKind(),
+        "upper": Side(),
+    },
+    QUANTITIES,
+    frozenset({"rod"}),
+    frozenset({"phi"}),
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("2*pi", Scalar(None)),
+        ("sqrt(3)/2", Scalar(None)),
+        ("-r", Scalar(LENGTH)),
+        ("-v", Arrow(SPEED)),
+        ("r**-2*r**3", Scalar(LENGTH)),
+        ("sqrt(r*r)", Scalar(LENGTH)),
+        ("abs(r) + 1", Scalar(LENGTH)),
+        ("turned(v)*2/3", Arrow(SPEED)),
+        ("line(A, pi/2)", Straight()),
+        ("circle(A, r)", Ring()),
+        ("foot(A, line(A, A + (1, 0)))", Arrow(LENGTH)),
+        ("along(v, A)", Scalar(SPEED)),
+        ("sqrt(magnitude(v)**2)", Scalar(SPEED)),
+    ],
+)
+def test_the_kind_of_an_expression(text: str, kind: Kind) -> None:
+    assert SCOPE.kind(read(text)) == kind
+
+
+def test_kinds_in_words() -> None:
+    kinds: tuple[Kind, ...] = (Straight(), Ring(), BodyKind(), Side(), Arrow(None), Scalar(None))
+    assert [in_words(kind) for kind in kinds] == [
+        "a line",
+        "a circle",
+        "a body",
+        "the name of a side",
+        "a vector",
+        "a number",
+    ]
+
+
+@pytest.mark.parametrize("text", ["0", "pi/3", "phi", "phi + pi", "2*3 - 6", "1/0", "2**2"])
+def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
+    radians_slip(read(text))
