@@ -144,10 +144,14 @@ def _write(
     if into is None:
         fresh = new_file(dialect, grades, options)
         content, students, complaints = fresh.text.encode(), fresh.students, fresh.complaints
+        notes: tuple[str, ...] = ()
     else:
         filled = fill_in(dialect, grades, into, options)
         content, students, complaints = filled.content, filled.students, filled.complaints
+        notes = filled.notes
     write_file(output, content, force=force)
+    for note in notes:
+        click.echo(note, err=True)
     absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
     left = f"; {absent} handed in nothing and are left alone" if absent else ""
     click.echo(f"{output}: grades of {students} students for {dialect.name}{left}", err=True)

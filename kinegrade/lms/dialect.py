@@ -17,6 +17,8 @@ Role = Literal[
     "id", "login", "email", "name", "name and id", "grade", "feedback", "feedback format", "fixed"
 ]
 FIELDS: tuple[Field, ...] = ("id", "login", "email")
+ItemKind = Literal["points", "percentage", "feedback", "text", "open"]
+ItemWords = Mapping[ItemKind, tuple[str, ...]]  # behind a title, by what stands below them
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +51,8 @@ class Download:
 
     `item` recognises the header of a grade column (groups title and maybe maximum), from position `first_item` on.
     `any_item` lets another column be named, where a person maps columns in the system anyway. `required` are the
-    headers by which this kind of file is known; `percentages`, with {title}, those of the same grades in per cent.
+    headers by which this kind of file is known. With `item_words` headers are in any language: columns are then found
+    by what they hold, and these words only confirm.
     Patterns of rows look at the first cell; `closed` says of which cells a grade is not written, and why, `locked` of
     which rows: header and text. `beginning` is what the header, joined by commas, has to begin with; `broken_beginning`
     is a beginning of the text that the system cannot read; `misread` is a cell that it takes for another number.
@@ -63,7 +66,7 @@ class Download:
     required: tuple[str, ...] = ()
     maximum_row: re.Pattern[str] | None = None
     maximum_column: str = ""
-    percentages: tuple[str, ...] = ()
+    item_words: ItemWords | None = None
     read_only: re.Pattern[str] | None = None
     skipped_row: re.Pattern[str] | None = None
     closed: Mapping[str, str] = field(default_factory=dict)

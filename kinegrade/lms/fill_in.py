@@ -6,7 +6,7 @@ complaint; so is everybody who handed in nothing, because an empty or zero grade
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -14,8 +14,9 @@ from pathlib import Path
 from kinegrade.errors import TableError, one_line
 from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
-from kinegrade.lms.grades import ClassGrades, StudentGrade, decimal_text, feedback_text
-from kinegrade.lms.item_columns import ItemColumn, feedback_places, item_columns
+from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, decimal_text, feedback_text
+from kinegrade.lms.item_columns import ItemColumn, ItemColumns, item_columns
+from kinegrade.lms.key_columns import exam_hint, key_columns
 from kinegrade.lms.matching import KeyColumn, Matching, match
 from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
 from kinegrade.tables import Complaint, trimmed
@@ -23,11 +24,15 @@ from kinegrade.tables import Complaint, trimmed
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """The bytes to be written, how many students have a grade in them, and what a person has to look at."""
+    """The bytes to be written, how many students have a grade in them, and what a person has to look at.
+
+    `notes` say which columns were taken, and what was left out because the file has no place for it.
+    """
 
     content: bytes
     students: int
     complaints: tuple[Complaint, ...]
+    notes: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -54,12 +59,13 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     table = read_cells(into)
     download = _download(dialect, table)
     _refuse_unreadable(dialect, download, table)
-    keys = _key_columns(dialect, download, table, options)
-    columns = item_columns(table, dialect, download, grades, options)
-    feedback = _feedback(dialect, download, table, columns, options)
-    task = _Task(table, dialect, download, columns, feedback, options)
-    _refuse_maxima(task, grades)
     rows = [row for row in table.rows if not _is_skipped(download, row)]
+    keys = key_columns(dialect, download, table, rows, students=grades.students, options=options)
+    places = {key.place for key in keys}
+    found = item_columns(table, dialect, download, grades=grades, keys=places, options=options)
+    feedback = _feedback(dialect, download, table, found, options)
+    task = _Task(table, dialect, download, found.columns, feedback, options)
+    _refuse_maxima(task, grades)
     graded = {each.student for each in grades.exported(ungraded=options.ungraded)}
     matching = match(table, rows, keys, grades.students, graded)
     changes, closed = _changes(task, rows, matching, graded, grades)
@@ -67,20 +73,11 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     if not changes:
         raise TableError(
             f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
-            f"name another file or other keys (--by){_unknown_addresses(keys, grades)}",
+            f"name another file or other keys (--by){exam_hint(table, grades.students)}",
             *map(str, complaints[:20]),
         )
-    return Filled(_content(task, changes), _count(rows, changes), complaints)
-
-
-def _unknown_addresses(keys: Sequence[KeyColumn], grades: ClassGrades) -> str:
-    """What else may help where people are known by addresses, and nobody's is known."""
-    by_address = any(column.key.field == "email" for column in keys)
-    return (
-        ", or the exam that knows the addresses (--exam)"
-        if by_address and not any(each.email for each in grades.students)
-        else ""
-    )
+    notes = tuple(_notes(task, keys))
+    return Filled(_content(task, changes), _count(rows, changes), complaints, notes)
 
 
 def _download(dialect: Dialect, table: CellTable) -> Download:
@@ -121,43 +118,42 @@ def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -
         raise TableError(*faults)
 
 
-def _key_columns(
-    dialect: Dialect, download: Download, table: CellTable, options: ExportOptions
-) -> Sequence[KeyColumn]:
-    keys = [key for key in download.keys if not options.by or key.field in options.by]
-    columns = []
-    for key in keys:
-        titles = (
-            {key.position}
-            if key.position is not None
-            else {place for place, title in enumerate(table.titles) if title in key.headers}
-        )
-        columns += [KeyColumn(key, place) for place in sorted(titles)]
-    if columns:
-        return columns
-    known = ", ".join(title for key in keys for title in key.headers) or "none"
-    raise TableError(
-        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
-        "download it with ids, or choose other keys by --by"
-    )
-
-
 def _feedback(
     dialect: Dialect,
     download: Download,
     table: CellTable,
-    columns: Mapping[str, ItemColumn],
+    found: ItemColumns,
     options: ExportOptions,
 ) -> Mapping[int, bool]:
     if options.feedback is False:
         return {}
-    places = feedback_places(table, download.channel, columns)
-    if places is None and options.feedback:
+    if found.feedback is None and options.feedback:
         raise TableError(
             f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} has it "
             "- download the file with feedback, or leave --feedback out"
         )
-    return places or {}
+    return found.feedback or {}
+
+
+def _notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
+    """Which columns were taken where headers did not decide that, and what is left out."""
+    titles, options = task.table.titles, task.options
+    if task.download.item_words is not None:
+        people = _listed(titles[place] for place in dict.fromkeys(key.place for key in keys))
+        points = _listed(column.header for column in task.columns.values())
+        comments = _listed(titles[place] for place in task.feedback)
+        into = f"grades into {points}" + (f", feedback into {comments}" if comments else "")
+        yield f"{task.table.file}: people are found by {people}; {into}"
+    wanted = options.feedback is None and task.download.channel and TOTAL in task.columns
+    if wanted and not task.feedback:
+        yield (
+            f"{task.table.file}: has no column for feedback on the total, so the points by question are left "
+            "out - download the file with feedback to fill them in, or say --no-feedback"
+        )
+
+
+def _listed(titles: Iterable[str]) -> str:
+    return " and ".join(f'"{one_line(title)}"' for title in titles)
 
 
 def _refuse_maxima(task: _Task, grades: ClassGrades) -> None:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.errors import TableError, did_you_mean, one_line
 from kinegrade.lms.cells import CellTable, Record
-from kinegrade.lms.dialect import Channel, Dialect, Download, ExportOptions
+from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
 from kinegrade.lms.implied_maximum import implied_maximum
+from kinegrade.lms.item_groups import ItemGroup, item_groups
 from kinegrade.tables import trimmed
 
 
@@ -22,6 +23,17 @@ class ItemColumn:
     header: str
     title: str
     maximum: Fraction | None
+
+
+@dataclass(frozen=True, slots=True)
+class ItemColumns:
+    """The column of each item, and the columns of the feedback on the total.
+
+    `feedback` says of each place whether it is the format's; it is None where there is no such column, or several.
+    """
+
+    columns: Mapping[str, ItemColumn]
+    feedback: Mapping[int, bool] | None
 
 
 def items_of(grades: ClassGrades, options: ExportOptions) -> tuple[str, ...]:
@@ -42,11 +54,19 @@ def item_columns(
     table: CellTable,
     dialect: Dialect,
     download: Download,
+    *,
     grades: ClassGrades,
+    keys: Collection[int],
     options: ExportOptions,
-) -> Mapping[str, ItemColumn]:
-    """The column of each item. Raises TableError where none or several could be meant."""
-    chooser = _Chooser(table, dialect, download, _candidates(table, download))
+) -> ItemColumns:
+    """The columns of each item; `keys` are those that say who somebody is.
+
+    Raises TableError where none or several could be meant.
+    """
+    words = download.item_words
+    groups = () if words is None else item_groups(table, keys, words)
+    candidates = _candidates(table, download) if words is None else _in_points(table, groups)
+    chooser = _Chooser(table, dialect, download, candidates, groups, keys)
     chosen: dict[str, ItemColumn] = {}
     faults: list[str] = []
     for item in items_of(grades, options):
@@ -63,17 +83,28 @@ def item_columns(
     ]
     if faults:
         raise TableError(*faults)
-    return chosen
+    return ItemColumns(chosen, _feedback_places(table, download, groups, chosen))
 
 
-def feedback_places(
-    table: CellTable, channel: Channel | None, columns: Mapping[str, ItemColumn]
+def _feedback_places(
+    table: CellTable,
+    download: Download,
+    groups: Sequence[ItemGroup],
+    columns: Mapping[str, ItemColumn],
 ) -> Mapping[int, bool] | None:
-    """The columns of the feedback on the total: place, and whether it is the format's; None where there are none."""
+    channel = download.channel
     if channel is None or TOTAL not in columns:
         return None
-    wanted = {shape.format(title=columns[TOTAL].title) for shape in channel.headers}
-    places = [place for place, title in enumerate(table.titles) if title in wanted]
+    if download.item_words is not None:
+        places = [
+            column.place
+            for group in groups
+            if any(columns[TOTAL].place == column.place for column in group.columns)
+            for column in group.of_kind("feedback")
+        ]
+    else:
+        wanted = {shape.format(title=columns[TOTAL].title) for shape in channel.headers}
+        places = [place for place, title in enumerate(table.titles) if title in wanted]
     if len(places) != 1:
         return None
     formats = [
@@ -96,33 +127,33 @@ def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
         ):
             continue
         maximum = shape.groupdict().get("maximum") or told or _same_everywhere(table, download)
-        stated = number(maximum)
-        found.append(
-            ItemColumn(
-                place,
-                header,
-                shape["title"],
-                _implied(table, download, place, shape["title"]) if stated is None else stated,
-            )
-        )
+        found.append(ItemColumn(place, header, shape["title"], number(maximum)))
     return found
 
 
-def _implied(table: CellTable, download: Download, place: int, title: str) -> Fraction | None:
+def _in_points(table: CellTable, groups: Sequence[ItemGroup]) -> Sequence[ItemColumn]:
+    """The columns that hold points by what stands in them."""
+    return [
+        ItemColumn(column.place, table.titles[column.place], group.title, _implied(table, group))
+        for group in groups
+        for column in group.of_kind("points")
+    ]
+
+
+def _implied(table: CellTable, group: ItemGroup) -> Fraction | None:
     """The maximum that follows from grades in points and, in another column, in per cent."""
-    headers = {shape.format(title=title) for shape in download.percentages}
-    others = [other for other, header in enumerate(table.titles) if header in headers]
-    if len(others) != 1:
+    points, shares = group.of_kind("points"), group.of_kind("percentage")
+    if len(points) != 1 or len(shares) != 1:
         return None
     pairs = (
         (
-            number(trimmed(row.cells[place].text)),
-            number(trimmed(row.cells[others[0]].text.replace("%", ""))),
+            number(trimmed(row.cells[points[0].place].text)),
+            number(trimmed(row.cells[shares[0].place].text.replace("%", ""))),
         )
         for row in table.rows
     )
     return implied_maximum(
-        (points, share) for points, share in pairs if points is not None and share is not None
+        (amount, share) for amount, share in pairs if amount is not None and share is not None
     )
 
 
@@ -160,6 +191,8 @@ class _Chooser:
     dialect: Dialect
     download: Download
     candidates: Sequence[ItemColumn]
+    groups: Sequence[ItemGroup]
+    keys: Collection[int]
 
     def chosen(self, item: str, options: ExportOptions) -> ItemColumn:
         """The column of an item: the one named, the one of that title, or the only one there is for a total."""
@@ -186,9 +219,12 @@ class _Chooser:
             each for each in self.candidates if each.title == header
         ]
         places = [place for place, title in enumerate(self.table.titles) if title == header]
-        keys = {title for key in self.download.keys for title in key.headers}
-        if not fits and self.download.any_item and header not in keys:
-            fits = [ItemColumn(place, header, header, None) for place in places]
+        if not fits and self.download.any_item:
+            fits = [
+                ItemColumn(place, header, header, None)
+                for place in places
+                if self.may_be_named(place)
+            ]
         if len(fits) == 1:
             return fits[0]
         where, shown = self.table.file, one_line(header)
@@ -204,6 +240,19 @@ class _Chooser:
         raise TableError(
             f'{where}: no column "{shown}" - expected one of the file - '
             + did_you_mean(header, [each.header for each in self.candidates] or self.table.titles)
+        )
+
+    def may_be_named(self, place: int) -> bool:
+        """Whether a column may hold grades in points, for all that its cells and its header show."""
+        known = {title for key in self.download.keys for title in key.headers}
+        others = [
+            column.place
+            for group in self.groups
+            for column in group.columns
+            if column.kind not in ("points", "open")
+        ]
+        return (
+            place not in self.keys and place not in others and self.table.titles[place] not in known
         )
 
     def listing(self) -> str:

@@ -148,7 +148,7 @@ class _Alike:
         self.cut: dict[int, dict[str, list[Record]]] = defaultdict(lambda: defaultdict(list))
         for row in free:
             cell = trimmed(row.cells[column.place].text)
-            self.folded[_folded(cell)].append(row)
+            self.folded[folded(cell)].append(row)
             found = _CUT_NUMBER.fullmatch(cell)
             if found:
                 self.cut[len(found[2] or "")][
@@ -158,7 +158,7 @@ class _Alike:
     def hints(self, grade: StudentGrade) -> Iterator[str]:
         """What a person may look at to find the row of a student."""
         wanted = self.column.wanted(grade)
-        for row in self.folded.get(_folded(wanted), ()) if wanted else ():
+        for row in self.folded.get(folded(wanted), ()) if wanted else ():
             yield f"{self._shown(row)}, probably the same: correct one of the two and export again"
         if not (wanted.isascii() and wanted.isdigit()):
             return
@@ -175,8 +175,12 @@ class _Alike:
         return f'line {row.line} has {self.title} "{cell}"'
 
 
-def _folded(text: str) -> str:
-    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width forms, case."""
+def folded(text: str) -> str:
+    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width forms, case.
+
+    >>> folded("０0７"), folded('="007"'), folded("7.0")
+    ('7', '7', '7')
+    """
     plain = trimmed(normalize("NFKC", text))
     wrapped = _WRAPPED.fullmatch(plain)
     inner = (wrapped[1] or wrapped[2] or "") if wrapped else plain

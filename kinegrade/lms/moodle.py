@@ -1,9 +1,10 @@
 """Moodle: the gradebook's CSV import (Grades > Import > CSV file) and the assignment's offline grading worksheet.
 
 `export` is the file that `grade` writes into every folder of marks. In Moodle map "ID number" to the profile field of
-that name, "Grade" to a grade item whose maximum is the exam's points, and "Feedback" to the feedback of that
-item. Moodle compares ids as texts, takes a file as a whole or not at all, and erases a grade for an empty one: so ids
-are written exactly, and who handed in nothing is left out.
+that name, "Grade" to a grade item whose maximum is the exam's points, and "Feedback" to the feedback of that item.
+Moodle compares ids as texts, takes a file as a whole or not at all, and erases a grade for an empty one: so ids are
+written exactly, and who handed in nothing is left out. The headers of a downloaded gradebook are in the language of
+whoever downloads it, so its columns are found by what they hold.
 """
 
 from __future__ import annotations
@@ -11,7 +12,16 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from kinegrade.lms.dialect import Channel, Column, Dialect, Download, ExportOptions, Key, NewFile
+from kinegrade.lms.dialect import (
+    Channel,
+    Column,
+    Dialect,
+    Download,
+    ExportOptions,
+    ItemWords,
+    Key,
+    NewFile,
+)
 from kinegrade.lms.from_scratch import new_file
 from kinegrade.lms.grades import read_grades
 
@@ -20,6 +30,11 @@ _KEYS = (
     Key("email", ("Email address", "E-Mail-Adresse", "Email地址"), ignores_case=True),
     Key("login", ("Username",), ignores_case=True),
 )
+_WORDS: ItemWords = {
+    "points": ("Real", "Punkte", "Brut", "Punteggio", "Echt", "分数", "実データ"),
+    "percentage": ("Percentage", "Prozentsatz", "Pourcentage", "Porcentaje", "百分比"),
+    "feedback": ("Feedback", "Rückmeldung", "反馈"),
+}
 
 MOODLE = Dialect(
     name="Moodle",
@@ -35,12 +50,10 @@ MOODLE = Dialect(
         ),
         Download(
             keys=_KEYS,
-            item=re.compile(r"(?P<title>.*) \((?:Real|Punkte|分数)\)"),
+            item=re.compile(r"(?P<title>.*\S)\s*\(.*\)"),
             any_item=True,
-            percentages=("{title} (Percentage)", "{title} (Prozentsatz)", "{title} (百分比)"),
-            channel=Channel(
-                ("{title} (Feedback)", "{title} (Rückmeldung)", "{title} (反馈)"), html=True
-            ),
+            item_words=_WORDS,
+            channel=Channel((), html=True),
         ),
     ),
     new_file=NewFile(

@@ -84,7 +84,8 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
 
 def test_a_name_alone_matches_nobody(tmp_path: Path) -> None:
     with pytest.raises(
-        TableError, match="no column by which Moodle knows people - expected one of: ID number"
+        TableError,
+        match="no column by which Moodle knows people - expected one that holds the ids of the marked class",
     ):
         told(tmp_path, "王伟,\n", "Full name")
 

@@ -1,0 +1,134 @@
+"""Which columns of a downloaded file say who somebody is.
+
+A system with fixed headers is taken at its word. Where headers are in any language, as in Moodle's gradebook, the
+columns are those that hold the class's ids or e-mail addresses, and a known header only confirms. `key_columns` is
+called by `fill_in`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from kinegrade.errors import TableError
+from kinegrade.lms.cells import CellTable, Record
+from kinegrade.lms.dialect import Dialect, Download, ExportOptions, Key
+from kinegrade.lms.grades import StudentGrade
+from kinegrade.lms.item_groups import is_item_header
+from kinegrade.lms.matching import KeyColumn, folded
+from kinegrade.tables import trimmed
+
+_ENOUGH = 5  # ids of the class in a column without repetitions are no accident
+_MOST_REPEATED = 10  # one cell in ten may be a repetition
+_SHORTEST_ID_AMONG_GRADES = 5  # "12" below "Quiz (Real)" is a grade, whoever has that id
+
+
+def key_columns(
+    dialect: Dialect,
+    download: Download,
+    table: CellTable,
+    rows: Sequence[Record],
+    *,
+    students: Sequence[StudentGrade],
+    options: ExportOptions,
+) -> Sequence[KeyColumn]:
+    """The columns by which rows are matched. Raises TableError where there is none."""
+    keys = [key for key in download.keys if not options.by or key.field in options.by]
+    found: Sequence[KeyColumn] = ()
+    if download.item_words is not None:
+        found = _by_content(table, rows, keys, download.keys, students)
+    if found := found or _by_header(table, keys):
+        return found
+    if download.item_words is not None:
+        raise TableError(
+            f"{table.file}: no column by which {dialect.name} knows people - expected one that holds the ids "
+            "of the marked class, or their e-mail addresses - download it with ID numbers, choose other keys "
+            f"by --by{exam_hint(table, students)}"
+        )
+    known = ", ".join(title for key in keys for title in key.headers) or "none"
+    raise TableError(
+        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
+        "download it with ids, or choose other keys by --by"
+    )
+
+
+def exam_hint(table: CellTable, students: Sequence[StudentGrade]) -> str:
+    """What else may help where a file has addresses, and nobody's is known."""
+    if any(each.email for each in students):
+        return ""
+    for place in range(len(table.titles)):
+        cells = [text for row in table.rows if (text := trimmed(row.cells[place].text))]
+        if cells and 2 * sum("@" in cell for cell in cells) > len(cells):
+            return ", or the exam that knows the addresses (--exam)"
+    return ""
+
+
+def _by_header(table: CellTable, keys: Iterable[Key]) -> list[KeyColumn]:
+    columns = []
+    for key in keys:
+        places = (
+            {key.position}
+            if key.position is not None
+            else {place for place, title in enumerate(table.titles) if title in key.headers}
+        )
+        columns += [KeyColumn(key, place) for place in sorted(places)]
+    return columns
+
+
+def _by_content(
+    table: CellTable,
+    rows: Sequence[Record],
+    keys: Sequence[Key],
+    known: Sequence[Key],
+    students: Sequence[StudentGrade],
+) -> list[KeyColumn]:
+    """The columns that hold enough of the class's ids or addresses, each with the key that finds most there."""
+    found = []
+    for place, title in enumerate(table.titles):
+        named = next((key.field for key in known if title in key.headers), None)
+        possible = [KeyColumn(key, place) for key in keys if not _is_the_other(key, named)]
+        held = [_Held.of(column, rows, students, title) for column in possible]
+        best = max(held, key=lambda each: each.students, default=None)
+        if best is not None and best.convinces(named):
+            found.append(best.column)
+    return found
+
+
+def _is_the_other(key: Key, named: str | None) -> bool:
+    """Ids and logins look alike; where a header is known to be one of them, it is not the other."""
+    return {key.field, named} == {"id", "login"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Held:
+    """How many students of the class a column knows, and what else it holds."""
+
+    column: KeyColumn
+    students: int
+    wanted: int
+    filled: int
+    different: int
+
+    @classmethod
+    def of(
+        cls,
+        column: KeyColumn,
+        rows: Sequence[Record],
+        students: Sequence[StudentGrade],
+        title: str,
+    ) -> _Held:
+        """Counts exact values, or those that a spreadsheet has changed if there are more of them."""
+        shortest = _SHORTEST_ID_AMONG_GRADES if is_item_header(title) else 1
+        wanted = {text for each in students if len(text := column.wanted(each)) >= shortest}
+        cells = [text for row in rows if (text := column.value(row))]
+        exact = wanted.intersection(cells)
+        alike = {folded(text) for text in wanted}.intersection(map(folded, cells))
+        return cls(column, max(len(exact), len(alike)), len(wanted), len(cells), len(set(cells)))
+
+    def convinces(self, named: str | None) -> bool:
+        """Whether these are the keys: nothing repeats, and it is most of the file, most of the class, or many."""
+        if not self.students or self.column.key.field == named:
+            return bool(self.students)
+        repeated = self.filled - self.different
+        most = 2 * self.students >= min(self.filled, self.wanted)
+        return _MOST_REPEATED * repeated <= self.filled and (most or self.students >= _ENOUGH)
