@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 
 if TYPE_CHECKING:
@@ -97,6 +98,8 @@ def export(
     Example: kinegrade export MARKS --to moodle -o moodle.csv
     Filled:  kinegrade export MARKS --to canvas --into download.csv --column "Midterm (1234)" -o canvas.csv
     """
+
+    expect_folders((marks, "MARKS"), (exam, "EXAM"))
     if system == "xlsx":
         if into is not None:
             raise click.UsageError(

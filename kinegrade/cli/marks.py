@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
+from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 
 if TYPE_CHECKING:
@@ -94,6 +95,7 @@ def grade(
     from kinegrade.lms import moodle
     from kinegrade.lms.responses.answer_table import read_responses
 
+    expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
     follow_through = FollowThrough(exam)
     responses = read_responses(answers, exam, source, "all" if unfinished else "finished", encoding)
     for line in responses.assumed:
@@ -139,6 +141,7 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     """
     from kinegrade.grading.comparison import compare, comparison_csv, comparison_text
 
+    expect_folders((before, "MARKS"), (after, "MARKS"))
     comparison = compare(before, after)
     if output is not None:
         from kinegrade.files import write_file
@@ -168,6 +171,7 @@ def class_report(
     from kinegrade.files import write_file
     from kinegrade.grading.class_report import class_report as report_on
 
+    expect_folders((exam, "EXAM"), (marks, "MARKS"))
     chosen = language or exam_language(exam)
     page = report_on(marks, exam, exam_wording(exam, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
@@ -221,6 +225,7 @@ def feedback(
     from kinegrade.grading.exam_record import read_exam_record
     from kinegrade.grading.feedback_folder import write_feedback
 
+    expect_folders((exam, "EXAM"), (marks, "MARKS"))
     wanted = read_exam_record(exam).solutions if solutions is None else solutions
     chosen = language or exam_language(exam)
     printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form

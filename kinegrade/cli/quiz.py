@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, METHOD, finish, progress, refusing
 
 if TYPE_CHECKING:
@@ -104,6 +105,7 @@ def quiz(
     from kinegrade.lms.quiz.moodle_xml import write as write_moodle_xml
     from kinegrade.lms.quiz.writers import WRITERS
 
+    expect_folders((exam, "EXAM"))
     require_free(output, force=force)
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method

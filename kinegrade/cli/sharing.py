@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, refusing
 
 
@@ -35,6 +36,7 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     from kinegrade.grading.sharing import find_sharing
     from kinegrade.grading.sharing_report import sharing_csv, sharing_text
 
+    expect_folders((exam, "EXAM"), (marks, "MARKS"))
     found = find_sharing(exam, marks, level / 100)
     write_file(output, sharing_csv(found), force=force)
     click.echo(sharing_text(found), err=True)

@@ -1,0 +1,49 @@
+"""Whether the folders on the command line are what they are given for: an exam, or marks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Literal
+
+from kinegrade.errors import TableError
+
+Kind = Literal["EXAM", "MARKS"]
+_FILES: Mapping[Kind, tuple[str, ...]] = {
+    "EXAM": ("exam.json", "key.jsonl"),
+    "MARKS": ("marks.csv", "grades.csv"),
+}
+_EXPECTED: Mapping[Kind, str] = {
+    "EXAM": "an exam folder made by kinegrade generate",
+    "MARKS": "a folder of marks made by kinegrade grade",
+}
+
+
+def expect_folders(*given: tuple[Path | None, Kind]) -> None:
+    """Raises TableError where a folder of the other kind, or a file, was given.
+
+    What is neither is left to whoever reads it. Two folders that were swapped are one fault.
+    """
+    wrong = [
+        (path, kind, found)
+        for path, kind in given
+        if path is not None and (found := _found(path)) not in (None, kind)
+    ]
+    swapped = {(kind, found) for _, kind, found in wrong} >= {("EXAM", "MARKS"), ("MARKS", "EXAM")}
+    faults = [
+        f"{path}: you gave {found} where {kind} is expected - expected {_EXPECTED[kind]} - "
+        + ("swap the two" if swapped else "name that folder")
+        for path, kind, found in wrong
+    ]
+    if faults:
+        raise TableError(*(faults[:1] if swapped else faults))
+
+
+def _found(path: Path) -> str | None:
+    """What stands there; None for a folder that is neither, or nothing."""
+    if path.is_file():
+        return "a file"
+    kinds = (
+        kind for kind, names in _FILES.items() if any((path / name).exists() for name in names)
+    )
+    return next(kinds, None)
