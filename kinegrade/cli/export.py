@@ -98,8 +98,10 @@ def export(
     Example: kinegrade export MARKS --to moodle -o moodle.csv
     Filled:  kinegrade export MARKS --to canvas --into download.csv --column "Midterm (1234)" -o canvas.csv
     """
+    from kinegrade.grading.checked_totals import refuse_changed_totals
 
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
+    refuse_changed_totals(marks)
     if system == "xlsx":
         if into is not None:
             raise click.UsageError(

@@ -90,12 +90,15 @@ def grade(
     Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
     from kinegrade.exam.follow_through import FollowThrough
+    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.follow import Follows
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
     from kinegrade.lms.responses.answer_table import read_responses
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
+    if never_lower is not None:
+        refuse_changed_totals(never_lower)
     follow_through = FollowThrough(exam)
     responses = read_responses(answers, exam, source, "all" if unfinished else "finished", encoding)
     for line in responses.assumed:
@@ -139,9 +142,12 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     \b
     Example: kinegrade diff MARKS MARKS2 -o changes.csv
     """
+    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.comparison import compare, comparison_csv, comparison_text
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
+    for marks in (before, after):
+        refuse_changed_totals(marks)
     comparison = compare(before, after)
     if output is not None:
         from kinegrade.files import write_file
@@ -169,9 +175,11 @@ def class_report(
     """
     from kinegrade.exam.exam_wording import exam_language, exam_wording
     from kinegrade.files import write_file
+    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.class_report import class_report as report_on
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
+    refuse_changed_totals(marks)
     chosen = language or exam_language(exam)
     page = report_on(marks, exam, exam_wording(exam, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
@@ -222,10 +230,12 @@ def feedback(
     """
     from kinegrade.exam.exam_wording import exam_language, exam_wording
     from kinegrade.exam.feedback_pages import FeedbackPress
+    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.exam_record import read_exam_record
     from kinegrade.grading.feedback_folder import write_feedback
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
+    refuse_changed_totals(marks)
     wanted = read_exam_record(exam).solutions if solutions is None else solutions
     chosen = language or exam_language(exam)
     printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form

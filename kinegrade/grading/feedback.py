@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Literal
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.amounts import amount_text
+from kinegrade.grading.amounts import PLACES, amount_text
 from kinegrade.grading.class_tally import hint_of, mistakes_of
 from kinegrade.grading.exam_record import (
     PaperRecord,
@@ -100,7 +100,9 @@ def feedback_sheets(
             )
         sitter, total = record.students[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
-        kept = total.total > sum(answer.points for answer in answers)
+        # Every amount is written with four places, so that three thirds of a point fall short of one.
+        rounding = Fraction(len(answers) + 1, 2 * 10**PLACES)
+        kept = total.total - sum(answer.points for answer in answers) > rounding
         yield (
             sitter,
             FeedbackSheet(
