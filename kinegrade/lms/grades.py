@@ -24,7 +24,8 @@ from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 
 Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
 TOTAL = ""  # the item that is the sum of all questions
-_NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent"}
+_NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent", "status"}
+ABSENT = "absent"  # in the column status, which folders of earlier versions have not
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 _MENDING = "expected an exam folder made by kinegrade generate - restore it, or name the right one"
@@ -61,10 +62,13 @@ class ClassGrades:
 def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
     """Reads grades.csv and marks.csv of a folder; e-mails and the title from an exam folder.
 
+    Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an earlier version that
+    does not say who is absent, whoever answered nothing.
     Raises TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     grades = _table(folder / "grades.csv", ("student", "name", "total"))
     available, filled = _marked(folder / "marks.csv")
+    kept = _kept(folder / "kept.csv")
     questions = tuple(name for name in grades.header if name not in _NOT_QUESTIONS)
     students = []
     for row in grades.rows:
@@ -73,7 +77,11 @@ def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
         points = {name: _amount(grades, row, name) for name in questions}
         points[TOTAL] = _amount(grades, row, "total")
         out_of[TOTAL] = sum(out_of.values(), Fraction(0))
-        handed_in = student in filled or points[TOTAL] > 0
+        handed_in = (
+            cells["status"] != ABSENT or student in kept
+            if "status" in cells
+            else student in filled or points[TOTAL] > 0
+        )
         students.append(StudentGrade(student, cells["name"], "", points, out_of, handed_in))
     found = ClassGrades(questions, tuple(students))
     return found if exam is None else _with_exam(found, exam)
@@ -112,6 +120,13 @@ def _table(path: Path, columns: tuple[str, ...]) -> Table:
             f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again"
         )
     return table
+
+
+def _kept(path: Path) -> set[str]:
+    """Whose earlier total stands."""
+    if not path.exists():
+        return set()
+    return {student for _, (student, _) in written_records(path, ("student", "stands"))}
 
 
 def _amount(table: Table, row: Row, name: str) -> Fraction:

@@ -1,7 +1,7 @@
 """A folder of marks as one spreadsheet for people: grades, marks and complaints, each on a sheet.
 
 Every cell that holds an id, a name or what somebody typed is a text cell, so nothing runs as a formula and no digit is
-lost; points are numbers.
+lost; points are numbers, and empty for whoever is absent.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
 from kinegrade.csv_writing import restored
-from kinegrade.tables import Table, read_table
+from kinegrade.lms.grades import ABSENT
+from kinegrade.tables import Row, Table, read_table
 
 _FILES = ("grades", "marks", "complaints")
 _TEXTS = {
@@ -31,6 +32,7 @@ _TEXTS = {
     "read_as",
     "unit",
     "verdict",
+    "status",
     "reason",
     "file",
     "column",
@@ -76,13 +78,20 @@ def _fill(sheet: Worksheet, table: Table) -> None:
         width = max(_width(title), *(_width(row.cell(place - 1)) for row in table.rows[:500]), 6)
         sheet.column_dimensions[get_column_letter(place)].width = min(width + 2, widest)
     for line, row in enumerate(table.rows, 2):
+        is_absent = _is_absent(table, row)
         for place, title in enumerate(table.header, 1):
-            _write(sheet, line, place, title, row.cell(place - 1))
+            text = row.cell(place - 1)
+            _write(sheet, line, place, title, "" if is_absent and text == "0" else text)
     sheet.freeze_panes = "B2" if table.header[0] == "student" else "A2"
     sheet.auto_filter.ref = sheet.dimensions
     sheet.print_title_rows = "1:1"
     sheet.page_setup.orientation, sheet.page_setup.fitToHeight = "landscape", 0
     sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
+
+
+def _is_absent(table: Table, row: Row) -> bool:
+    """Whether a row is that of somebody absent, whose zeros an average would count."""
+    return "status" in table.header and row.cell(table.header.index("status")) == ABSENT
 
 
 def _write(sheet: Worksheet, line: int, place: int, title: str, text: str) -> None:
