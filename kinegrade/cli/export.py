@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from kinegrade.lms.dialect import Dialect, ExportOptions, Field
     from kinegrade.lms.grades import ClassGrades
+    from kinegrade.problem.template import Language
 
 SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic", "xlsx")
 
@@ -73,6 +74,12 @@ SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "gen
     metavar="NUMBER",
     help="What the item counts in the system; grades are scaled to it.",
 )
+@click.option(
+    "--lang",
+    "language",
+    type=click.Choice(["en", "zh"]),
+    help="Language of the generic sheet's headers.  [default: that of the papers with --exam, else en]",
+)
 @FORCE
 @refusing
 def export(
@@ -90,6 +97,7 @@ def export(
     exam: Path | None,
     scale: bool,
     maximum: str | None,
+    language: Language | None,
     force: bool,
 ) -> None:
     """Write the grades of MARKS as a learning management system takes them.
@@ -100,6 +108,10 @@ def export(
     """
     from kinegrade.grading.checked_totals import refuse_changed_totals
 
+    if language is not None and system != "generic":
+        raise click.UsageError(
+            "--lang: only the generic sheet has headers in a language of ours - leave it out"
+        )
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
     refuse_changed_totals(marks)
     if system == "xlsx":
@@ -115,7 +127,7 @@ def export(
     grades = read_grades(marks, exam)
     named = _columns(columns, grades, per_question=per_question)
     _write(
-        _dialect(system),
+        _dialect(system, language or grades.language),
         grades,
         into,
         output,
@@ -163,12 +175,12 @@ def _write(
     finish(tuple(map(str, complaints)))
 
 
-def _dialect(system: str) -> Dialect:
+def _dialect(system: str, language: Language) -> Dialect:
     from kinegrade.lms.blackboard import BLACKBOARD
     from kinegrade.lms.brightspace import BRIGHTSPACE
     from kinegrade.lms.canvas import CANVAS
     from kinegrade.lms.edx import EDX
-    from kinegrade.lms.generic import GENERIC
+    from kinegrade.lms.generic import generic
     from kinegrade.lms.moodle import MOODLE
     from kinegrade.lms.sakai import SAKAI
 
@@ -179,7 +191,7 @@ def _dialect(system: str) -> Dialect:
         "brightspace": BRIGHTSPACE,
         "sakai": SAKAI,
         "edx": EDX,
-        "generic": GENERIC,
+        "generic": generic(language),
     }[system]
 
 

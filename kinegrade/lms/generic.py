@@ -1,13 +1,33 @@
-"""A plain sheet for systems whose format is not established: 学号, 姓名, 成绩, 评语, in UTF-8 with a byte-order mark.
+"""A plain sheet for systems whose format is not established: id, name, grade and comment, in UTF-8 with a mark.
 
-The mark lets spreadsheets show Chinese names. Columns are mapped, or copied, by hand.
+The byte-order mark lets spreadsheets show Chinese names. Columns are mapped, or copied, by hand: so the headers are in
+the language of the exam.
 """
 
 from __future__ import annotations
 
-from kinegrade.lms.dialect import Column, Dialect, NewFile
+from typing import assert_never
 
-GENERIC = Dialect(
+from kinegrade.lms.dialect import Column, Dialect, NewFile
+from kinegrade.problem.template import Language
+
+GENERIC_ENGLISH = Dialect(
+    name="the generic sheet",
+    places=4,
+    new_file=NewFile(
+        columns=(
+            Column("Student ID", "id"),
+            Column("E-mail", "email"),
+            Column("Name", "name"),
+            Column("{title}", "grade"),
+            Column("Comment", "feedback"),
+        ),
+        key="id",
+        title="Grade",
+        mark=True,
+    ),
+)
+GENERIC_CHINESE = Dialect(
     name="the generic sheet",
     places=4,
     new_file=NewFile(
@@ -23,3 +43,14 @@ GENERIC = Dialect(
         mark=True,
     ),
 )
+
+
+def generic(language: Language) -> Dialect:
+    """The sheet with headers in a language."""
+    match language:
+        case "en":
+            return GENERIC_ENGLISH
+        case "zh":
+            return GENERIC_CHINESE
+        case _:
+            assert_never(language)

@@ -20,6 +20,7 @@ from typing import Any
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
+from kinegrade.problem.template import LANGUAGES, Language
 from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 
 Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
@@ -48,11 +49,15 @@ class StudentGrade:
 
 @dataclass(frozen=True, slots=True)
 class ClassGrades:
-    """Everybody in the order of grades.csv; `title` is the exam's, empty where no exam was read."""
+    """Everybody in the order of grades.csv; `title` is the exam's, empty where no exam was read.
+
+    `language` is that of the papers, English where no exam was read.
+    """
 
     questions: tuple[str, ...]
     students: tuple[StudentGrade, ...]
     title: str = ""
+    language: Language = "en"
 
     def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
         """Who gets a grade: those who handed in something, or everybody."""
@@ -175,10 +180,16 @@ def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
         exam: Any = json.loads(path.read_text(encoding="utf-8"))
         emails = {str(entry["student"]): str(entry.get("email", "")) for entry in exam["students"]}
         title = str(exam.get("title", ""))
+        language = exam.get("language", "en")
     except OSError as fault:
         raise ExamError(f"{path}: cannot be read ({fault.strerror}) - {_MENDING}") from fault
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as fault:
         raise ExamError(f"{path}: is broken ({type(fault).__name__}) - {_MENDING}") from fault
+    if language not in LANGUAGES:
+        raise ExamError(
+            f'{path}: language is "{one_line(str(language)[:40])}" - expected {" or ".join(LANGUAGES)} - '
+            "restore the exam folder"
+        )
     strangers = [each.student for each in grades.students if each.student not in emails]
     if strangers:
         raise ExamError(
@@ -188,6 +199,7 @@ def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
     return replace(
         grades,
         title=" ".join(title.split()),
+        language=language,
         students=tuple(
             replace(each, email=trimmed(emails[each.student])) for each in grades.students
         ),

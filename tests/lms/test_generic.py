@@ -1,4 +1,4 @@
-"""The plain sheet: the usual four columns, with a byte-order mark so that spreadsheets show Chinese names."""
+"""The plain sheet: four columns in the exam's language, with a byte-order mark so that spreadsheets show its names."""
 
 from __future__ import annotations
 
@@ -8,19 +8,51 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.generic import GENERIC
+from kinegrade.lms.generic import GENERIC_CHINESE
 from tests.golden_files import Hold
-from tests.lms.marked_folder import filled, fresh
+from tests.lms.marked_folder import filled, fresh, write_exam, write_marks
+from tests.small_class import kinegrade
 
 
 def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
-    text = fresh(tmp_path, GENERIC).text
+    text = fresh(tmp_path, GENERIC_CHINESE).text
     hold("lms/generic.csv", text)
     assert text.startswith("\ufeff学号,姓名,成绩,评语\n0012345,王伟,8.25,")
 
 
+def header(folder: Path, *options: str | Path) -> str:
+    """The header that `kinegrade export` writes."""
+    out = folder / "out.csv"
+    marks = write_marks(folder / "MARKS")
+    result = kinegrade("export", marks, "--to", "generic", "-o", out, "--force", *options)
+    assert result.exit_code == 0, result.stderr
+    return out.read_text(encoding="utf-8-sig").splitlines()[0]
+
+
+def test_the_headers_of_an_english_exam_are_english(tmp_path: Path) -> None:
+    exam = write_exam(tmp_path / "EXAM")
+    text = (exam / "exam.json").read_text(encoding="utf-8")
+    (exam / "exam.json").write_text(text.replace("{", '{"language": "en", ', 1), encoding="utf-8")
+    english, chinese = "Student ID,Name,Grade,Comment", "学号,姓名,成绩,评语"
+    assert header(tmp_path) == english
+    assert header(tmp_path, "--exam", exam) == english
+    assert header(tmp_path, "--exam", exam, "--lang", "zh") == chinese
+    assert header(tmp_path, "--lang", "zh") == chinese
+    (exam / "exam.json").write_text(text.replace("{", '{"language": "zh", ', 1), encoding="utf-8")
+    assert header(tmp_path, "--exam", exam) == chinese
+    assert header(tmp_path, "--exam", exam, "--lang", "en") == english
+
+
+def test_a_language_is_refused_where_it_would_do_nothing(tmp_path: Path) -> None:
+    marks = write_marks(tmp_path / "MARKS")
+    out = tmp_path / "out.csv"
+    result = kinegrade("export", marks, "--to", "moodle", "-o", out, "--lang", "en")
+    assert (result.exit_code, out.exists()) == (2, False)
+    assert "--lang: only the generic sheet has headers in a language of ours" in result.stderr
+
+
 def test_by_question_and_email(tmp_path: Path) -> None:
-    text = fresh(tmp_path, GENERIC, ExportOptions(by=("email",), per_question=True)).text
+    text = fresh(tmp_path, GENERIC_CHINESE, ExportOptions(by=("email",), per_question=True)).text
     assert text.splitlines()[:2] == [
         "\ufeff邮箱,姓名,成绩 q1,成绩 q2",
         "w1@example.invalid,王伟,7,1.25",
@@ -32,16 +64,16 @@ def test_what_cannot_be_had_is_refused(tmp_path: Path) -> None:
         TableError,
         match="the generic sheet does not know people by login .* choose one of: id, email",
     ):
-        fresh(tmp_path, GENERIC, ExportOptions(by=("login",)))
+        fresh(tmp_path, GENERIC_CHINESE, ExportOptions(by=("login",)))
     with pytest.raises(
         TableError, match="--by: id, email - expected one key for a new file - choose one"
     ):
-        fresh(tmp_path, GENERIC, ExportOptions(by=("id", "email")))
+        fresh(tmp_path, GENERIC_CHINESE, ExportOptions(by=("id", "email")))
     with pytest.raises(
         TableError, match="--feedback: the generic sheet takes none with --per-question"
     ):
-        fresh(tmp_path, GENERIC, ExportOptions(feedback=True, per_question=True))
+        fresh(tmp_path, GENERIC_CHINESE, ExportOptions(feedback=True, per_question=True))
     with pytest.raises(
         TableError, match="--into: the generic sheet has no file of its own to be filled in - exp"
     ):
-        filled(tmp_path, GENERIC, "学号,成绩\n0012345,\n")
+        filled(tmp_path, GENERIC_CHINESE, "学号,成绩\n0012345,\n")

@@ -37,6 +37,10 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
         ("[", r"exam.json: is broken \(JSONDecodeError\) - expected an exam"),
         ('{"students": [1]}', r"exam.json: is broken \(TypeError\)"),
         (
+            '{"language": "fr", "students": []}',
+            'exam.json: language is "fr" - expected en or zh - restore the exam folder',
+        ),
+        (
             '{"students": []}',
             r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by which',
         ),

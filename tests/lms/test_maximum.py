@@ -10,7 +10,7 @@ import pytest
 from kinegrade.errors import TableError
 from kinegrade.lms.brightspace import BRIGHTSPACE
 from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.generic import GENERIC
+from kinegrade.lms.generic import GENERIC_CHINESE
 from kinegrade.lms.sakai import SAKAI
 from tests.lms.marked_folder import changed, filled, fresh, grades_of
 
@@ -36,7 +36,7 @@ def test_scaling_needs_a_maximum(tmp_path: Path) -> None:
     with pytest.raises(
         TableError, match='"成绩": states no maximum - expected one to scale to - say what'
     ):
-        fresh(tmp_path, GENERIC, ExportOptions(scale=True))
+        fresh(tmp_path, GENERIC_CHINESE, ExportOptions(scale=True))
 
 
 def test_questions_go_to_the_items_of_their_titles(tmp_path: Path) -> None:
