@@ -1,8 +1,9 @@
 """Canvas (Grades > Export, Import): UTF-8 without a byte-order mark.
 
 An assignment is known by the number in its header, "Title (1234)", and people by their SIS ids. The column ID holds
-Canvas's own numbers: a student number there could be somebody else, so it is left empty. Canvas falls back on
-names: the name of a new file therefore carries the id and is nobody's name.
+Canvas's own numbers: a student number there could be somebody else, so it is left empty. The login is the e-mail
+address in many places. Canvas falls back on names: the name of a new file therefore carries the id and is nobody's
+name. "Student, Test" is the student view of whoever teaches.
 """
 
 from __future__ import annotations
@@ -18,7 +19,11 @@ CANVAS = Dialect(
     places=2,
     downloads=(
         Download(
-            keys=(Key("id", ("SIS User ID",)), Key("login", ("SIS Login ID",))),
+            keys=(
+                Key("id", ("SIS User ID",)),
+                Key("login", ("SIS Login ID",)),
+                Key("email", ("SIS Login ID",), ignores_case=True),
+            ),
             item=re.compile(r"(?P<title>.*)\s\([0-9]+\)"),
             not_item=_IGNORED,
             maximum_row=re.compile(r".*Points Possible"),
@@ -34,6 +39,7 @@ CANVAS = Dialect(
             ),
             broken_beginning=re.compile('\ufeff(?:"|LastName)'),
             misread=re.compile(r"-?[0-9]{1,3}(?:,[0-9]{3})+"),
+            test_person=re.compile(r"Student, Test(?:, |$)"),
         ),
     ),
     new_file=NewFile(
@@ -41,7 +47,7 @@ CANVAS = Dialect(
             Column("Student", "name and id"),
             Column("ID", "fixed"),
             Column("SIS User ID", "id"),
-            Column("SIS Login ID", "login"),
+            Column("SIS Login ID", "login", also=("email",)),
             Column("Section", "fixed"),
             Column("{title}", "grade"),
         ),

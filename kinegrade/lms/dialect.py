@@ -56,6 +56,7 @@ class Download:
     Patterns of rows look at the first cell; `closed` says of which cells a grade is not written, and why, `locked` of
     which rows: header and text. `beginning` is what the header, joined by commas, has to begin with; `broken_beginning`
     is a beginning of the text that the system cannot read; `misread` is a cell that it takes for another number.
+    `test_person` is how the row, its cells joined by ", ", of somebody begins whom the system made up.
     """
 
     keys: tuple[Key, ...]
@@ -76,6 +77,7 @@ class Download:
     beginning: re.Pattern[str] | None = None
     broken_beginning: re.Pattern[str] | None = None
     misread: re.Pattern[str] | None = None
+    test_person: re.Pattern[str] | None = None
     decimal_comma_with_semicolon: bool = False
     most_bytes: int | None = None
 
@@ -84,12 +86,18 @@ class Download:
 class Column:
     """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or what is fixed.
 
-    The text of a feedback column is "html" where the system shows feedback as a web page.
+    The text of a feedback column is "html" where the system shows feedback as a web page. A column of keys may hold
+    those of other fields `also`.
     """
 
     header: str
     role: Role
     text: str = ""
+    also: tuple[Field, ...] = ()
+
+    def holds(self, key: Field) -> bool:
+        """Whether this is the column of such keys."""
+        return key == self.role or key in self.also
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,7 +67,7 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     task = _Task(table, dialect, download, found.columns, feedback, options)
     _refuse_maxima(task, grades)
     graded = {each.student for each in grades.exported(ungraded=options.ungraded)}
-    matching = match(table, rows, keys, grades.students, graded)
+    matching = match(table, rows, keys, grades.students, graded, test_person=download.test_person)
     changes, closed = _changes(task, rows, matching, graded, grades)
     complaints = (*matching.complaints, *closed, *_misread(task, rows))
     if not changes:

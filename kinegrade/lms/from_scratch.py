@@ -67,8 +67,10 @@ def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
             f"--by: {', '.join(options.by)} - expected one key for a new file - choose one"
         )
     key = options.by[0] if options.by else layout.key
-    if key not in {column.role for column in layout.columns}:
-        known = ", ".join(column.role for column in layout.columns if column.role in FIELDS)
+    if not any(column.holds(key) for column in layout.columns):
+        known = ", ".join(
+            field for field in FIELDS if any(column.holds(field) for column in layout.columns)
+        )
         raise TableError(
             f"--by: {dialect.name} does not know people by {key} - expected another key - choose one of: "
             f"{known}"
@@ -171,7 +173,7 @@ def _states(layout: NewFile) -> bool:
 
 def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions) -> bool:
     if column.role in FIELDS:
-        return column.role == key or layout.keeps_keys
+        return column.holds(key) or layout.keeps_keys
     if column.role in ("feedback", "feedback format"):
         return options.feedback is not False and not options.per_question
     return True
@@ -180,7 +182,7 @@ def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions
 def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
     match column.role:
         case "id" | "login" | "email":
-            return column.text + _key_text(plan.key, grade) if column.role == plan.key else ""
+            return column.text + _key_text(plan.key, grade) if column.holds(plan.key) else ""
         case "name":
             return grade.name
         case "name and id":

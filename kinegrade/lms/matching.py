@@ -59,20 +59,23 @@ def match(
     columns: Sequence[KeyColumn],
     students: Sequence[StudentGrade],
     graded: Iterable[str],
+    *,
+    test_person: re.Pattern[str] | None = None,
 ) -> Matching:
-    """Matches students with the rows of a file; only `graded` ones are missed where they have no row."""
+    """Matches students with the rows of a file; only `graded` ones are missed where they have no row.
+
+    A row of nobody that is a `test_person`'s is passed over.
+    """
     claims = _claims(rows, columns, students)
-    claimants: dict[int, list[StudentGrade]] = defaultdict(list)
-    for grade in students:
-        for line in claims[grade.student]:
-            claimants[line].append(grade)
+    claimants = _claimants(claims, students)
     unclear = {line for line, own in claimants.items() if len(own) > 1}
     sure = {
         line: own[0]
         for line, own in claimants.items()
         if line not in unclear and len(claims[own[0].student]) == 1
     }
-    free = [row for row in rows if row.line not in claimants]
+    unclaimed = [row for row in rows if row.line not in claimants]
+    free = [row for row in unclaimed if not _is_test_person(row, test_person)]
     wanted, alike = set(graded), [_Alike(table, column, free) for column in columns]
     complaints = [
         *(
@@ -89,6 +92,21 @@ def match(
         *_strangers(table, columns, free),
     ]
     return Matching(sure, tuple(complaints))
+
+
+def _claimants(
+    claims: Mapping[str, tuple[int, ...]], students: Sequence[StudentGrade]
+) -> Mapping[int, list[StudentGrade]]:
+    """The students who match each row, by its line."""
+    claimants: dict[int, list[StudentGrade]] = defaultdict(list)
+    for grade in students:
+        for line in claims[grade.student]:
+            claimants[line].append(grade)
+    return claimants
+
+
+def _is_test_person(row: Record, shape: re.Pattern[str] | None) -> bool:
+    return bool(shape and shape.match(", ".join(trimmed(cell.text) for cell in row.cells)))
 
 
 def _claims(

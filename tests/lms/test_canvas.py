@@ -13,7 +13,8 @@ from kinegrade.errors import TableError
 from kinegrade.lms.canvas import CANVAS
 from kinegrade.lms.dialect import ExportOptions
 from tests.golden_files import Hold
-from tests.lms.marked_folder import changed, filled, fresh
+from tests.lms.marked_folder import changed, filled, fresh, write_exam, write_marks
+from tests.small_class import kinegrade
 
 HEADER = "Student,ID,SIS User ID,SIS Login ID,Section,Notes (old),Kinematics quiz (1234),Final Score (77),Sum (9)\n"
 POSSIBLE = "    Points Possible,,,,,,10.00,(read only),(read only)\n"
@@ -168,6 +169,56 @@ def test_other_points_are_refused_unless_scaled(tmp_path: Path) -> None:
     assert changed(tmp_path)[4, QUIZ] == "16.5"
 
 
+def exported(folder: Path, *options: str | Path) -> str:
+    """The file of `kinegrade export --to canvas`."""
+    marks, exam, out = folder / "MARKS", folder / "EXAM", folder / "out.csv"
+    where = "--exam", write_exam(exam), "-o", out, "--force"
+    result = kinegrade("export", write_marks(marks), "--to", "canvas", *where, *options)
+    assert result.exit_code in (0, 1), result.stderr
+    return f"{out.read_text(encoding='utf-8')}{result.stderr}"
+
+
+def test_people_are_known_by_address_where_logins_are_addresses(tmp_path: Path) -> None:
+    made = exported(tmp_path, "--by", "email")
+    assert "\n王伟 [0012345],,,w1@example.invalid,,8.25\n" in made
+    assert 'student "0012348" has no e-mail - not exported' in made
+    addresses = DOWNLOAD.replace("0012345,wangwei", "7001,W1@example.invalid").replace(
+        "0012346,zoneil,A,,EX", "7002,w2@example.invalid,A,,"
+    )
+    (tmp_path / "download.csv").write_text(addresses, encoding="utf-8", newline="")
+    filled_in = exported(tmp_path, "--into", tmp_path / "download.csv", "--by", "email")
+    assert '"伟, 王",501,7001,W1@example.invalid,A,,8.25,3.00,3.00\n' in filled_in
+    assert ",w2@example.invalid,A,,4,,\n" in filled_in
+    both = exported(tmp_path, "--into", tmp_path / "download.csv")
+    assert "W1@example.invalid,A,,8.25" in both  # without --by, ids and addresses are tried
+    assert "0012348,sblank,A,,9.67" in both
+
+
+@pytest.mark.parametrize(
+    ("header", "row"),
+    [
+        (HEADER, '"Student, Test",599,,4f1c0ffee0,A,,,,\n'),
+        (HEADER.replace("Student,", "LastName,FirstName,", 1), "Student,Test,599,,4f1c,A,,,,\n"),
+    ],
+)
+def test_the_student_view_of_a_teacher_is_no_stranger(
+    tmp_path: Path, header: str, row: str
+) -> None:
+    last_first = header.startswith("LastName")
+    own = "王,伟,501,0012345,w,A,,3.00,,\n" if last_first else '"伟, 王",501,0012345,w,A,,3.00,,\n'
+    (tmp_path / "download.csv").write_text(header + own + row, encoding="utf-8", newline="")
+    options = "--by", "id", "--column", QUIZ
+    made = exported(tmp_path, "--into", tmp_path / "download.csv", *options)
+    assert "nobody of the marked class" not in made
+    assert row in made  # as it was
+
+
+def test_somebody_who_is_called_test_student_gets_a_grade(tmp_path: Path) -> None:
+    named = DOWNLOAD.replace('"伟, 王"', '"Student, Test"')
+    filled(tmp_path, CANVAS, named)
+    assert changed(tmp_path)[4, QUIZ] == "8.25"
+
+
 def test_canvas_takes_no_comments_in_this_file(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
@@ -183,7 +234,6 @@ def test_canvas_takes_no_comments_in_this_file(tmp_path: Path) -> None:
 def test_a_new_assignment_needs_a_title(tmp_path: Path) -> None:
     from kinegrade.lms.from_scratch import new_file
     from kinegrade.lms.grades import read_grades
-    from tests.lms.marked_folder import write_marks
 
     with pytest.raises(
         TableError,
