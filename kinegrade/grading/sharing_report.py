@@ -15,15 +15,14 @@ NOTE = "worth a look; not evidence of anything by itself"
 
 
 def sharing_csv(sharing: Sharing) -> bytes:
-    """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless."""
+    """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless, ids stay as they are."""
     return csv_text(HEADER, map(_row, sharing.told)).encode("utf-8", "backslashreplace")
 
 
 def _row(pair: Pair) -> tuple[str, ...]:
     right = sum(answer.as_key for answer in pair.answers)
     return (
-        neutralised(pair.student.student), neutralised(pair.student.name),
-        neutralised(pair.other.student), neutralised(pair.other.name),
+        pair.student.student, neutralised(pair.student.name), pair.other.student, neutralised(pair.other.name),
         str(pair.wrong), str(len(pair.answers)), f"{pair.expected:.2g}", str(right), f"{pair.as_key_expected:.2g}",
         f"{pair.chance:.1e}", neutralised("; ".join(_answers(pair))), NOTE,
     )  # fmt: skip

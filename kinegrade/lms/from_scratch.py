@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
 
-from kinegrade.csv_writing import csv_text
+from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.errors import TableError, one_line
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
@@ -94,7 +94,8 @@ def _plan(
     options: ExportOptions,
 ) -> _Plan:
     key = options.by[0] if options.by else layout.key
-    title = options.title or layout.title or grades.title
+    # A person opens the file in a spreadsheet, which would run a title such as =1+1. What --column gives is a key.
+    title = neutralised(options.title or layout.title or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
     faults = list(_title_faults(dialect, layout, title, headers))

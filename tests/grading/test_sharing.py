@@ -231,6 +231,17 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
         assert word not in text.lower() + sharing_csv(found).decode().lower()
 
 
+def test_an_id_is_a_key_and_stays_as_it_is() -> None:
+    sitting = sitting_class(60, 9)
+    found = sharing(
+        sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
+    )
+    (pair,) = found.told
+    odd = replace(pair, student=replace(pair.student, student="=2"))
+    _, row = csv.reader(io.StringIO(sharing_csv(replace(found, told=(odd,))).decode()))
+    assert (row[0], row[2]) == ("=2", "s1")
+
+
 def command_line(*arguments: object) -> Result:
     return CliRunner().invoke(command, list(map(str, arguments)))
 
