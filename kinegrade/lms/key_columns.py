@@ -83,14 +83,17 @@ def _by_content(
     students: Sequence[StudentGrade],
 ) -> list[KeyColumn]:
     """The columns that hold enough of the class's ids or addresses, each with the key that finds most there."""
+    wanted = [_Wanted.of(key, students) for key in keys]
     found = []
     for place, title in enumerate(table.titles):
         named = next((key.field for key in known if title in key.headers), None)
-        possible = [KeyColumn(key, place) for key in keys if not _is_the_other(key, named)]
-        held = [_Held.of(column, rows, students, title) for column in possible]
+        cells = [text for row in rows if (text := trimmed(row.cells[place].text))]
+        shortest = _SHORTEST_ID_AMONG_GRADES if is_item_header(title) else 1
+        possible = [each for each in wanted if not _is_the_other(each.key, named)]
+        held = [each.held(cells, shortest) for each in possible]
         best = max(held, key=lambda each: each.students, default=None)
         if best is not None and best.convinces(named):
-            found.append(best.column)
+            found.append(KeyColumn(best.key, place))
     return found
 
 
@@ -100,34 +103,43 @@ def _is_the_other(key: Key, named: str | None) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class _Held:
-    """How many students of the class a column knows, and what else it holds."""
+class _Wanted:
+    """What a key column of the class holds, as the system compares it, and as a spreadsheet may leave it."""
 
-    column: KeyColumn
+    key: Key
+    exact: frozenset[str]
+    folded: frozenset[str]
+
+    @classmethod
+    def of(cls, key: Key, students: Sequence[StudentGrade]) -> _Wanted:
+        """The keys of a class."""
+        column = KeyColumn(key, 0)
+        exact = frozenset(text for each in students if (text := column.wanted(each)))
+        return cls(key, exact, frozenset(map(folded, exact)))
+
+    def held(self, cells: Sequence[str], shortest: int) -> _Held:
+        """What a column with these cells holds of it; shorter cells do not count."""
+        different = {text for text in cells if len(text) >= shortest}
+        column = KeyColumn(self.key, 0)
+        exact = self.exact.intersection(map(column.compared, different))
+        alike = self.folded.intersection(map(folded, different))
+        students = max(len(exact), len(alike))
+        return _Held(self.key, students, len(self.exact), len(cells), len(set(cells)))
+
+
+@dataclass(frozen=True, slots=True)
+class _Held:
+    """How many students of the class a column knows by a key, and what else it holds."""
+
+    key: Key
     students: int
     wanted: int
     filled: int
     different: int
 
-    @classmethod
-    def of(
-        cls,
-        column: KeyColumn,
-        rows: Sequence[Record],
-        students: Sequence[StudentGrade],
-        title: str,
-    ) -> _Held:
-        """Counts exact values, or those that a spreadsheet has changed if there are more of them."""
-        shortest = _SHORTEST_ID_AMONG_GRADES if is_item_header(title) else 1
-        wanted = {text for each in students if len(text := column.wanted(each)) >= shortest}
-        cells = [text for row in rows if (text := column.value(row))]
-        exact = wanted.intersection(cells)
-        alike = {folded(text) for text in wanted}.intersection(map(folded, cells))
-        return cls(column, max(len(exact), len(alike)), len(wanted), len(cells), len(set(cells)))
-
     def convinces(self, named: str | None) -> bool:
         """Whether these are the keys: nothing repeats, and it is most of the file, most of the class, or many."""
-        if not self.students or self.column.key.field == named:
+        if not self.students or self.key.field == named:
             return bool(self.students)
         repeated = self.filled - self.different
         most = 2 * self.students >= min(self.filled, self.wanted)
