@@ -47,12 +47,21 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
     layout = _layout(dialect, options)
     students = grades.exported(ungraded=options.ungraded)
     plan = _plan(dialect, layout, grades, students, options)
+    _refuse_unknown_addresses(plan.key, students)
     known = [each for each in students if _key_text(plan.key, each)]
     header = [header for _, header, _ in plan.columns]
     rows = [[_cell(plan, column, item, each) for column, _, item in plan.columns] for each in known]
     text = _quoted(header, rows) if layout.quotes_all else csv_text(header, rows)
     mark = BYTE_ORDER_MARK if layout.mark else ""
     return Fresh(mark + text, len(known), tuple(_keyless(plan.key, students)))
+
+
+def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> None:
+    if key == "email" and students and not any(each.email for each in students):
+        raise TableError(
+            "--by email: nobody's address is known - expected those of the roster - name the exam by --exam, or "
+            "choose another key"
+        )
 
 
 def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:

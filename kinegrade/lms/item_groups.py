@@ -22,6 +22,7 @@ _HEADER = re.compile(r"(?P<title>.*\S)\s*[(（\[【](?P<word>[^()（）\[\]【�
 _NUMBER = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?")
 _SHARE = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?\s*[%％]")
 _PARTICIPANT = re.compile(r"(\D+?)\s*[0-9]+")
+_DIGIT = re.compile(r"[0-9]")
 _DASH = "-"  # where a grade is missing; where feedback is missing, nothing stands
 _LONGEST_LETTER = 3
 
@@ -152,15 +153,22 @@ def _kind(cells: Sequence[str], known: ItemKind | None, *, is_last: bool) -> Ite
             without_dashes = "" in cells and _DASH not in cells
             return known or ("feedback" if is_last and without_dashes else "points")
         case "texts":
-            long = any(len(cell) > _LONGEST_LETTER for cell in cells)
-            is_comment = is_last and (long or ("" in cells and _DASH not in cells))
-            return "feedback" if known == "feedback" or (known is None and is_comment) else "text"
+            is_comment = known is None and is_last and _are_comments(cells)
+            return "feedback" if known == "feedback" or is_comment else "text"
         case "dashes":
             return known or "open"
         case "nothing":
             return known or ("feedback" if is_last else "open")
         case _:
             assert_never(content)
+
+
+def _are_comments(cells: Sequence[str]) -> bool:
+    """Whether texts are comments and not letters or words of a scale: these repeat, and a dash is where one is missing."""
+    if "" in cells or _DASH in cells:
+        return "" in cells
+    long = [cell for cell in cells if len(cell) > _LONGEST_LETTER]
+    return 2 * len(set(long)) > len(cells) or any(_DIGIT.search(cell) for cell in long)
 
 
 def _content(cells: Sequence[str]) -> _Content:

@@ -194,6 +194,18 @@ def test_people_are_known_by_address_where_logins_are_addresses(tmp_path: Path) 
     assert "0012348,sblank,A,,9.67" in both
 
 
+@pytest.mark.parametrize("system", ["canvas", "moodle", "generic"])
+def test_addresses_that_nobody_knows_are_asked_for_once(tmp_path: Path, system: str) -> None:
+    marks, out = write_marks(tmp_path / "MARKS"), tmp_path / "out.csv"
+    options = "--to", system, "--by", "email", "--title", "Quiz"
+    result = kinegrade("export", marks, *options, "-o", out)
+    assert (result.exit_code, out.exists()) == (2, False)
+    assert result.stderr == (
+        "error: --by email: nobody's address is known - expected those of the roster - name the exam by --exam, or "
+        "choose another key\n"
+    )
+
+
 @pytest.mark.parametrize(
     ("header", "row"),
     [

@@ -139,6 +139,22 @@ def test_old_feedback_is_replaced_and_not_taken_for_grades(tmp_path: Path, langu
     assert columns(tmp_path, *head[6:8])[1] == (GRADED[1], COMMENTS[1])
 
 
+@pytest.mark.parametrize("missing", ["-", "Ungenügend"])
+def test_words_of_a_scale_behind_the_points_are_no_feedback(tmp_path: Path, missing: str) -> None:
+    head = header("invented", ("Real", "Feedback"))
+    cells = alike(("2.94", "Befriedigend")) | {"0012348": ("-", missing)}
+    result = exported(tmp_path, download(tmp_path, head, cells))
+    assert "has no column for feedback on the total" in result.stderr
+    assert columns(tmp_path, *head[6:8])[1] == (GRADED[1], "Befriedigend")
+
+
+def test_feedback_that_was_filled_in_for_everybody_is_filled_in_again(tmp_path: Path) -> None:
+    head = header("invented", ("Real", "Feedback"))
+    path = download(tmp_path, head, alike(("10.00", "q1: 7/7; q2: 3/3")))
+    assert exported(tmp_path, path).exit_code == 0
+    assert columns(tmp_path, *head[6:8])[1] == (GRADED[1], COMMENTS[1])
+
+
 def test_people_are_found_by_address_where_the_file_has_no_ids(tmp_path: Path) -> None:
     path = download(tmp_path, header("fr"), some_graded())
     text = path.read_text(encoding="utf-8")
