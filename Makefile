@@ -21,13 +21,13 @@ $(READY): pyproject.toml
 
 demo: $(READY)
 	mkdir -p demo
-	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --seed demo --force
+	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --force --new-numbers
 	$(BIN)/kinegrade grade demo/EXAM banks/demo-answers.csv -o demo/MARKS --force || test $$? -eq 1
 	@echo "papers: demo/EXAM/papers.pdf   key: demo/EXAM/key.pdf   marks: demo/MARKS/grades.csv   Moodle: demo/MARKS/moodle.csv"
 
 demo-answers: $(READY)
 	mkdir -p demo
-	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --seed demo --force
+	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --force --new-numbers
 	$(BIN)/python -m tests.demo.type_answers demo/EXAM banks/demo-answers.csv
 
 test: lint types $(READY)

@@ -23,6 +23,7 @@ from benchmarks.memory import peak_of_tree
 from benchmarks.ordinary_latex import has_ordinary_latex, ordinary_paper
 from kinegrade.exam.bank import bank_path, read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import read_roster
 from kinegrade.exam.setting import SetPaper, set_exam
@@ -87,7 +88,7 @@ def generate(folder: Path, students: int, *options: str) -> tuple[float, float]:
             str(roster),
             "-o",
             str(folder / "EXAM"),
-            "--seed",
+            "--reproducible",
             SEED,
             "--force",
             "--no-solutions",
@@ -116,7 +117,8 @@ def one_job_each(folder: Path, count: int) -> float:
     """The median time of the whole job for one student, after one to warm up."""
     bank, place = read_bank(bank_path(Path(BANK)), SEED), folder / "ordinary"
     place.mkdir()
-    papers = set_exam(bank, read_roster(class_of(folder, STUDENTS)), SEED).papers(range(count + 1))
+    roster = read_roster(class_of(folder, STUDENTS))
+    papers = set_exam(bank, roster, FromWords(SEED)).papers(range(count + 1))
     return seconds(lambda: ordinary_job(bank, papers, place), count)
 
 

@@ -14,6 +14,7 @@ from tempfile import TemporaryDirectory
 
 from kinegrade.csv_writing import csv_text
 from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.generate import exam_record
 from kinegrade.exam.key_mistakes import mistaken_answers
 from kinegrade.exam.key_record import key_record
@@ -96,7 +97,7 @@ def classes(template: Template, draws: int) -> Iterator[SimulatedClass]:
     for number, first in enumerate(range(0, draws, CLASS)):
         names = [f"s{place}" for place in range(min(CLASS, draws - first))]
         roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
-        setting = set_exam(sample_bank(template), roster, f"fairness {number}")
+        setting = set_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
         (deck,) = setting.decks.values()
         papers = tuple(setting.papers())
         yield SimulatedClass(

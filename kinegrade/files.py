@@ -21,6 +21,7 @@ import socket
 import sys
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
@@ -32,23 +33,43 @@ _UNSUPPORTED = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP)
 _DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
+@dataclass(frozen=True)
+class Access:
+    """Who may read a folder: the modes of its folders and files, whatever the umask of the process is.
+
+    The names at its top in `ordinary` are left as they were made; whoever may not enter the folder cannot reach them.
+    """
+
+    folder: int
+    file: int
+    ordinary: Collection[str] = ()
+
+
 @contextmanager
 def output_folder(
-    path: Path, *, marker: str, contents: Collection[str] | None = None, force: bool = False
+    path: Path,
+    *,
+    marker: str | None,
+    contents: Collection[str] | None = None,
+    force: bool = False,
+    access: Access | None = None,
 ) -> Iterator[Path]:
     """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
 
-    `marker` is the file by which kinegrade knows its own folders, `contents` all it writes at their top.
-    With `force` an existing folder is replaced only if it is empty, or holds the marker and no name beyond
-    `contents`, so that nobody's own files are lost. Raises OutputError.
+    `marker` is the file by which kinegrade knows its own folders, None where they hold none; `contents` is all it
+    writes at their top. With `force` an existing folder is replaced only if it is empty, or holds the marker and no
+    name beyond `contents`, so that nobody's own files are lost. With `access` the folder is closed to all others from
+    its first moment; without, the mode of a folder that is replaced is kept. Raises OutputError.
     """
     target = _place(path)
     with _partial(path, target) as partial:
         _check_folder(path, target, marker, contents, force)
-        partial.mkdir()
-        if target.exists():
+        partial.mkdir(mode=0o777 if access is None else 0o700)
+        if target.exists() and access is None:
             partial.chmod(target.stat().st_mode | 0o700)
         yield partial
+        if access is not None:
+            _restrict(partial, access)
         _bring_to_disk(partial)
         _check_folder(
             path, target, marker, contents, force
@@ -85,7 +106,7 @@ def _place(path: Path) -> Path:
 
 
 def _check_folder(
-    path: Path, target: Path, marker: str, contents: Collection[str] | None, force: bool
+    path: Path, target: Path, marker: str | None, contents: Collection[str] | None, force: bool
 ) -> None:
     if not target.exists():
         return
@@ -96,7 +117,7 @@ def _check_folder(
     if not force:
         raise _taken(path, "folder")
     names = {entry.name for entry in target.iterdir()} - _DESKTOP_DROPPINGS
-    if names and marker not in names:
+    if names and marker is not None and marker not in names:
         raise OutputError(
             f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty folder, "
             "or one to be replaced - choose another name"
@@ -177,6 +198,18 @@ def _remove(entry: Path) -> None:
     else:
         with suppress(OSError):
             entry.unlink()
+
+
+def _restrict(folder: Path, access: Access) -> None:
+    """Give every folder and file its mode; what is ordinary keeps its own."""
+    for entry in folder.iterdir():
+        if entry.name in access.ordinary:
+            continue
+        if entry.is_dir():
+            _restrict(entry, replace(access, ordinary=()))
+        else:
+            entry.chmod(access.file)
+    folder.chmod(access.folder)
 
 
 def _bring_to_disk(folder: Path) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kinegrade.exam.bank import Bank
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper, set_exam
 
@@ -23,4 +24,4 @@ Hold = Callable[[str, str], None]
 
 def papers(bank: Bank) -> list[SetPaper]:
     students = Student("007", "王伟", "", "007"), Student("0012", "O'Neil, Zoë", "", "0012")
-    return list(set_exam(bank, Roster(students, ()), "golden").papers())
+    return list(set_exam(bank, Roster(students, ()), FromWords("golden")).papers())

@@ -200,3 +200,39 @@ def test_what_a_running_process_is_building_is_not_cleared(tmp_path: Path) -> No
         assert outer.exists()
         (tmp_path / "EXAM").rename(tmp_path / "OTHER")
     assert (tmp_path / "EXAM").exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="modes of POSIX")
+def test_a_folder_with_access_is_closed_from_its_first_moment(tmp_path: Path) -> None:
+    target = tmp_path / "EXAM"
+    target.mkdir(mode=0o755)
+    access = files.Access(0o750, 0o640, ordinary=("papers",))
+    with output_folder(target, marker="a", force=True, access=access) as folder:
+        assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+        for name in ("papers", "keys"):
+            (folder / name).mkdir(mode=0o711)
+            (folder / name / "papers").touch(mode=0o604)
+    modes = {
+        entry.relative_to(tmp_path).as_posix(): stat.S_IMODE(entry.stat().st_mode)
+        for entry in (target, *target.rglob("*"))
+    }
+    assert modes == {
+        "EXAM": 0o750,
+        "EXAM/papers": 0o711,
+        "EXAM/papers/papers": 0o604,
+        "EXAM/keys": 0o750,
+        "EXAM/keys/papers": 0o640,
+    }
+
+
+def test_a_folder_without_a_marker_is_known_by_its_contents_alone(tmp_path: Path) -> None:
+    for text in ("one", "two"):
+        with output_folder(tmp_path / "A", marker=None, contents=("1.pdf",), force=True) as folder:
+            (folder / "1.pdf").write_text(text)
+    (tmp_path / "A" / "2.pdf").touch()
+    with (
+        pytest.raises(OutputError, match="holds 2.pdf, which would be lost"),
+        output_folder(tmp_path / "A", marker=None, contents=("1.pdf",), force=True),
+    ):
+        pass
+    assert (tmp_path / "A" / "1.pdf").read_text() == "two"

@@ -71,9 +71,11 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
         str(small_class / "roster.csv"),
         "-o",
         str(tmp_path / "EXAM"),
-        "--seed",
+        "--reproducible",
         "autumn",
+        "--allow-odd-ids",
         "--force",
+        "--new-numbers",
         "--no-solutions",
     ]
     moment = replaced(tmp_path / "EXAM") if name == REPLACED else being_made(name)
@@ -81,7 +83,17 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
     assert contents(tmp_path / "EXAM") in ((new,) if name == REPLACED else (old, new))
     if name == "key.pdf":
         assert leftovers(tmp_path)
-        assert generate(write_class(tmp_path), "EXAM", "--seed", "autumn", "--force").exit_code == 0
+        assert (
+            generate(
+                write_class(tmp_path),
+                "EXAM",
+                "--reproducible",
+                "autumn",
+                "--force",
+                "--new-numbers",
+            ).exit_code
+            == 0
+        )
         assert contents(tmp_path / "EXAM") == new
         assert not leftovers(tmp_path)
 
@@ -90,7 +102,7 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
 def other_exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The exam of the same class with another seed."""
     folder = write_class(tmp_path_factory.mktemp("other"))
-    if generate(folder, "EXAM", "--seed", "autumn").exit_code:
+    if generate(folder, "EXAM", "--reproducible", "autumn").exit_code:
         raise RuntimeError("the exam cannot be generated")
     return folder / "EXAM"
 

@@ -11,7 +11,7 @@ import os
 import click
 
 from kinegrade import __version__
-from kinegrade.cli.exams import generate
+from kinegrade.cli.exams import generate, papers
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.quiz import quiz
@@ -25,7 +25,7 @@ def main() -> None:
     """Set, typeset and mark exams in planar kinematics.
 
     \b
-    kinegrade generate banks/demo.toml roster.csv -o EXAM --seed spring
+    kinegrade generate banks/demo.toml roster.csv -o EXAM
     kinegrade grade EXAM answers.csv -o MARKS
     """
     # Read when numpy is loaded: its library of linear algebra would start threads that nothing here needs, and a
@@ -41,6 +41,7 @@ for command in (
     new,
     gallery,
     generate,
+    papers,
     grade,
     diff,
     class_report,

@@ -1,4 +1,4 @@
-"""The command that sets an exam: generate."""
+"""The commands that set an exam and give out its papers: generate, papers."""
 
 from __future__ import annotations
 
@@ -20,9 +20,12 @@ from kinegrade.cli.options import (
 
 if TYPE_CHECKING:
     from kinegrade.exam.document import PaperSize
+    from kinegrade.exam.exam_secret import SecretWish
     from kinegrade.exam.generate import Generated
     from kinegrade.exam.press import Engine
     from kinegrade.problem.template import Language, Method
+
+COST = "--reproducible: whoever guesses these words can print every paper and its key; for tests and demonstrations only"
 
 
 @click.command()
@@ -32,7 +35,29 @@ if TYPE_CHECKING:
     "-o", "--output", type=FILE, required=True, metavar="EXAM", help="The exam folder to write."
 )
 @click.option(
-    "--seed", callback=writable, help="The exam's secret; drawn and printed if not given."
+    "--seed",
+    "label",
+    callback=writable,
+    metavar="LABEL",
+    help="A label mixed into the random secret that EXAM keeps; no secret itself.",
+)
+@click.option(
+    "--reproducible",
+    "words",
+    callback=writable,
+    metavar="WORDS",
+    help="Derive the whole exam from WORDS alone. Whoever guesses them can print every paper and its "
+    "key: for tests and demonstrations only.",
+)
+@click.option(
+    "--new-numbers",
+    is_flag=True,
+    help="With --force: papers of EXAM that may be printed are replaced by others.",
+)
+@click.option(
+    "--share-with-group",
+    is_flag=True,
+    help="Let the group of the folder read EXAM.  [default: its owner alone]",
 )
 @LANGUAGE
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
@@ -60,6 +85,10 @@ if TYPE_CHECKING:
     metavar="N",
     help="How many processes print a large class.  [default: one for each core]",
 )
+@click.option("--allow-odd-ids", is_flag=True, help="Accept ids that begin with =, +, - or @.")
+@click.option(
+    "--strict", is_flag=True, help="Refuse what else would be a complaint, and write nothing."
+)
 @FORCE
 @refusing
 def generate(
@@ -67,7 +96,10 @@ def generate(
     bank: Path,
     roster: Path,
     output: Path,
-    seed: str | None,
+    label: str | None,
+    words: str | None,
+    new_numbers: bool,
+    share_with_group: bool,
     language: Language,
     paper_size: PaperSize,
     engine: Engine | None,
@@ -75,54 +107,88 @@ def generate(
     method: Method | None,
     also: tuple[str, ...],
     jobs: int | None,
+    allow_odd_ids: bool,
+    strict: bool,
     force: bool,
 ) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 
     BANK is the exam's blueprint: a TOML file, or the name of one that is shipped: acceleration-midterm, demo, final,
-    velocity-quiz.
+    velocity-quiz. EXAM is readable by its owner alone; kinegrade papers copies what students may have.
 
     \b
-    Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --seed spring --lang zh
+    Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
     """
     from os import cpu_count
-    from secrets import token_hex
 
     from kinegrade.exam.bank import bank_path, read_blueprint
+    from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
     from kinegrade.exam.generate import generate as write_exam
     from kinegrade.exam.printing import Extras
     from kinegrade.exam.roster import read_roster
 
-    secret = seed if seed is not None else token_hex(8)
-    click.echo(f"seed: {secret}", err=True)
     written = write_exam(
         read_blueprint(bank_path(bank)),
-        read_roster(roster),
-        output,
-        secret,
+        read_roster(roster, odd_ids=allow_odd_ids),
+        Place(output, force, SHARED_WITH_GROUP if share_with_group else PRIVATE),
+        _wish(label, words, new=new_numbers),
         language,
-        force=force,
-        paper_size=paper_size,
-        engine=engine,
-        jobs=jobs or cpu_count() or 1,
+        strict=strict,
+        printing=Printing(paper_size, engine, jobs or cpu_count() or 1),
         extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
         progress=progress,
     )
+    if words is not None:
+        click.echo(COST, err=True)
     _say(written, output)
     finish(written.complaints)
+
+
+def _wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
+    """What the numbers are to be drawn from. Raises UsageError where two things are wanted that exclude each other."""
+    from kinegrade.exam.exam_secret import SecretWish
+
+    if label is not None and words is not None:
+        raise click.UsageError(
+            "--seed mixes a label into a random secret, --reproducible WORDS derives all from the words: give one"
+        )
+    return SecretWish(label, words, new)
 
 
 def _say(written: Generated, output: Path) -> None:
     for question, template in written.drawn.items():
         click.echo(f"{question}: drawn from the bank: {template}", err=True)
-    for question, combinations in written.combinations.items():
-        refused = ", ".join(
-            f"{reason} {count}" for reason, count in written.refusals[question].items()
-        )
+    refusals = written.setting.refusals()
+    for question, combinations in written.setting.combinations().items():
+        refused = ", ".join(f"{reason} {count}" for reason, count in refusals[question].items())
         click.echo(
             f"{question}: {combinations} combinations, refused draws: {refused or 'none'}", err=True
         )
+    if written.changes is not None:
+        click.echo(f"{output}: {written.changes}", err=True)
+    for remark in written.remarks:
+        click.echo(f"{output}: {remark}", err=True)
     click.echo(
-        f"{output}: {written.papers} papers; give students what is under {output / 'papers'}, nothing else",
+        f"{output}: {written.papers} papers; to hand them out: kinegrade papers {output} -o DIR; nothing else in "
+        f"{output} is for students",
         err=True,
     )
+
+
+@click.command()
+@click.argument("exam", type=FILE)
+@click.option(
+    "-o", "--output", type=FILE, required=True, metavar="DIR", help="The folder to write."
+)
+@FORCE
+@refusing
+def papers(exam: Path, output: Path, *, force: bool) -> None:
+    """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser where it exists.
+
+    \b
+    Example: kinegrade papers EXAM -o PAPERS
+    """
+    from kinegrade.exam.handout import hand_out
+
+    count = hand_out(exam, output, force=force)
+    click.echo(f"{output}: {count} papers, and nothing that gives the key away", err=True)

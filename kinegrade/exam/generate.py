@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack, closing
+from contextlib import AbstractContextManager, ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TextIO
@@ -15,24 +15,31 @@ from typing import Any, TextIO
 from kinegrade import __version__
 from kinegrade.collection import seldom_collected
 from kinegrade.csv_writing import neutralised, write_csv
-from kinegrade.errors import BankError
-from kinegrade.exam.blueprint import BankQuestion, Blueprint
+from kinegrade.errors import BankError, TableError
+from kinegrade.exam.blueprint import Bank, BankQuestion, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
+from kinegrade.exam.exam_secret import MARKER, SecretWish
 from kinegrade.exam.join import joining
 from kinegrade.exam.key_record import amount
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
-from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun
-from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
+from kinegrade.exam.replaced_exam import (
+    VARIANTS,
+    PaperChanges,
+    editable,
+    replaced_exam,
+    settle,
+)
+from kinegrade.exam.roster import Roster, Student, unprintable_id
 from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
 from kinegrade.exam.workshop import printed
-from kinegrade.files import output_folder
+from kinegrade.files import Access, output_folder
 from kinegrade.problem.shared_mechanism import FOLDER
 from kinegrade.problem.template import Language
 
 FORMAT = 1
-MARKER = "exam.json"
 NOTICE = "INSTRUCTOR-ONLY.txt"
 CONTENTS = (
     MARKER,
@@ -47,7 +54,11 @@ CONTENTS = (
     "solutions",
     "solutions.pdf",
     "tex",
+    VARIANTS,
 )
+FOR_STUDENTS = ("papers", "papers.pdf")
+PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
+SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under papers/ and nothing else, "
     "and after the exam, if you hand them out, their own worked solutions under solutions/. "
@@ -59,55 +70,98 @@ Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 @dataclass(frozen=True)
 class Generated:
-    """What was written: how many papers, from how many combinations, and why draws were refused.
+    """What was written: how many papers, and `setting` knows from how many combinations and why draws were refused.
 
-    `drawn` names the templates of the questions that the bank left to be drawn.
+    `drawn` names the templates of the questions that the bank left to be drawn. Where a folder was replaced, `changes`
+    tells what became of its papers and `remarks` of what else was in it.
     """
 
-    papers: int
+    setting: Setting
     drawn: dict[str, str]
-    combinations: dict[str, int]
-    refusals: dict[str, dict[str, int]]
     complaints: tuple[str, ...]
+    changes: PaperChanges | None
+    remarks: tuple[str, ...]
+
+    @property
+    def papers(self) -> int:
+        """How many there are."""
+        return len(self.setting.roster.students)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the exam folder goes, whether it may replace one that stands there, and who may read it."""
+
+    path: Path
+    force: bool = False
+    access: Access = PRIVATE
+
+    def folder(self) -> AbstractContextManager[Path]:
+        """A hidden folder to write into, which becomes the exam folder at the end. Raises OutputError."""
+        return output_folder(
+            self.path, marker=MARKER, contents=CONTENTS, force=self.force, access=self.access
+        )
+
+
+@dataclass(frozen=True)
+class Printing:
+    """How papers are printed: by up to `jobs` processes; the engine is the bank's unless one is given."""
+
+    paper_size: PaperSize = "a4"
+    engine: Engine | None = None
+    jobs: int = 1
+
+    def order(self, bank: Bank, folder: Path) -> PressOrder:
+        """The press for an exam whose folder is written at `folder`."""
+        return PressOrder(self.engine or bank.engine, self.paper_size, folder / "tex")
+
+
+ORDINARY = Printing()
 
 
 def generate(
     blueprint: Blueprint,
     roster: Roster,
-    output: Path,
-    secret: str,
+    place: Place,
+    wish: SecretWish,
     language: Language,
     *,
-    force: bool = False,
-    paper_size: PaperSize = "a4",
-    engine: Engine | None = None,
-    jobs: int = 1,
+    strict: bool = False,
+    printing: Printing = ORDINARY,
     extras: Extras = PLAIN,
     progress: Progress = lambda papers, count: papers,
 ) -> Generated:
-    """Write the exam folder `output`, by up to `jobs` processes; the engine is the bank's unless one is given.
+    """Write an exam folder at `place`.
 
-    `extras` says what is written beside papers and key.
-    Raises BankError, DrawError, TypesetError, OutputError; then nothing is written.
+    `wish` says what its numbers are drawn from: those of a folder that is replaced stay as they are. `extras` says what
+    is written beside papers and key; what would be a complaint is refused where `strict`.
+    Raises KinegradeError; then nothing is written.
     """
-    bank = blueprint.bank(secret)
-    setting = set_exam(bank, roster, secret)
+    require_tools(extras)
+    old = replaced_exam(place.path, new_numbers=wish.new) if place.force else None
+    secret = wish.secret(None if old is None else old.secret)
+    setting = set_exam(blueprint.bank(secret.drawing), roster, secret)
     sources = source_files(setting)
-    with (
-        seldom_collected(),
-        output_folder(output, marker=MARKER, contents=CONTENTS, force=force) as folder,
-    ):
-        order = PressOrder(engine or bank.engine, paper_size, folder / "tex")
+    with seldom_collected(), place.folder() as folder:
+        order = printing.order(setting.bank, folder)
         press = order.press()
-        run = PrintRun(bank, language, order, folder / "papers", folder / "solutions", extras)
-        keys = write_papers(setting, run, press, folder, jobs=jobs, progress=progress)
+        said = complaints(roster, press)
+        require_none(said if strict else ())
+        places = folder / "papers", folder / "solutions"
+        run = PrintRun(setting.bank, language, order, *places, extras)
+        keys = write_papers(setting, run, press, folder, jobs=printing.jobs, progress=progress)
         write_sources(sources, folder)
-        write_blank_answers(setting, folder / "answers.csv")
-        write_json(folder / MARKER, exam_record(setting, keys, language))
-        (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
-    drawn = drawn_templates(blueprint, setting)
-    said = complaints(roster, press)
-    return Generated(len(keys), drawn, setting.combinations(), setting.refusals(), said)
+        write_head(setting, keys, language, folder)
+        settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
+    return Generated(setting, drawn_templates(blueprint, setting), said, *settled)
+
+
+def write_head(setting: Setting, keys: list[KeyPaper], language: Language, folder: Path) -> None:
+    """The answer sheet, exam.json and the notice to instructors; all other files stand there already."""
+    write_blank_answers(setting, folder / "answers.csv")
+    record = {**exam_record(setting, keys, language), "editable": editable(folder)}
+    write_json(folder / MARKER, record)
+    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
 
 
 def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
@@ -225,7 +279,7 @@ def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> d
         "course": bank.course.in_language(language),
         "date": bank.date,
         "language": language,
-        "seed": setting.secret,
+        **setting.secret.record(),
         **({"versions": list(version_letters(bank.versions))} if bank.versions else {}),
         **({"credit": bank.credit.record()} if bank.credit.record() else {}),
         **({"solutions": True} if bank.solutions else {}),
@@ -271,11 +325,22 @@ def student_entry(student: Student, key: KeyPaper) -> dict[str, Any]:
 
 
 def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
-    """What a person should look at: the roster's oddities, and characters of names that no font has."""
-    missing = press.unprintable(student.name for student in roster.students)
-    letters = [
-        f"{student.student}: the name has characters that no font prints, they stand as code points"
-        for student in roster.students
-        if missing & set(student.name)
-    ]
-    return (*map(str, roster.complaints), *letters)
+    """What a person should look at: the roster's oddities, and characters of names and ids that no font has."""
+    owners = (text for student in roster.students for text in (student.name, student.student))
+    missing = press.unprintable(owners)
+    said = [*map(str, roster.complaints)]
+    for student in roster.students:
+        if missing & set(student.name):
+            said.append(
+                f"{student.student}: the name has characters that no font prints, they stand as code points"
+            )
+        odd = {each for each in student.student if each in missing or not each.isprintable()}
+        if odd:
+            said.append(str(unprintable_id(roster.file, student, odd)))
+    return tuple(said)
+
+
+def require_none(complaints: tuple[str, ...]) -> None:
+    """Raises TableError where there are complaints."""
+    if complaints:
+        raise TableError(*complaints)

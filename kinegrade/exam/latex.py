@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Generic, TypeVar
@@ -25,7 +25,7 @@ from kinegrade.exam.latex_source import document, paper_body
 from kinegrade.exam.latex_text import is_latin, is_surely_printed, plain
 from kinegrade.exam.layout_call import each
 from kinegrade.exam.solution_words import solution_words_of
-from kinegrade.exam.typst import legible
+from kinegrade.exam.typst import legible_owner, legible_owners
 from kinegrade.exam.words import words_of
 
 START_SECONDS = 60.0
@@ -61,7 +61,7 @@ class LatexPress:
     def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
         """Write `folder/NAME.pdf` for every paper, all typeset in one run.
 
-        Characters of a student's name that no font has are printed as code points (`unprintable` tells which).
+        Characters of a student's name and id that no font has are printed as code points (`unprintable` tells which).
         Raises TypesetError with all faults of the papers' texts, with the first fault that TeX finds, or where TeX
         is not installed.
         """
@@ -73,12 +73,7 @@ class LatexPress:
 
     def key(self, book: KeyBook, target: Path) -> None:
         """Write the instructor's key; names are printed and errors raised as by `papers`."""
-        papers = tuple(book.papers)
-        missing = self.unprintable(paper.name for paper in papers)
-        named = replace(
-            book,
-            papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers),
-        )
+        named = legible_owners(book, self)
         body, words = key_body(named), words_of(book.language)
         with self._typeset([body], book.language, words, "key") as outcome:
             _write_pages(outcome.pdf, [(0, _page_count(outcome.pdf), target)])
@@ -98,11 +93,12 @@ class LatexPress:
         return frozenset(character for character in characters if not self._looked_at[character])
 
     def _print(self, sheets: Mapping[str, Sheet], kind: Kind[Sheet], folder: Path) -> None:
-        missing = self.unprintable(sheet.name for sheet in sheets.values())
+        owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))
+        missing = self.unprintable(owners)
         for language in sorted({sheet.language for sheet in sheets.values()}):
             self._print_class(
                 {
-                    name: replace(sheet, name=legible(sheet.name, missing))
+                    name: legible_owner(sheet, missing)
                     for name, sheet in sheets.items()
                     if sheet.language == language
                 },

@@ -69,6 +69,14 @@ class Printed:
     key: KeyPaper
 
 
+def require_tools(extras: Extras) -> None:
+    """Raises TypesetError where a program is missing that the extras need, before any work is done."""
+    if extras.also:
+        from kinegrade.exam.word import require_pandoc  # few exams need it
+
+        require_pandoc(extras.also)
+
+
 def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> list[Printed]:
     """Write `NAME.pdf` for each of the papers, and for its worked solutions where they are wanted.
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from hashlib import sha256
 from pathlib import Path
 from unicodedata import normalize
 from urllib.parse import quote
 
-from kinegrade.errors import TableError
+from kinegrade.errors import TableError, one_line
 from kinegrade.tables import (
     Complaint,
     Row,
@@ -32,6 +32,7 @@ COLUMN_NAMES: Mapping[str, tuple[str, ...]] = {
     "name": ("name", "full name", "student name", "姓名"),
     "email": ("email", "e-mail", "email address", "e-mail address", "邮箱", "電子郵件"),
 }
+FORMULA_SIGNS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")  # full-width ones too
 _REQUIRED = ("student", "name")
 _LONGEST_STEM = 100
 _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNORECASE)
@@ -39,34 +40,43 @@ _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNO
 
 @dataclass(frozen=True, slots=True)
 class Student:
-    """One student; `file_name` is a stem safe on every system and different from all others of the roster."""
+    """One student; `file_name` is a stem safe on every system and different from all others of the roster.
+
+    `line` is where the student stands in the roster's file, 0 where there is none.
+    """
 
     student: str
     name: str
     email: str
     file_name: str
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """The students in the order of the file, and what a person should look at."""
+    """The students in the order of the file, and what a person should look at; `file` is its name in messages."""
 
     students: tuple[Student, ...]
     complaints: tuple[Complaint, ...]
+    file: str = field(default="roster", compare=False)
 
 
-def read_roster(path: Path) -> Roster:
-    """Reads a roster file; raises TableError with all its faults at once."""
-    return _roster(read_table(path))
+def read_roster(path: Path, *, odd_ids: bool = False) -> Roster:
+    """Reads a roster file; raises TableError with all its faults at once.
+
+    Ids that a spreadsheet would take for a formula are a fault too, unless `odd_ids` are wanted: they are keys, so they
+    stand as they are in every table that is written.
+    """
+    return _roster(read_table(path), odd_ids=odd_ids)
 
 
-def parse_roster(content: bytes, file: str) -> Roster:
-    """Reads the bytes of a roster; `file` is its name in messages. Raises TableError.
+def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
+    """Reads the bytes of a roster as `read_roster` does; `file` is its name in messages. Raises TableError.
 
     >>> parse_roster(b"name,ID\\nAnn,007\\n", "roster.csv").students[0].student
     '007'
     """
-    return _roster(parse_table(content, file))
+    return _roster(parse_table(content, file), odd_ids=odd_ids)
 
 
 def student_key(student: str) -> str:
@@ -113,16 +123,28 @@ def _cut(student: str, stem: str) -> str:
     return f"{stem[:40]}%-{digest}"
 
 
-def _roster(table: Table) -> Roster:
+def unprintable_id(file: str, student: Student, characters: Iterable[str]) -> Complaint:
+    """The complaint about characters of an id that do not print: nobody can type it as it stands on the paper."""
+    codes = ", ".join(f"U+{ord(character):04X}" for character in sorted(set(characters)))
+    problem = f"the id of {student.name or 'a student without a name'} has characters that do not print ({codes})"
+    done = "on the paper they are code points, or not seen at all; correct the id before papers are printed"
+    return Complaint(
+        file, student.line or None, "student", one_line(student.student), problem, done
+    )
+
+
+def _roster(table: Table, *, odd_ids: bool) -> Roster:
     columns = _columns(table)
     faults = [*_empty_ids(table, columns), *_repeated_ids(table, columns)]
+    if not odd_ids:
+        faults += _formula_ids(table, columns)
     if not table.rows:
         faults.append(f"{table.file}: has no students - expected a line for each - add them")
     if faults:
         raise TableError(*faults)
     stems = file_names(trimmed(row.cell(columns["student"])) for row in table.rows)
     students = tuple(_student(row, columns, stems) for row in table.rows)
-    return Roster(students, (*table.complaints, *_nameless(table, columns)))
+    return Roster(students, (*table.complaints, *_nameless(table, columns)), table.file)
 
 
 def _columns(table: Table) -> dict[str, int]:
@@ -165,10 +187,22 @@ def _repeated_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
             )
 
 
+def _formula_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
+    for row in table.rows:
+        student = trimmed(row.cell(columns["student"]))
+        if student.startswith(FORMULA_SIGNS):
+            name = shortened(_name(row, columns))
+            yield (
+                f'{table.file}:{row.line}: student id "{shortened(student)}" ({name}) begins with {student[0]}, so '
+                "that spreadsheets take it for a formula - expected a letter or a digit first - correct it, or add "
+                "--allow-odd-ids"
+            )
+
+
 def _student(row: Row, columns: Mapping[str, int], stems: Mapping[str, str]) -> Student:
     student = trimmed(row.cell(columns["student"]))
     email = trimmed(row.cell(columns["email"])) if "email" in columns else ""
-    return Student(student, _name(row, columns), email, stems[student])
+    return Student(student, _name(row, columns), email, stems[student], row.line)
 
 
 def _name(row: Row, columns: Mapping[str, int]) -> str:

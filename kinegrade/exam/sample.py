@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_exam
@@ -32,7 +33,7 @@ def sample_bank(template: Template) -> Bank:
 def sample_page(template: Template, seed: str, language: Language) -> bytes:
     """A paper with one instance of the template, as PDF. Raises DrawError, TypesetError."""
     student = Student("sample", "Sample", "", "sample")
-    setting = set_exam(sample_bank(template), Roster((student,), ()), seed)
+    setting = set_exam(sample_bank(template), Roster((student,), ()), FromWords(seed))
     return TypstPress().paper(paper_pages(setting.bank, next(setting.papers()), language))
 
 

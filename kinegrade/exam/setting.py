@@ -5,11 +5,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 
 from kinegrade.errors import DrawError
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
+from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.versions import version_letters, version_of
 from kinegrade.mechanics.doubles import MotionInDoubles
@@ -66,8 +68,9 @@ class Setting:
 
     bank: Bank
     roster: Roster
-    secret: str
+    secret: ExamSecret
     decks: Mapping[str, Deck]
+    codes: Mapping[str, str]  # by student
 
     def papers(self, places: Sequence[int] | None = None) -> Iterator[SetPaper]:
         """The papers in roster order, or of the students at these places of the roster.
@@ -79,9 +82,9 @@ class Setting:
         places = range(len(self.roster.students)) if places is None else places
         for number, place in enumerate(places):
             student = self.roster.students[place]
-            code = paper_code(self.secret, student.student)
+            code = self.codes[student.student]
             if versions:
-                letter = version_of(self.secret, place, letters)
+                letter = version_of(self.secret.drawing, place, letters)
                 yield SetPaper(
                     student,
                     f"{letter}-{code}",
@@ -117,7 +120,7 @@ class Setting:
             sorted(
                 places,
                 key=lambda place: address(
-                    self.secret, "order", whose, self.bank.questions[place].identifier
+                    self.secret.drawing, "order", whose, self.bank.questions[place].identifier
                 ),
             )
         )
@@ -131,31 +134,32 @@ class Setting:
         return {name: dict(sorted(deck.refused.items())) for name, deck in self.decks.items()}
 
 
-def set_exam(bank: Bank, roster: Roster, secret: str) -> Setting:
+def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
     """A setting. Raises DrawError for every question with fewer combinations than there are papers to be drawn."""
     decks = {
         question.identifier: Deck(
             question.template,
             tuple(ask.name for ask in question.asks),
-            secret,
+            secret.drawing,
             question.identifier,
             question.domains,
             tolerances={ask.name: ask.tolerance for ask in question.asks},
         )
         for question in bank.questions
     }
-    count, whose = (
+    needed, whose = (
         (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
     )
     few = [
-        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {count} {whose}: "
+        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {needed} {whose}: "
         "widen the domains"
         for name, deck in decks.items()
-        if deck.combinations() < count
+        if deck.combinations() < needed
     ]
     if few:
         raise DrawError(*few)
-    return Setting(bank, roster, secret, decks)
+    codes = paper_codes(secret.coding, (student.student for student in roster.students))
+    return Setting(bank, roster, secret, decks, codes)
 
 
 def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
@@ -176,8 +180,20 @@ def set_ask(
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)
 
 
-def paper_code(secret: str, student: str) -> str:
-    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret and the student's id."""
-    number = address(secret, "paper", student)
+def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
+    """The code of everybody's paper, no two alike; where two would be, the one further down gets another."""
+    codes: dict[str, str] = {}
+    taken: set[str] = set()
+    for student in students:
+        attempts = (paper_code(secret, student, attempt) for attempt in count())
+        codes[student] = next(code for code in attempts if code not in taken)
+        taken.add(codes[student])
+    return codes
+
+
+def paper_code(secret: str, student: str, attempt: int = 0) -> str:
+    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret for codes and the student's id."""
+    further = (attempt,) if attempt else ()
+    number = address(secret, "paper", student, *further)
     text = "".join(LETTERS[number >> 5 * place & 31] for place in range(8))
     return f"{text[:4]}-{text[4:]}"

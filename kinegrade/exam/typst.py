@@ -18,11 +18,12 @@ from typing import Literal, TypeVar
 import typst
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.exam.document import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
 from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
 from kinegrade.exam.layout_call import each
+from kinegrade.exam.press import Press
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 KEY_CHUNK = 10  # papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
@@ -31,6 +32,7 @@ FIXED_TIME = (
 )
 
 Sheet = TypeVar("Sheet", Paper, SolutionSheet)
+Owned = TypeVar("Owned", Paper, SolutionSheet, KeyPaper)
 
 _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
 _ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
@@ -62,13 +64,10 @@ class TypstPress:
     def paper(self, paper: Paper) -> bytes:
         """One student's paper as PDF.
 
-        Characters of the student's name that no font has are printed as code points (`unprintable` tells
+        Characters of the student's name and id that no font has are printed as code points (`unprintable` tells
         which). Raises TypesetError with all faults of the paper's texts, other such characters among them.
         """
-        try:
-            return self._compile(paper_source(paper, self._size))
-        except typst.TypstError:
-            named = replace(paper, name=legible(paper.name, self.unprintable([paper.name])))
+        named = self._legible(paper)
         try:
             return self._compile(paper_source(named, self._size))
         except typst.TypstError as error:
@@ -78,7 +77,7 @@ class TypstPress:
     def page_images(self, paper: Paper, ppi: int = 100) -> list[bytes]:
         """The pages of a paper as PNG, `ppi` pixels to the inch; raises TypesetError as `paper` does."""
         self.paper(paper)
-        named = replace(paper, name=legible(paper.name, self.unprintable([paper.name])))
+        named = self._legible(paper)
         source = paper_source(named, self._size).encode()
         images = self._compiler.compile(source, format="png", ppi=ppi, timestamp=FIXED_TIME)
         pages = images if isinstance(images, list) else [images]
@@ -88,7 +87,7 @@ class TypstPress:
         """One student's worked solutions as PDF; names are printed and errors raised as by `paper`."""
         from kinegrade.exam.solution_source import solution_source  # noqa: PLC0415  # few exams need it
 
-        named = replace(sheet, name=legible(sheet.name, self.unprintable([sheet.name])))
+        named = self._legible(sheet)
         return self._explaining(solution_source(named, self._size), f"solutions {sheet.code}")
 
     def key(self, book: KeyBook, target: Path) -> None:
@@ -114,17 +113,17 @@ class TypstPress:
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
-            pdf = self._explaining(key_source(self._legible(part), first_page, self._size), "key")
+            pdf = self._explaining(
+                key_source(self._legible_book(part), first_page, self._size), "key"
+            )
             first_page += page_count(pdf)
             yield pdf
 
-    def _legible(self, book: KeyBook) -> KeyBook:
-        papers = tuple(book.papers)
-        missing = self.unprintable(paper.name for paper in papers)
-        return replace(
-            book,
-            papers=tuple(replace(paper, name=legible(paper.name, missing)) for paper in papers),
-        )
+    def _legible(self, sheet: Sheet) -> Sheet:
+        return legible_owner(sheet, self.unprintable([sheet.name, sheet.student]))
+
+    def _legible_book(self, book: KeyBook) -> KeyBook:
+        return legible_owners(book, self)
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
         """Those of `characters` that the compiler complains of; it may need several looks to find all."""
@@ -182,6 +181,19 @@ def _write(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes], folder: P
         each(lambda name: (folder / f"{name}.pdf").write_bytes(pdf(sheets[name])), sheets)
     except TypesetError as error:
         raise TypesetError(*dict.fromkeys(error.problems)) from error
+
+
+def legible_owners(book: KeyBook, press: Press) -> KeyBook:
+    """A key with the name and id on each paper as `press` can print them."""
+    papers = tuple(book.papers)
+    missing = press.unprintable(text for paper in papers for text in (paper.name, paper.student))
+    return replace(book, papers=tuple(legible_owner(paper, missing) for paper in papers))
+
+
+def legible_owner(sheet: Owned, missing: frozenset[str]) -> Owned:
+    """A sheet with each character in `missing` written as its code point in its owner's name and id."""
+    name, student = legible(sheet.name, missing), legible(sheet.student, missing)
+    return replace(sheet, name=name, student=student)
 
 
 def legible(name: str, missing: frozenset[str]) -> str:

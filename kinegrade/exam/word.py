@@ -9,12 +9,13 @@ from __future__ import annotations
 import re
 import subprocess
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from html import escape
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
+from shutil import which
 from string import Template
 from tempfile import TemporaryDirectory
 from typing import Literal, get_args
@@ -107,6 +108,13 @@ class PandocPress:
         return f"data:image/{'svg+xml' if kind == 'svg' else kind};base64,{data}"
 
 
+def require_pandoc(kinds: Iterable[str]) -> None:
+    """Raises TypesetError where there is no pandoc to write these kinds of files."""
+    wanted = ", ".join(kinds)
+    if which(_pandoc_path(wanted)) is None:
+        raise TypesetError(f"{wanted}: {MISSING}")
+
+
 def _pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
     """What pandoc makes of a document."""
     form = ["--from", "json", "--to", kind, "--wrap", "none", "--fail-if-warnings", "--output", "-"]
@@ -145,7 +153,7 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
     )
 
 
-def _pandoc_path(kind: Kind) -> str:
+def _pandoc_path(kind: str) -> str:
     """Where pandoc is: the one of the optional extra, or the machine's own."""
     try:
         return str(import_module("pypandoc").get_pandoc_path())

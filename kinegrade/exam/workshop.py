@@ -24,6 +24,7 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.attendance import attend
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.drafts import Draft, Plans, Workplace, confirmed, drafts, plans_of, use
+from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.ledger import Ledger
 from kinegrade.exam.press import Press
 from kinegrade.exam.printing import Printed, PrintRun, print_papers
@@ -48,7 +49,7 @@ class Job:
     ledger: Path = field(compare=False)
     bank: Bank = field(compare=False)
     roster: Roster = field(compare=False)
-    secret: str = field(compare=False)
+    secret: ExamSecret = field(compare=False)
 
     def setting(self) -> Setting:
         """A setting that has drawn nothing yet."""

@@ -73,7 +73,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
     folder = tmp_path_factory.mktemp("demo")
     exam, marks = folder / "EXAM", folder / "MARKS"
     generated = kinegrade(
-        "generate", BANK, ROSTER, "-o", exam, "--seed", "demo", "--force", "--no-solutions"
+        "generate", BANK, ROSTER, "-o", exam, "--reproducible", "demo", "--force", "--no-solutions"
     )
     return Demo(exam, marks, generated, kinegrade("grade", exam, ANSWERS, "-o", marks, "--force"))
 
@@ -289,7 +289,7 @@ def test_the_chinese_papers_put_the_same_questions(demo: Demo, tmp_path: Path) -
     roster = tmp_path / "five.csv"
     roster.write_text("".join(first_lines(ROSTER, 6)), encoding="utf-8")
     run = kinegrade(
-        "generate", BANK, roster, "-o", tmp_path / "EXAM", "--seed", "demo", "--lang", "zh"
+        "generate", BANK, roster, "-o", tmp_path / "EXAM", "--reproducible", "demo", "--lang", "zh"
     )
     assert run.returncode == 0, run.stderr
     assert len(list((tmp_path / "EXAM" / "papers").iterdir())) == 5

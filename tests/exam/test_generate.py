@@ -1,11 +1,12 @@
-"""`kinegrade generate`: the folder's exact contents, the same bytes for the same seed, whole or not at all."""
+"""`kinegrade generate`: the folder's exact contents, the same bytes for the same words, whole or not at all."""
 
 from __future__ import annotations
 
 import json
-import re
+import sys
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 
 import pikepdf
 import pytest
@@ -13,6 +14,7 @@ from pypdf import PdfReader
 
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.text import decimal_text
+from kinegrade.exam.word import MISSING
 from kinegrade.expression import elementary, evaluate, read
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.problem.library import load_template, shipped
@@ -60,7 +62,7 @@ def refused(folder: Path, *options: str) -> list[str]:
     result = generate(folder, "NEW", *options)
     assert result.exit_code == 2
     assert sorted(entry.name for entry in folder.iterdir()) == before
-    lines = [line for line in result.stderr.splitlines() if not line.startswith("seed: ")]
+    lines = result.stderr.splitlines()
     assert lines
     assert all(line.startswith("error: ") for line in lines)
     return lines
@@ -133,11 +135,12 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         "course",
         "date",
         "language",
-        "seed",
+        "reproducible",
         "questions",
         "students",
+        "editable",
     ]
-    assert (record["format"], record["title"], record["date"], record["seed"]) == (
+    assert (record["format"], record["title"], record["date"], record["reproducible"]) == (
         1,
         "Midterm",
         "2026-05-01",
@@ -288,12 +291,12 @@ def test_the_text_of_a_paper_does_not_hold_its_answers(exam: Path) -> None:
         assert not [decimal for decimal in telling if decimal in text]
 
 
-def test_the_same_seed_gives_the_same_bytes_another_seed_other_numbers(
+def test_the_same_words_give_the_same_bytes_other_words_other_numbers(
     folder: Path, exam: Path
 ) -> None:
     assert generate(folder).exit_code == 0
     assert contents(folder / "EXAM") == contents(exam)
-    assert generate(folder, "OTHER", "--seed", "autumn").exit_code == 0
+    assert generate(folder, "OTHER", "--reproducible", "autumn").exit_code == 0
     ours, others = key_lines(exam), key_lines(folder / "OTHER")
     assert all(
         one["questions"] != other["questions"] and one["paper"] != other["paper"]
@@ -308,28 +311,25 @@ def test_chinese_papers_have_the_same_key(folder: Path, exam: Path) -> None:
     assert (record["title"], record["course"], record["language"]) == ("期中测验", "力学", "zh")
 
 
-def test_a_seed_is_made_and_printed_if_none_is_given(folder: Path) -> None:
+def test_what_was_done_is_said_on_standard_error(folder: Path) -> None:
     (folder / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
-    result = kinegrade(
-        "generate", folder / "bank.toml", folder / "roster.csv", "-o", folder / "EXAM"
-    )
+    result = generate(folder)
     assert result.exit_code == 0
-    (seed,) = re.findall(r"^seed: ([0-9a-f]{16})$", result.stderr, re.MULTILINE)
-    assert json.loads((folder / "EXAM" / "exam.json").read_text(encoding="utf-8"))["seed"] == seed
     assert result.stdout == ""
     assert "q1: 21780 combinations, refused draws: " in result.stderr
-    assert "1 papers; give students what is under" in result.stderr
+    assert "1 papers; to hand them out: kinegrade papers " in result.stderr
 
 
 def test_an_existing_folder_is_kept_unless_it_is_kinegrades_own(folder: Path) -> None:
     (folder / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
     assert generate(folder).exit_code == 0
     before = contents(folder / "EXAM")
-    result = generate(folder, "EXAM", "--seed", "autumn")
+    result = generate(folder, "EXAM", "--reproducible", "autumn")
     assert (result.exit_code, contents(folder / "EXAM")) == (2, before)
-    (line,) = [line for line in result.stderr.splitlines() if not line.startswith("seed")]
+    (line,) = result.stderr.splitlines()
     assert "EXAM: already exists - expected a new folder - add --force to replace it" in line
-    assert generate(folder, "EXAM", "--seed", "autumn", "--force").exit_code == 0
+    again = generate(folder, "EXAM", "--reproducible", "autumn", "--force", "--new-numbers")
+    assert again.exit_code == 0
     assert contents(folder / "EXAM")["key.jsonl"] != before["key.jsonl"]
     (folder / "EXAM" / "my notes.txt").write_text("mine")
     assert "holds my notes.txt, which would be lost" in generate(folder, "EXAM", "--force").stderr
@@ -394,9 +394,59 @@ def test_a_name_that_no_font_prints_does_not_stop_an_exam(folder: Path) -> None:
     assert sorted(entry.name for entry in (folder / "EXAM" / "papers").iterdir()) == sorted(FILES)
 
 
-@pytest.mark.parametrize("seed", ["", "  ", "\udcff"])
-def test_a_seed_must_be_some_text(folder: Path, seed: str) -> None:
-    result = generate(folder, "EXAM", "--seed", seed)
+@pytest.mark.parametrize("option", ["--seed", "--reproducible"])
+@pytest.mark.parametrize("text", ["", "  ", "\udcff"])
+def test_a_label_and_words_must_be_some_text(folder: Path, option: str, text: str) -> None:
+    result = generate(folder, "EXAM", option, text)
     assert result.exit_code == 2
     assert "expected some text, like spring-2026" in result.stderr
     assert not (folder / "EXAM").exists()
+
+
+@pytest.mark.parametrize(
+    ("character", "code", "shown"),
+    [("😀", "U+1F600", "[U+1F600]"), ("\u200b", "U+200B", ""), ("\x07", "U+0007", "")],
+)
+def test_an_id_that_does_not_print_does_not_stop_a_class(
+    folder: Path, character: str, code: str, shown: str
+) -> None:
+    student = f"0{character}7"
+    (folder / "roster.csv").write_text(f"student,name\n1,Ann\n{student},Bob B.\n", encoding="utf-8")
+    (line,) = refused(folder, "--strict")
+    problem = f"roster.csv:3: student: the id of Bob B. has characters that do not print ({code})"
+    assert line.startswith(f"error: {problem} - on the paper they are code points")
+    result = generate(folder, "EXAM", "--solutions")
+    assert result.exit_code == 1
+    assert f"complaint: {problem}" in result.stderr
+    exam = folder / "EXAM"
+    assert [line["student"] for line in key_lines(exam)] == ["1", student]
+    for printed in ("papers", "solutions"):
+        (paper,) = (file for file in (exam / printed).iterdir() if file.name != "1.pdf")
+        text = "".join(page.extract_text() for page in PdfReader(paper).pages)
+        assert f"0{shown}7" in "".join(letter for letter in text if letter.isprintable())
+
+
+def test_without_complaints_strict_changes_nothing(folder: Path) -> None:
+    assert generate(folder, "EXAM", "--strict").exit_code == 0
+
+
+def test_ids_that_spreadsheets_run_are_refused_unless_they_are_allowed(folder: Path) -> None:
+    files = folder / "bank.toml", folder / "roster.csv"
+    result = kinegrade("generate", *files, "-o", folder / "EXAM")
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    assert line.startswith('error: roster.csv:5: student id "=2" (Ann) begins with =')
+    assert not (folder / "EXAM").exists()
+
+
+def test_a_missing_pandoc_is_reported_before_anything_is_drawn(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def draw(*arguments: object) -> None:
+        raise AssertionError("work was done in vain")
+
+    monkeypatch.setattr("kinegrade.exam.generate.set_exam", draw)
+    for module in (None, SimpleNamespace(get_pandoc_path=lambda: "/nowhere/pandoc")):
+        monkeypatch.setitem(sys.modules, "pypandoc", module)
+        (line,) = refused(folder, "--also", "html", "--also", "docx")
+        assert line == f"error: html, docx: {MISSING}"

@@ -13,6 +13,7 @@ from pypdf import PdfReader
 from kinegrade.errors import TypesetError
 from kinegrade.exam import latex_run
 from kinegrade.exam.document import Paper
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.latex import LatexPress
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.press import Press
@@ -130,7 +131,7 @@ def test_a_sample_of_every_template_can_be_printed(language: Language, tmp_path:
 
 def sample(name: str, language: Language) -> Paper:
     roster = Roster((Student(name, "Sample", "", name),), ())
-    setting = set_exam(sample_bank(load_template(name)), roster, "latex")
+    setting = set_exam(sample_bank(load_template(name)), roster, FromWords("latex"))
     return paper_pages(setting.bank, next(setting.papers()), language)
 
 

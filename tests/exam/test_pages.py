@@ -8,6 +8,7 @@ import pytest
 
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import WARNING, interval, key_book, key_paper, paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper, set_exam
@@ -25,7 +26,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Bank:
 
 @pytest.fixture(scope="module")
 def papers(bank: Bank) -> list[SetPaper]:
-    return list(set_exam(bank, CLASS, "spring").papers())
+    return list(set_exam(bank, CLASS, FromWords("spring")).papers())
 
 
 def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) -> None:

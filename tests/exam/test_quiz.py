@@ -16,6 +16,7 @@ import pytest
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam import quiz
 from kinegrade.exam.bank import read_bank
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.quiz import PLAIN, QuizOrder, by_workers, read_quiz
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper
@@ -83,7 +84,9 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
 
 def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> None:
     bank = read_bank(small_class / "bank.toml")
-    setting = set_exam(bank, read_roster(small_class / "roster.csv"), "spring")
+    setting = set_exam(
+        bank, read_roster(small_class / "roster.csv", odd_ids=True), FromWords("spring")
+    )
     for paper, put in zip(setting.papers(), papers(small_class / "EXAM"), strict=True):
         page = paper_pages(bank, paper, "en")
         assert (put.code, put.student, put.name) == (page.code, page.student, page.name)

@@ -122,3 +122,23 @@ def test_file_names_differ_on_every_file_system(students: set[str]) -> None:
     assert all(
         stem.isascii() and not set(stem) & set("/\\: \0") and stem[0] != "." for stem in stems
     )
+
+
+@pytest.mark.parametrize("student", ["=2", "+49", "-1", "@a", "=HYPERLINK(1)", "\uff1d2"])
+def test_an_id_that_a_spreadsheet_would_run_is_refused(student: str) -> None:
+    text = f"student,name\n1,Ann\n{student},Bob\n"
+    with pytest.raises(TableError) as caught:
+        roster(text)
+    (problem,) = caught.value.problems
+    assert problem.startswith(
+        f'roster.csv:3: student id "{student}" (Bob) begins with {student[0]}'
+    )
+    assert problem.endswith("correct it, or add --allow-odd-ids")
+    allowed = parse_roster(text.encode(), "roster.csv", odd_ids=True)
+    assert [each.student for each in allowed.students] == ["1", student]
+
+
+def test_odd_ids_are_refused_with_all_other_faults() -> None:
+    with pytest.raises(TableError) as caught:
+        roster("student,name\n,Ann\n=1,Bob\n@2,Cy\n")
+    assert len(caught.value.problems) == 3

@@ -13,6 +13,7 @@ import pytest
 from kinegrade.errors import DrawError
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import SetPaper, paper_code, set_exam
 from tests.small_class import BANK, write_class
@@ -28,7 +29,7 @@ def roster(count: int) -> Roster:
 
 
 def papers(bank: Bank, count: int, secret: str = "spring") -> list[SetPaper]:
-    return list(set_exam(bank, roster(count), secret).papers())
+    return list(set_exam(bank, roster(count), FromWords(secret)).papers())
 
 
 def drawn(paper: SetPaper) -> list[object]:
@@ -64,7 +65,7 @@ def test_a_class_larger_than_the_combinations_is_refused_before_anything_is_draw
     bank: Bank,
 ) -> None:
     with pytest.raises(DrawError) as caught:
-        set_exam(bank, roster(10), "spring")
+        set_exam(bank, roster(10), FromWords("spring"))
     assert caught.value.problems == (
         "q2 (crank): 9 combinations are drawable for 10 students: widen the domains",
     )

@@ -209,7 +209,13 @@ def test_every_round_of_the_deal_holds_each_version_once_in_an_order_of_its_own(
 def test_a_shipped_bank_is_generated_by_its_name(tmp_path: Path) -> None:
     (tmp_path / "roster.csv").write_text("student,name\n1,Ann\n", encoding="utf-8")
     result = kinegrade(
-        "generate", "velocity-quiz", tmp_path / "roster.csv", "-o", tmp_path / "EXAM", "--seed", "s"
+        "generate",
+        "velocity-quiz",
+        tmp_path / "roster.csv",
+        "-o",
+        tmp_path / "EXAM",
+        "--reproducible",
+        "s",
     )
     assert result.exit_code == 0
     assert sum(question["points"] for question in record(tmp_path / "EXAM")["questions"]) == 30

@@ -1,0 +1,157 @@
+"""What an exam's numbers are drawn from: a random secret that lives in the exam folder and that nobody has to know.
+
+`generate` makes one, or takes that of the folder which it replaces; `kept_secret` reads it from an exam folder, also
+from folders of earlier versions, whose secret was a word that somebody typed.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from hmac import digest
+from pathlib import Path
+from secrets import token_hex
+from typing import Any, assert_never
+
+from kinegrade.errors import ExamError
+
+BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 gives back
+LEAST = 32  # hexadecimal digits of a secret that is believed: 128 bits
+MARKER = "exam.json"
+EARLIER = "seed"  # under which earlier versions kept the words typed
+
+
+@dataclass(frozen=True)
+class RandomSecret:
+    """Two random secrets in hexadecimal, `draws` for numbers and `codes` for the codes printed on papers.
+
+    As they are independent, all codes of a class tell nothing about the numbers. `label` is what a person typed; it is
+    mixed into the numbers and need not be secret.
+    """
+
+    draws: str = field(repr=False)
+    codes: str = field(repr=False)
+    label: str = ""
+
+    @property
+    def drawing(self) -> str:
+        """The key under which numbers, templates, versions and the order of questions are drawn."""
+        return digest(bytes.fromhex(self.draws), self.label.encode(), "sha256").hex()
+
+    @property
+    def coding(self) -> str:
+        """The key under which the codes of papers are made."""
+        return self.codes
+
+    def record(self) -> dict[str, str]:
+        """What exam.json holds of it."""
+        return {"secret": self.draws, "label": self.label, "codes": self.codes}
+
+
+@dataclass(frozen=True)
+class FromWords:
+    """Words from which the whole exam comes again, anywhere: whoever guesses them has every key.
+
+    For tests and demonstrations, and for folders of earlier versions.
+    """
+
+    words: str = field(repr=False)
+
+    @property
+    def drawing(self) -> str:
+        """The key under which numbers, templates, versions and the order of questions are drawn."""
+        return self.words
+
+    @property
+    def coding(self) -> str:
+        """The key under which the codes of papers are made."""
+        return self.words
+
+    def record(self) -> dict[str, str]:
+        """What exam.json holds of it."""
+        return {"reproducible": self.words}
+
+
+ExamSecret = RandomSecret | FromWords
+
+
+@dataclass(frozen=True)
+class SecretWish:
+    """What a person asks for: a label to be mixed in, or words to derive everything from; `new` numbers, or those of
+    the folder that is replaced."""
+
+    label: str | None = None
+    words: str | None = None
+    new: bool = False
+
+    def secret(self, kept: ExamSecret | None) -> ExamSecret:
+        """The secret of the exam to be written; `kept` is that of the folder that it replaces, if there is one."""
+        if self.words is not None:
+            return FromWords(self.words)
+        if kept is None or self.new:
+            return random_secret(self.label or "")
+        return kept if self.label is None else relabelled(kept, self.label)
+
+
+def random_secret(label: str = "") -> RandomSecret:
+    """A new secret, 256 random bits for the numbers and as many for the codes of papers."""
+    return RandomSecret(token_hex(BYTES), token_hex(BYTES), label)
+
+
+def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
+    """A secret with another label; words have none, unless the label says the same words."""
+    match secret:
+        case RandomSecret():
+            return replace(secret, label=label)
+        case FromWords():
+            return secret if secret.words == label else random_secret(label)
+        case _:
+            assert_never(secret)
+
+
+def kept_secret(folder: Path) -> ExamSecret:
+    """The secret of an exam folder, of earlier versions too. Raises ExamError; its message does not tell the secret."""
+    path = folder / MARKER
+    try:
+        head = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as fault:
+        raise ExamError(
+            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate - check "
+            "the name"
+        ) from fault
+    except (ValueError, RecursionError) as fault:
+        raise without_secret(path) from fault
+    found = secret_of(head) if isinstance(head, dict) else None
+    if found is None:
+        raise without_secret(path)
+    return found
+
+
+def secret_of(head: Mapping[str, Any]) -> ExamSecret | None:
+    """The secret that exam.json states; None where it states none that is whole."""
+    words = head.get("reproducible", head.get(EARLIER))
+    if isinstance(words, str):
+        return FromWords(words)
+    draws, codes, label = (head.get(name) for name in ("secret", "codes", "label"))
+    if hexadecimal(draws) and hexadecimal(codes) and isinstance(label, str):
+        return RandomSecret(str(draws), str(codes), label)
+    return None
+
+
+def hexadecimal(text: object) -> bool:
+    """Whether that is a text of whole bytes in hexadecimal, 128 bits or more."""
+    if not isinstance(text, str) or len(text) < LEAST:
+        return False
+    try:
+        return len(bytes.fromhex(text)) * 2 == len(text)
+    except ValueError:
+        return False
+
+
+def without_secret(path: Path) -> ExamError:
+    """The refusal of an exam.json that does not state a secret."""
+    return ExamError(
+        f"{path}: does not hold the secret that its numbers are drawn from - expected it as kinegrade generate wrote "
+        "it - restore the exam folder"
+    )

@@ -1,0 +1,100 @@
+"""`kinegrade papers`: what students may have, and nothing that gives the key away."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import stat
+from pathlib import Path
+
+import pytest
+
+from tests.small_class import contents, kinegrade
+
+FILES = ["%3D2.pdf", "0012.pdf", "007.pdf", "a%2Fb.pdf"]
+
+
+@pytest.fixture
+def exam(small_class: Path, tmp_path: Path) -> Path:
+    """A copy of the small exam, with a paper in two further kinds, and with things that nobody may see."""
+    shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
+    papers = tmp_path / "EXAM" / "papers"
+    (papers / "007.docx").write_bytes(b"docx")
+    (papers / "007.html").write_bytes(b"html")
+    (papers / "key.pdf").write_bytes(b"the key")
+    (papers / "notes.txt").write_text("answers", encoding="utf-8")
+    return tmp_path / "EXAM"
+
+
+def refusal(*arguments: str | Path) -> str:
+    result = kinegrade("papers", *arguments)
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    return line
+
+
+def test_students_get_their_papers_and_nothing_that_gives_the_key_away(
+    exam: Path, tmp_path: Path
+) -> None:
+    result = kinegrade("papers", exam, "-o", tmp_path / "OUT")
+    assert result.exit_code == 0
+    assert "OUT: 4 papers, and nothing that gives the key away" in result.stderr
+    found = contents(tmp_path / "OUT")
+    assert sorted(found) == sorted([*FILES, "007.docx", "007.html"])
+    assert found["007.pdf"] == (exam / "papers" / "007.pdf").read_bytes()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="modes of POSIX")
+def test_what_is_handed_out_can_be_read_by_others(exam: Path, tmp_path: Path) -> None:
+    before = os.umask(0o022)
+    try:
+        assert kinegrade("papers", exam, "-o", tmp_path / "OUT").exit_code == 0
+    finally:
+        os.umask(before)
+    entries = (tmp_path / "OUT", tmp_path / "OUT" / "007.pdf")
+    assert [stat.S_IMODE(entry.stat().st_mode) for entry in entries] == [0o755, 0o644]
+
+
+@pytest.mark.parametrize("place", ["EXAM", "EXAM/out", "EXAM/papers", ".", "EXAM/../EXAM/x"])
+def test_nothing_is_written_into_the_exam_or_around_it(
+    exam: Path, tmp_path: Path, place: str
+) -> None:
+    before = contents(tmp_path)
+    line = refusal(exam, "-o", tmp_path / place, "--force")
+    assert "is, holds or lies in the exam folder" in line
+    assert contents(tmp_path) == before
+
+
+def test_papers_handed_out_before_are_replaced_on_demand_only(exam: Path, tmp_path: Path) -> None:
+    out = tmp_path / "OUT"
+    assert kinegrade("papers", exam, "-o", out).exit_code == 0
+    assert "OUT: already exists" in refusal(exam, "-o", out)
+    (out / "007.pdf").write_bytes(b"old")
+    assert kinegrade("papers", exam, "-o", out, "--force").exit_code == 0
+    assert (out / "007.pdf").read_bytes().startswith(b"%PDF")
+    (out / "thesis.pdf").write_bytes(b"mine")
+    assert "holds thesis.pdf, which would be lost" in refusal(exam, "-o", out, "--force")
+
+
+def test_a_paper_that_is_missing_is_named(exam: Path, tmp_path: Path) -> None:
+    (exam / "papers" / "0012.pdf").unlink()
+    line = refusal(exam, "-o", tmp_path / "OUT")
+    assert "0012.pdf: cannot be read (No such file or directory) - expected the paper of" in line
+    assert not (tmp_path / "OUT").exists()
+
+
+@pytest.mark.parametrize("file", ["key.pdf", "papers/../key.pdf", "/etc/passwd", 7, None])
+def test_a_folder_that_names_other_files_as_papers_hands_out_nothing(
+    exam: Path, tmp_path: Path, file: object
+) -> None:
+    head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
+    head["students"][0]["file"] = file
+    (exam / "exam.json").write_text(json.dumps(head), encoding="utf-8")
+    assert "exam.json: cannot be read" in refusal(exam, "-o", tmp_path / "OUT")
+
+
+def test_a_folder_that_is_no_exam_hands_out_nothing(tmp_path: Path) -> None:
+    (tmp_path / "MARKS").mkdir()
+    line = refusal(tmp_path / "MARKS", "-o", tmp_path / "OUT")
+    assert "expected an exam folder made by kinegrade generate" in line
