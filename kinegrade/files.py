@@ -35,9 +35,11 @@ _DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 @dataclass(frozen=True)
 class Access:
-    """Who may read a folder: the modes of its folders and files, whatever the umask of the process is.
+    """Who may read a folder: the modes of its folders and files, whatever the umask of the process
+    is.
 
-    The names at its top in `ordinary` are left as they were made; whoever may not enter the folder cannot reach them.
+    The names at its top in `ordinary` are left as they were made; whoever may not enter the folder
+    cannot reach them.
     """
 
     folder: int
@@ -56,10 +58,11 @@ def output_folder(
 ) -> Iterator[Path]:
     """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
 
-    `marker` is the file by which kinegrade knows its own folders, None where they hold none; `contents` is all it
-    writes at their top. With `force` an existing folder is replaced only if it is empty, or holds the marker and no
-    name beyond `contents`, so that nobody's own files are lost. With `access` the folder is closed to all others from
-    its first moment; without, the mode of a folder that is replaced is kept. Raises OutputError.
+    `marker` is the file by which kinegrade knows its own folders, None where they hold none;
+    `contents` is all it writes at their top. With `force` an existing folder is replaced only if it
+    is empty, or holds the marker and no name beyond `contents`, so that nobody's own files are
+    lost. With `access` the folder is closed to all others from its first moment; without, the mode
+    of a folder that is replaced is kept. Raises OutputError.
     """
     target = _place(path)
     with _partial(path, target) as partial:

@@ -46,8 +46,8 @@ COST = "--reproducible: whoever guesses these words can print every paper and it
     "words",
     callback=writable,
     metavar="WORDS",
-    help="Derive the whole exam from WORDS alone. Whoever guesses them can print every paper and its "
-    "key: for tests and demonstrations only.",
+    help="Derive the whole exam from WORDS alone. Whoever guesses them can print every paper and "
+    "its key: for tests and demonstrations only.",
 )
 @click.option(
     "--new-numbers",
@@ -113,8 +113,9 @@ def generate(
 ) -> None:
     """Draw, solve and typeset an exam for every student of ROSTER (CSV: student, name).
 
-    BANK is the exam's blueprint: a TOML file, or the name of one that is shipped: acceleration-midterm, demo, final,
-    velocity-quiz. EXAM is readable by its owner alone; kinegrade papers copies what students may have.
+    BANK is the exam's blueprint: a TOML file, or the name of one that is shipped:
+    acceleration-midterm, demo, final, velocity-quiz. EXAM is readable by its owner alone; kinegrade
+    papers copies what students may have.
 
     \b
     Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
@@ -145,12 +146,16 @@ def generate(
 
 
 def _wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
-    """What the numbers are to be drawn from. Raises UsageError where two things are wanted that exclude each other."""
+    """What the numbers are to be drawn from.
+
+    Raises UsageError where two things are wanted that exclude each other.
+    """
     from kinegrade.exam.exam_secret import SecretWish
 
     if label is not None and words is not None:
         raise click.UsageError(
-            "--seed mixes a label into a random secret, --reproducible WORDS derives all from the words: give one"
+            "--seed mixes a label into a random secret, --reproducible WORDS derives all from the "
+            "words: give one"
         )
     return SecretWish(label, words, new)
 
@@ -169,8 +174,8 @@ def _say(written: Generated, output: Path) -> None:
     for remark in written.remarks:
         click.echo(f"{output}: {remark}", err=True)
     click.echo(
-        f"{output}: {written.papers} papers; to hand them out: kinegrade papers {output} -o DIR; nothing else in "
-        f"{output} is for students",
+        f"{output}: {written.papers} papers; to hand them out: kinegrade papers {output} -o DIR; "
+        f"nothing else in {output} is for students",
         err=True,
     )
 
@@ -183,7 +188,8 @@ def _say(written: Generated, output: Path) -> None:
 @FORCE
 @refusing
 def papers(exam: Path, output: Path, *, force: bool) -> None:
-    """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser where it exists.
+    """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
+    where it exists.
 
     \b
     Example: kinegrade papers EXAM -o PAPERS

@@ -1,7 +1,8 @@
-"""What an exam's numbers are drawn from: a random secret that lives in the exam folder and that nobody has to know.
+"""What an exam's numbers are drawn from: a random secret that lives in the exam folder and that
+nobody has to know.
 
-`generate` makes one, or takes that of the folder which it replaces; `kept_secret` reads it from an exam folder, also
-from folders of earlier versions, whose secret was a word that somebody typed.
+`generate` makes one, or takes that of the folder which it replaces; `kept_secret` reads it from an
+exam folder, also from folders of earlier versions, whose secret was a word that somebody typed.
 """
 
 from __future__ import annotations
@@ -24,10 +25,11 @@ EARLIER = "seed"  # under which earlier versions kept the words typed
 
 @dataclass(frozen=True)
 class RandomSecret:
-    """Two random secrets in hexadecimal, `draws` for numbers and `codes` for the codes printed on papers.
+    """Two random secrets in hexadecimal, `draws` for numbers and `codes` for the codes printed on
+    papers.
 
-    As they are independent, all codes of a class tell nothing about the numbers. `label` is what a person typed; it is
-    mixed into the numbers and need not be secret.
+    As they are independent, all codes of a class tell nothing about the numbers. `label` is what a
+    person typed; it is mixed into the numbers and need not be secret.
     """
 
     draws: str = field(repr=False)
@@ -78,15 +80,18 @@ ExamSecret = RandomSecret | FromWords
 
 @dataclass(frozen=True)
 class SecretWish:
-    """What a person asks for: a label to be mixed in, or words to derive everything from; `new` numbers, or those of
-    the folder that is replaced."""
+    """What a person asks for: a label to be mixed in, or words to derive everything from; `new`
+    numbers, or those of the folder that is replaced.
+    """
 
     label: str | None = None
     words: str | None = None
     new: bool = False
 
     def secret(self, kept: ExamSecret | None) -> ExamSecret:
-        """The secret of the exam to be written; `kept` is that of the folder that it replaces, if there is one."""
+        """The secret of the exam to be written; `kept` is that of the folder that it replaces, if
+        there is one.
+        """
         if self.words is not None:
             return FromWords(self.words)
         if kept is None or self.new:
@@ -111,14 +116,17 @@ def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
 
 
 def kept_secret(folder: Path) -> ExamSecret:
-    """The secret of an exam folder, of earlier versions too. Raises ExamError; its message does not tell the secret."""
+    """The secret of an exam folder, of earlier versions too.
+
+    Raises ExamError; its message does not tell the secret.
+    """
     path = folder / MARKER
     try:
         head = json.loads(path.read_text(encoding="utf-8"))
     except OSError as fault:
         raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate - check "
-            "the name"
+            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by "
+            "kinegrade generate - check the name"
         ) from fault
     except (ValueError, RecursionError) as fault:
         raise without_secret(path) from fault
@@ -152,6 +160,6 @@ def hexadecimal(text: object) -> bool:
 def without_secret(path: Path) -> ExamError:
     """The refusal of an exam.json that does not state a secret."""
     return ExamError(
-        f"{path}: does not hold the secret that its numbers are drawn from - expected it as kinegrade generate wrote "
-        "it - restore the exam folder"
+        f"{path}: does not hold the secret that its numbers are drawn from - expected it as "
+        "kinegrade generate wrote it - restore the exam folder"
     )

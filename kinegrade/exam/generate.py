@@ -70,10 +70,11 @@ Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 @dataclass(frozen=True)
 class Generated:
-    """What was written: how many papers, and `setting` knows from how many combinations and why draws were refused.
+    """What was written: how many papers, and `setting` knows from how many combinations and why
+    draws were refused.
 
-    `drawn` names the templates of the questions that the bank left to be drawn. Where a folder was replaced, `changes`
-    tells what became of its papers and `remarks` of what else was in it.
+    `drawn` names the templates of the questions that the bank left to be drawn. Where a folder was
+    replaced, `changes` tells what became of its papers and `remarks` of what else was in it.
     """
 
     setting: Setting
@@ -90,14 +91,19 @@ class Generated:
 
 @dataclass(frozen=True)
 class Place:
-    """Where the exam folder goes, whether it may replace one that stands there, and who may read it."""
+    """Where the exam folder goes, whether it may replace one that stands there, and who may read
+    it.
+    """
 
     path: Path
     force: bool = False
     access: Access = PRIVATE
 
     def folder(self) -> AbstractContextManager[Path]:
-        """A hidden folder to write into, which becomes the exam folder at the end. Raises OutputError."""
+        """A hidden folder to write into, which becomes the exam folder at the end.
+
+        Raises OutputError.
+        """
         return output_folder(
             self.path, marker=MARKER, contents=CONTENTS, force=self.force, access=self.access
         )
@@ -105,7 +111,9 @@ class Place:
 
 @dataclass(frozen=True)
 class Printing:
-    """How papers are printed: by up to `jobs` processes; the engine is the bank's unless one is given."""
+    """How papers are printed: by up to `jobs` processes; the engine is the bank's unless one is
+    given.
+    """
 
     paper_size: PaperSize = "a4"
     engine: Engine | None = None
@@ -133,9 +141,9 @@ def generate(
 ) -> Generated:
     """Write an exam folder at `place`.
 
-    `wish` says what its numbers are drawn from: those of a folder that is replaced stay as they are. `extras` says what
-    is written beside papers and key; what would be a complaint is refused where `strict`.
-    Raises KinegradeError; then nothing is written.
+    `wish` says what its numbers are drawn from: those of a folder that is replaced stay as they
+    are. `extras` says what is written beside papers and key; what would be a complaint is refused
+    where `strict`. Raises KinegradeError; then nothing is written.
     """
     require_tools(extras)
     old = replaced_exam(place.path, new_numbers=wish.new) if place.force else None
@@ -157,7 +165,9 @@ def generate(
 
 
 def write_head(setting: Setting, keys: list[KeyPaper], language: Language, folder: Path) -> None:
-    """The answer sheet, exam.json and the notice to instructors; all other files stand there already."""
+    """The answer sheet, exam.json and the notice to instructors; all other files stand there
+    already.
+    """
     write_blank_answers(setting, folder / "answers.csv")
     record = {**exam_record(setting, keys, language), "editable": editable(folder)}
     write_json(folder / MARKER, record)
@@ -325,14 +335,17 @@ def student_entry(student: Student, key: KeyPaper) -> dict[str, Any]:
 
 
 def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
-    """What a person should look at: the roster's oddities, and characters of names and ids that no font has."""
+    """What a person should look at: the roster's oddities, and characters of names and ids that no
+    font has.
+    """
     owners = (text for student in roster.students for text in (student.name, student.student))
     missing = press.unprintable(owners)
     said = [*map(str, roster.complaints)]
     for student in roster.students:
         if missing & set(student.name):
             said.append(
-                f"{student.student}: the name has characters that no font prints, they stand as code points"
+                f"{student.student}: the name has characters that no font prints, they stand as "
+                "code points"
             )
         odd = {each for each in student.student if each in missing or not each.isprintable()}
         if odd:

@@ -1,4 +1,6 @@
-"""`kinegrade papers`: what students may have of an exam folder, copied to a place where others may read it."""
+"""`kinegrade papers`: what students may have of an exam folder, copied to a place where others may
+read it.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +18,11 @@ FOLDER = "papers"
 
 
 def hand_out(exam: Path, output: Path, *, force: bool = False) -> int:
-    """Copy everybody's paper, in each kind of file that there is, and nothing else; give the number of papers.
+    """Copy everybody's paper, in each kind of file that there is, and nothing else; give the number
+    of papers.
 
-    What the folder `output` holds is replaced with `force` where that is papers of this exam and nothing else. Raises
-    ExamError, OutputError; then nothing is written.
+    What the folder `output` holds is replaced with `force` where that is papers of this exam and
+    nothing else. Raises ExamError, OutputError; then nothing is written.
     """
     require_outside(exam, output)
     stems = paper_stems(exam)
@@ -36,8 +39,8 @@ def require_outside(exam: Path, output: Path) -> None:
     inner, outer = output.resolve(), exam.resolve()
     if outer == inner or outer in inner.parents or inner in outer.parents:
         raise OutputError(
-            f"{output}: is, holds or lies in the exam folder {exam}, which gives the key away - expected another place "
-            "- choose a folder beside it"
+            f"{output}: is, holds or lies in the exam folder {exam}, which gives the key away - "
+            "expected another place - choose a folder beside it"
         )
 
 
@@ -52,12 +55,16 @@ def paper_stems(exam: Path) -> list[str]:
     except (ValueError, KeyError, TypeError, RecursionError) as fault:
         reason = type(fault).__name__
     raise ExamError(
-        f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate - check the name"
+        f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate - "
+        "check the name"
     )
 
 
 def paper_stem(student: Any) -> str:
-    """The name of a student's paper without its kind. Raises ValueError where it lies elsewhere than all papers."""
+    """The name of a student's paper without its kind.
+
+    Raises ValueError where it lies elsewhere than all papers.
+    """
     file = Path(student["file"])
     if file.parent != Path(FOLDER) or file.suffix != KINDS[0]:
         raise ValueError(str(file))
@@ -65,7 +72,10 @@ def paper_stem(student: Any) -> str:
 
 
 def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
-    """The files of these papers, of every kind that there is. A PDF that is missing is noticed when it is read."""
+    """The files of these papers, of every kind that there is.
+
+    A PDF that is missing is noticed when it is read.
+    """
     for stem in stems:
         for kind in KINDS:
             file = exam / FOLDER / f"{stem}{kind}"
@@ -79,5 +89,6 @@ def content(file: Path) -> bytes:
         return file.read_bytes()
     except OSError as fault:
         raise ExamError(
-            f"{file}: cannot be read ({fault.strerror}) - expected the paper of a student - restore the exam folder"
+            f"{file}: cannot be read ({fault.strerror}) - expected the paper of a student - "
+            "restore the exam folder"
         ) from fault

@@ -61,9 +61,9 @@ class LatexPress:
     def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
         """Write `folder/NAME.pdf` for every paper, all typeset in one run.
 
-        Characters of a student's name and id that no font has are printed as code points (`unprintable` tells which).
-        Raises TypesetError with all faults of the papers' texts, with the first fault that TeX finds, or where TeX
-        is not installed.
+        Characters of a student's name and id that no font has are printed as code points
+        (`unprintable` tells which). Raises TypesetError with all faults of the papers' texts, with
+        the first fault that TeX finds, or where TeX is not installed.
         """
         self._print(papers, PAPERS, folder)
 

@@ -70,7 +70,9 @@ class Printed:
 
 
 def require_tools(extras: Extras) -> None:
-    """Raises TypesetError where a program is missing that the extras need, before any work is done."""
+    """Raises TypesetError where a program is missing that the extras need, before any work is
+    done.
+    """
     if extras.also:
         from kinegrade.exam.word import require_pandoc  # few exams need it
 

@@ -1,14 +1,16 @@
-"""What stands in an exam folder that `generate --force` replaces, so that nothing in it is lost in silence.
+"""What stands in an exam folder that `generate --force` replaces, so that nothing in it is lost in
+silence.
 
-Its papers may be printed already: they are compared with the new ones, student by student. Worked solutions, the key
-lines of a pool, answers typed into the sheet and edited sources are kept, or the replacement is refused.
+Its papers may be printed already: they are compared with the new ones, student by student. Worked
+solutions, the key lines of a pool, answers typed into the sheet and edited sources are kept, or the
+replacement is refused.
 """
 
 from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -44,8 +46,8 @@ class PaperChanges:
 
     def __str__(self) -> str:
         return (
-            f"{len(self.unchanged)} papers as before, {len(self.changed)} changed, {len(self.gone)} gone, "
-            f"{len(self.added)} new"
+            f"{len(self.unchanged)} papers keep their numbers, {len(self.changed)} changed, "
+            f"{len(self.gone)} gone, {len(self.added)} new"
         )
 
 
@@ -72,7 +74,9 @@ class ReplacedExam:
         )
 
     def require_papers_kept(self, changes: PaperChanges) -> None:
-        """Raises OutputError where a paper would change, or that of a student who is not in the roster be gone."""
+        """Raises OutputError where a paper would change, or that of a student who is not in the
+        roster be gone.
+        """
         if changes.harmless:
             return
         whose = [*changes.changed, *changes.gone]
@@ -80,19 +84,22 @@ class ReplacedExam:
         removed = "and every student in the roster, " if changes.gone else ""
         raise OutputError(
             f"{self.folder}: {len(changes.changed)} of {len(self.papers)} papers would change and "
-            f"{len(changes.gone)} would be gone ({names}), {len(changes.added)} be new - expected the papers as they "
-            f"may have been printed - keep bank, templates and --seed as they were, {removed}choose another folder, or add "
-            "--new-numbers to replace the papers"
+            f"{len(changes.gone)} would be gone ({names}), {len(changes.added)} be new - expected "
+            "the papers as they may have been printed - keep bank, templates and --seed as they "
+            f"were, {removed}choose another folder, or add --new-numbers to replace the papers"
         )
 
 
 def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
     """The exam that a folder holds, None where there is none.
 
-    Raises ExamError where it is damaged, unless its papers are to be replaced by `new_numbers`.
+    Raises ExamError where it is damaged, unless its papers are to be replaced by `new_numbers`;
+    OutputError where answers were typed into it, for that is seen before any work is done.
     """
     if not (folder / MARKER).exists():
         return None
+    if answered(folder / ANSWERS):
+        raise edited_since(folder, [ANSWERS])
     try:
         return ReplacedExam(folder, kept_secret(folder), paper_digests(folder / KEY))
     except ExamError:
@@ -104,10 +111,11 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
 def settle(
     old: ReplacedExam | None, folder: Path, *, new_numbers: bool, solutions: bool
 ) -> tuple[PaperChanges | None, tuple[str, ...]]:
-    """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and remarks on the rest.
+    """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and
+    remarks on the rest.
 
-    With `solutions` the new exam has its own. Raises OutputError where something would be lost, papers too but for
-    `new_numbers`; ExamError.
+    With `solutions` the new exam has its own. Raises OutputError where something would be lost,
+    papers too but for `new_numbers`; ExamError.
     """
     if old is None:
         return None, ()
@@ -122,7 +130,10 @@ def settle(
 
 
 def paper_digests(key: Path) -> dict[str, str]:
-    """For each student of a key.jsonl a digest of what the paper asks and what is right on it. Raises ExamError."""
+    """For each student of a key.jsonl a digest of what the paper asks and what is right on it.
+
+    Raises ExamError.
+    """
     try:
         with key.open(encoding="utf-8") as lines:
             return dict(paper_digest(json.loads(line)) for line in lines if line.strip())
@@ -131,13 +142,16 @@ def paper_digests(key: Path) -> dict[str, str]:
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as fault:
         reason = type(fault).__name__
     raise ExamError(
-        f"{key}: cannot be read ({reason}), so that nobody knows which papers would be replaced - expected it as "
-        "kinegrade generate wrote it - restore the exam folder, choose another one, or add --new-numbers"
+        f"{key}: cannot be read ({reason}), so that nobody knows which papers would be replaced - "
+        "expected it as kinegrade generate wrote it - restore the exam folder, choose another "
+        "one, or add --new-numbers"
     )
 
 
 def paper_digest(line: Mapping[str, Any]) -> tuple[str, str]:
-    """The student of a line, and a digest of it without the known mistakes, which are not on the paper."""
+    """The student of a line, and a digest of it without the known mistakes, which are not on the
+    paper.
+    """
     questions = [
         {**question, "asks": {name: shown(ask) for name, ask in question["asks"].items()}}
         for question in line["questions"]
@@ -181,19 +195,29 @@ def editable(folder: Path) -> dict[str, str]:
 
 
 def require_nothing_edited(old: Path, new: Path) -> None:
-    """Raises OutputError where the folder `old` holds work of people's hands that the folder `new` does not hold."""
+    """Raises OutputError where the folder `old` holds work of people's hands that the folder `new`
+    does not hold.
+    """
     lost = [*edited(old, new), *([ANSWERS] if answered(old / ANSWERS) else [])]
     if lost:
-        raise OutputError(
-            f"{old}: holds {', '.join(lost[:NAMED])}, edited since it was generated, which would be lost - expected "
-            "only what is written again - move it elsewhere or choose another folder"
-        )
+        raise edited_since(old, lost)
+
+
+def edited_since(folder: Path, names: Sequence[str]) -> OutputError:
+    """The refusal to replace a folder that holds these files."""
+    return OutputError(
+        f"{folder}: holds {', '.join(names[:NAMED])}, edited since it was generated, which would "
+        "be lost - expected only what is written again - move it elsewhere or choose another "
+        "folder"
+    )
 
 
 def edited(old: Path, new: Path) -> Iterator[str]:
-    """The files of a folder that differ from what was generated, and from what stands in the folder `new`.
+    """The files of a folder that differ from what was generated, and from what stands in the folder
+    `new`.
 
-    Of folders that do not say what was generated, those that are made to be edited and differ from the new ones.
+    Of folders that do not say what was generated, those that are made to be edited and differ from
+    the new ones.
     """
     stated = editable_as_stated(old)
     fresh = editable(new)

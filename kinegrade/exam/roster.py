@@ -40,7 +40,8 @@ _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNO
 
 @dataclass(frozen=True, slots=True)
 class Student:
-    """One student; `file_name` is a stem safe on every system and different from all others of the roster.
+    """One student; `file_name` is a stem safe on every system and different from all others of the
+    roster.
 
     `line` is where the student stands in the roster's file, 0 where there is none.
     """
@@ -54,7 +55,9 @@ class Student:
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """The students in the order of the file, and what a person should look at; `file` is its name in messages."""
+    """The students in the order of the file, and what a person should look at; `file` is its name
+    in messages.
+    """
 
     students: tuple[Student, ...]
     complaints: tuple[Complaint, ...]
@@ -64,14 +67,15 @@ class Roster:
 def read_roster(path: Path, *, odd_ids: bool = False) -> Roster:
     """Reads a roster file; raises TableError with all its faults at once.
 
-    Ids that a spreadsheet would take for a formula are a fault too, unless `odd_ids` are wanted: they are keys, so they
-    stand as they are in every table that is written.
+    Ids that a spreadsheet would take for a formula are a fault too, unless `odd_ids` are wanted:
+    they are keys, so they stand as they are in every table that is written.
     """
     return _roster(read_table(path), odd_ids=odd_ids)
 
 
 def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
-    """Reads the bytes of a roster as `read_roster` does; `file` is its name in messages. Raises TableError.
+    """Reads the bytes of a roster as `read_roster` does; `file` is its name in messages. Raises
+    TableError.
 
     >>> parse_roster(b"name,ID\\nAnn,007\\n", "roster.csv").students[0].student
     '007'
@@ -124,10 +128,16 @@ def _cut(student: str, stem: str) -> str:
 
 
 def unprintable_id(file: str, student: Student, characters: Iterable[str]) -> Complaint:
-    """The complaint about characters of an id that do not print: nobody can type it as it stands on the paper."""
+    """The complaint about characters of an id that do not print: nobody can type it as it stands on
+    the paper.
+    """
     codes = ", ".join(f"U+{ord(character):04X}" for character in sorted(set(characters)))
-    problem = f"the id of {student.name or 'a student without a name'} has characters that do not print ({codes})"
-    done = "on the paper they are code points, or not seen at all; correct the id before papers are printed"
+    whose = student.name or "a student without a name"
+    problem = f"the id of {whose} has characters that do not print ({codes})"
+    done = (
+        "on the paper they are code points, or not seen at all; correct the id before papers are "
+        "printed"
+    )
     return Complaint(
         file, student.line or None, "student", one_line(student.student), problem, done
     )
@@ -193,9 +203,9 @@ def _formula_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
         if student.startswith(FORMULA_SIGNS):
             name = shortened(_name(row, columns))
             yield (
-                f'{table.file}:{row.line}: student id "{shortened(student)}" ({name}) begins with {student[0]}, so '
-                "that spreadsheets take it for a formula - expected a letter or a digit first - correct it, or add "
-                "--allow-odd-ids"
+                f'{table.file}:{row.line}: student id "{shortened(student)}" ({name}) begins with '
+                f"{student[0]}, so that spreadsheets take it for a formula - expected a letter or "
+                "a digit first - correct it, or add --allow-odd-ids"
             )
 
 

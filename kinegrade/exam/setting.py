@@ -151,8 +151,8 @@ def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
         (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
     )
     few = [
-        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for {needed} {whose}: "
-        "widen the domains"
+        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for "
+        f"{needed} {whose}: widen the domains"
         for name, deck in decks.items()
         if deck.combinations() < needed
     ]
@@ -181,7 +181,9 @@ def set_ask(
 
 
 def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
-    """The code of everybody's paper, no two alike; where two would be, the one further down gets another."""
+    """The code of everybody's paper, no two alike; where two would be, the one further down gets
+    another.
+    """
     codes: dict[str, str] = {}
     taken: set[str] = set()
     for student in students:
@@ -192,7 +194,9 @@ def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
 
 
 def paper_code(secret: str, student: str, attempt: int = 0) -> str:
-    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret for codes and the student's id."""
+    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret for codes and the
+    student's id.
+    """
     further = (attempt,) if attempt else ()
     number = address(secret, "paper", student, *further)
     text = "".join(LETTERS[number >> 5 * place & 31] for place in range(8))

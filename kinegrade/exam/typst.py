@@ -64,8 +64,9 @@ class TypstPress:
     def paper(self, paper: Paper) -> bytes:
         """One student's paper as PDF.
 
-        Characters of the student's name and id that no font has are printed as code points (`unprintable` tells
-        which). Raises TypesetError with all faults of the paper's texts, other such characters among them.
+        Characters of the student's name and id that no font has are printed as code points
+        (`unprintable` tells which). Raises TypesetError with all faults of the paper's texts, other
+        such characters among them.
         """
         named = self._legible(paper)
         try:
@@ -191,7 +192,9 @@ def legible_owners(book: KeyBook, press: Press) -> KeyBook:
 
 
 def legible_owner(sheet: Owned, missing: frozenset[str]) -> Owned:
-    """A sheet with each character in `missing` written as its code point in its owner's name and id."""
+    """A sheet with each character in `missing` written as its code point in its owner's name and
+    id.
+    """
     name, student = legible(sheet.name, missing), legible(sheet.student, missing)
     return replace(sheet, name=name, student=student)
 

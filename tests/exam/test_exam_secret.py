@@ -1,4 +1,6 @@
-"""Nobody finds an exam's numbers by guessing: the secret is random, lives in the folder, and is printed nowhere."""
+"""Nobody finds an exam's numbers by guessing: the secret is random, lives in the folder, and is
+printed nowhere.
+"""
 
 from __future__ import annotations
 
@@ -198,7 +200,9 @@ def test_what_is_being_written_is_closed_to_others_already(
 
 @pytest.fixture
 def earlier(tmp_path: Path) -> Path:
-    """A copy of an exam folder that version 0.1 wrote with `--seed spring`, as far as it is text."""
+    """A copy of an exam folder that version 0.1 wrote with `--seed spring`, as far as it is
+    text.
+    """
     shutil.copytree(EARLIER, tmp_path / "EXAM")
     return tmp_path / "EXAM"
 
@@ -244,7 +248,7 @@ def test_an_earlier_folder_is_written_again_with_the_same_papers(
         "generate", earlier / "bank.toml", roster, "-o", earlier, "--force", "--no-solutions"
     )
     assert result.exit_code == 0, result.stderr
-    assert "2 papers as before, 0 changed, 0 gone, 1 new" in result.stderr
+    assert "2 papers keep their numbers, 0 changed, 0 gone, 1 new" in result.stderr
     assert key_lines(earlier)[:2] == before
     assert head(earlier)["reproducible"] == "spring"
 

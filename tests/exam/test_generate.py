@@ -1,4 +1,6 @@
-"""`kinegrade generate`: the folder's exact contents, the same bytes for the same words, whole or not at all."""
+"""`kinegrade generate`: the folder's exact contents, the same bytes for the same words, whole or
+not at all.
+"""
 
 from __future__ import annotations
 

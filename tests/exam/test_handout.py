@@ -17,7 +17,9 @@ FILES = ["%3D2.pdf", "0012.pdf", "007.pdf", "a%2Fb.pdf"]
 
 @pytest.fixture
 def exam(small_class: Path, tmp_path: Path) -> Path:
-    """A copy of the small exam, with a paper in two further kinds, and with things that nobody may see."""
+    """A copy of the small exam, with a paper in two further kinds, and with things that nobody may
+    see.
+    """
     shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")
     papers = tmp_path / "EXAM" / "papers"
     (papers / "007.docx").write_bytes(b"docx")

@@ -88,6 +88,11 @@ def test_plain_text_never_becomes_a_command(tmp_path: Path) -> None:
     )  # student, course and code also run on the page
 
 
+def test_an_id_that_no_font_prints_is_printed_as_code_points(tmp_path: Path) -> None:
+    ((page,),) = printed({"s": replace(ENGLISH, student="0😀7")}, tmp_path).values()
+    assert "0[U+1F600]7" in page
+
+
 @pytest.mark.parametrize(
     ("paper", "expected"),
     [

@@ -1,4 +1,6 @@
-"""`generate --force` over an exam that is printed: no paper, no solution, no typed answer is lost without a word."""
+"""`generate --force` over an exam that is printed: no paper, no solution, no typed answer is lost
+without a word.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +59,7 @@ def test_a_printed_exam_keeps_its_numbers(folder: Path) -> None:
     result = generate(folder, "--force")
     assert result.exit_code == 0
     assert contents(folder / "EXAM") == before
-    assert "EXAM: 3 papers as before, 0 changed, 0 gone, 0 new" in result.stderr
+    assert "EXAM: 3 papers keep their numbers, 0 changed, 0 gone, 0 new" in result.stderr
 
 
 def test_a_late_student_changes_nobodys_paper(folder: Path) -> None:
@@ -66,7 +68,7 @@ def test_a_late_student_changes_nobodys_paper(folder: Path) -> None:
     result = generate(folder, "--force", "--seed", "spring")
     assert result.exit_code == 0
     assert key_lines(folder / "EXAM")[:3] == before
-    assert "EXAM: 3 papers as before, 0 changed, 0 gone, 1 new" in result.stderr
+    assert "EXAM: 3 papers keep their numbers, 0 changed, 0 gone, 1 new" in result.stderr
 
 
 def test_a_changed_bank_does_not_change_printed_papers(folder: Path) -> None:
@@ -94,7 +96,7 @@ def test_new_numbers_are_drawn_where_they_are_wanted(folder: Path) -> None:
     write_inputs(folder, "bcd")
     result = generate(folder, "--force", "--new-numbers")
     assert result.exit_code == 0
-    assert "EXAM: 0 papers as before, 2 changed, 1 gone, 1 new" in result.stderr
+    assert "EXAM: 0 papers keep their numbers, 2 changed, 1 gone, 1 new" in result.stderr
     after = key_lines(folder / "EXAM")
     assert not {line["paper"] for line in before} & {line["paper"] for line in after}
     assert secret not in (folder / "EXAM" / "exam.json").read_text(encoding="utf-8")
@@ -143,6 +145,18 @@ def test_typed_answers_are_not_overwritten_by_a_blank_sheet(
     line = refused(folder, *options)
     assert "EXAM: holds answers.csv, edited since it was generated, which would be lost" in line
     assert line.endswith("move it elsewhere or choose another folder")
+
+
+def test_typed_answers_are_seen_before_anything_is_drawn(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def draw(*arguments: object) -> None:
+        raise AssertionError("work was done in vain")
+
+    monkeypatch.setattr("kinegrade.exam.generate.set_exam", draw)
+    sheet = folder / "EXAM" / "answers.csv"
+    sheet.write_text("student,name,q1.v_B,q1.a_B\na,x,1,\n", encoding="utf-8")
+    assert "holds answers.csv" in refused(folder)
 
 
 def test_an_unreadable_answer_sheet_is_not_taken_for_a_blank_one(folder: Path) -> None:
