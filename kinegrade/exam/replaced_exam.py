@@ -27,6 +27,7 @@ ANSWERS = "answers.csv"
 OWN_COLUMNS = ("student", "name")  # of the answer sheet; in all others answers are typed
 EDITED_BY_HAND = (".tex", ".docx", ".html", ".toml", ".xlsx")
 UNRECORDED = (".tex", ".docx", ".html")  # of those, what earlier versions wrote to be edited
+UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
 NAMED = 5  # students or files that a message names
 
 
@@ -112,20 +113,21 @@ def settle(
     old: ReplacedExam | None, folder: Path, *, new_numbers: bool, solutions: bool
 ) -> tuple[PaperChanges | None, tuple[str, ...]]:
     """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and
-    remarks on the rest.
+    remarks on the rest; no changes where the old exam cannot be read.
 
     With `solutions` the new exam has its own. Raises OutputError where something would be lost,
     papers too but for `new_numbers`; ExamError.
     """
     if old is None:
         return None, ()
+    require_nothing_edited(old.folder, folder)
+    names = (VARIANTS,) if solutions else (*SOLUTIONS, VARIANTS)
+    if old.secret is None:
+        return None, (UNKNOWN, *dropped(names, old.folder))
     changes = old.changes(folder)
     if not new_numbers:
         old.require_papers_kept(changes)
-    require_nothing_edited(old.folder, folder)
-    names = (VARIANTS,) if solutions else (*SOLUTIONS, VARIANTS)
-    stay = old.secret is not None and changes.harmless
-    remarks = keep(names, old.folder, folder) if stay else dropped(names, old.folder)
+    remarks = keep(names, old.folder, folder) if changes.harmless else dropped(names, old.folder)
     return changes, tuple(remarks)
 
 
@@ -175,7 +177,8 @@ def keep(names: Iterable[str], old: Path, new: Path) -> Iterator[str]:
             shutil.copy2(source, new / name)
         else:
             continue
-        yield f"{name} stays as it was"
+        lacking = "" if name == VARIANTS else ", without papers that are new"
+        yield f"{name} stays as it was{lacking}"
 
 
 def dropped(names: Iterable[str], old: Path) -> Iterator[str]:

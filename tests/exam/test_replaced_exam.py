@@ -113,8 +113,8 @@ def test_solutions_stay_when_they_are_not_asked_for_again(folder: Path) -> None:
     assert {name: data for name, data in after.items() if name.startswith("solutions")} == {
         name: data for name, data in before.items() if name.startswith("solutions")
     }
-    assert "EXAM: solutions stays as it was" in result.stderr
-    assert "EXAM: solutions.pdf stays as it was" in result.stderr
+    assert "EXAM: solutions stays as it was, without papers that are new" in result.stderr
+    assert "EXAM: solutions.pdf stays as it was, without papers that are new" in result.stderr
 
 
 def test_solutions_of_replaced_papers_do_not_stay_as_if_they_were_right(folder: Path) -> None:
@@ -130,7 +130,7 @@ def test_the_key_of_a_pool_stays_with_the_numbers(folder: Path) -> None:
     pool.write_text("{}\n", encoding="utf-8")
     result = generate(folder, "--force")
     assert (result.exit_code, pool.read_text(encoding="utf-8")) == (0, "{}\n")
-    assert "variants.jsonl stays as it was" in result.stderr
+    assert "variants.jsonl stays as it was\n" in result.stderr
     result = generate(folder, "--force", "--new-numbers")
     assert (result.exit_code, pool.exists()) == (0, False)
     assert "variants.jsonl belonged to the papers that were replaced, and is gone" in result.stderr
@@ -233,6 +233,8 @@ def test_an_exam_whose_key_is_damaged_is_replaced_on_purpose_only(folder: Path, 
     result = generate(folder, "--force", "--new-numbers")
     assert result.exit_code == 0
     assert "variants.jsonl belonged to the papers that were replaced" in result.stderr
+    assert "EXAM: the exam that stood there could not be read, so nothing is" in result.stderr
+    assert "3 new" not in result.stderr
 
 
 def test_an_exam_without_its_key_is_replaced_on_purpose_only(folder: Path) -> None:
