@@ -82,13 +82,22 @@ def output_folder(
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
     """Writes a file whole or not at all; with `force` over an existing plain file. Raises OutputError."""
+    with output_file(path, force=force) as partial:
+        partial.write_bytes(content)
+
+
+@contextmanager
+def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
+    """Gives a hidden name to write a file at; it becomes `path` when the block ends without an error.
+
+    With `force` an existing plain file is replaced. Raises OutputError, before the block where something
+    stands at `path` that is not to be replaced.
+    """
     target = _place(path)
     with _partial(path, target) as partial:
         _check_file(path, target, force)
-        with partial.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
+        yield partial
+        _flush(partial)
         if force:
             os.replace(partial, target)
         else:
@@ -219,12 +228,16 @@ def _bring_to_disk(folder: Path) -> None:
     """Flushes every file and folder, so that a power failure after the renaming finds them whole as well."""
     for place, _, names in os.walk(folder):
         for name in names:
-            handle = os.open(os.path.join(place, name), os.O_RDWR)
-            try:
-                os.fsync(handle)
-            finally:
-                os.close(handle)
+            _flush(Path(place, name))
         _sync_folder(Path(place))
+
+
+def _flush(file: Path) -> None:
+    handle = os.open(file, os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def _sync_folder(folder: Path) -> None:

@@ -39,6 +39,11 @@ def being_made(name: str) -> Moment:
     return lambda folder: any((partial / name).exists() for partial in folder.glob(".*.partial-*"))
 
 
+def being_written(folder: Path) -> bool:
+    """The moment at which a hidden file stands beside the output."""
+    return any(folder.glob(".*.partial-*"))
+
+
 def replaced(output: Path) -> Moment:
     """The moment at which another folder stands in the output's place, the old one about to be removed."""
     number = output.stat().st_ino
@@ -134,4 +139,20 @@ def test_a_killed_grade_leaves_the_old_marks_or_the_new(
     assert contents(marks) in ((new,) if name == REPLACED else (old, new))
     assert kinegrade(*again).exit_code == 1
     assert contents(marks) == new
+    assert not leftovers(tmp_path)
+
+
+@pytest.mark.parametrize("system", ["moodle-xml", "qti12", "qti21", "blackboard"])
+def test_a_killed_quiz_leaves_the_old_file_and_the_next_one_clears_up(
+    small_class: Path, tmp_path: Path, system: str
+) -> None:
+    output = tmp_path / "quiz.zip"
+    output.write_text("old", encoding="utf-8")
+    again = ["quiz", str(small_class / "EXAM"), "--to", system, "-o", str(output), "--force"]
+    left = killed(again, tmp_path, being_written, 0.0)
+    if left:
+        assert output.read_text(encoding="utf-8") == "old"
+        assert leftovers(tmp_path)
+    assert kinegrade(*again).exit_code in (0, 1)
+    assert output.stat().st_size > 2000
     assert not leftovers(tmp_path)

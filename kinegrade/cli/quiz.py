@@ -106,7 +106,6 @@ def quiz(
     from kinegrade.lms.quiz.writers import WRITERS
 
     expect_folders((exam, "EXAM"))
-    require_free(output, force=force)
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
@@ -119,25 +118,10 @@ def quiz(
         progress=progress,
     )
     writer = partial(write_moodle_xml, form=form) if system == "moodle-xml" else WRITERS[system]
-    remarks = writer(written, output)
+    remarks = writer(written, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
         "marked there, every number stands alone: kinegrade grade on its responses knows follow-through",
         err=True,
     )
     finish(tuple(remarks))
-
-
-def require_free(path: Path, *, force: bool) -> None:
-    """Raises OutputError where something stands already that is not to be replaced, before any work is done."""
-    from kinegrade.errors import OutputError
-
-    if path.exists() and not path.is_file():
-        raise OutputError(
-            f"{path}: is not a plain file - expected a file to write - choose another name"
-        )
-    if path.exists() and not force:
-        raise OutputError(
-            f"{path}: already exists - expected a new file - add --force to replace it, or choose "
-            "another name"
-        )

@@ -12,9 +12,10 @@ from pathlib import Path
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
+from kinegrade.files import output_file
 from kinegrade.lms.quiz.blackboard_line import question_line
 from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.packaging import Package, file_whole_or_not, package, stable_name
+from kinegrade.lms.quiz.packaging import Package, package, stable_name
 from kinegrade.lms.quiz.remarks import Remarks
 
 MOST = 250  # questions in one upload to Ultra; Original takes 500
@@ -33,17 +34,17 @@ TOO_MANY = (
 )
 
 
-def write(quiz: Quiz, target: Path) -> list[str]:
-    """Writes the file, replacing what stands at `target`; what an instructor should know about it, a line each.
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+    """Writes the file, with `force` over an existing plain file; what an instructor should know about it, a line each.
 
     Raises ExportError with everything that cannot be said, OutputError; then `target` is as it was.
     """
     writer = _Writer(quiz)
     if target.suffix.lower() == ".zip":
-        with package(target) as parts:
+        with package(target, force=force) as parts:
             writer.write_files(parts)
             return writer.complaints()
-    with file_whole_or_not(target) as partial:
+    with output_file(target, force=force) as partial:
         writer.write_one(partial, target)
         return writer.complaints()
 

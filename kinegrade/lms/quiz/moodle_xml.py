@@ -20,10 +20,10 @@ from typing import Literal, TextIO
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import Language, Quiz, QuizPaper, QuizQuestion
+from kinegrade.files import output_file
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import ask_html, figure_html, plain_html, prose_html
 from kinegrade.lms.quiz.moodle_xml_answers import MoodleAnswer, cloze_field, moodle_answers
-from kinegrade.lms.quiz.packaging import file_whole_or_not
 
 Form = Literal["cloze", "numerical"]
 FIGURE = "figure.svg"
@@ -45,23 +45,23 @@ class _Sheet:
     scale: int  # marks for a point
 
 
-def write(quiz: Quiz, target: Path, form: Form = "cloze") -> list[str]:
-    """Write the questions of a quiz, and give what a person should know.
+def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False) -> list[str]:
+    """Write the questions of a quiz, with `force` over an existing plain file, and give what a person should know.
 
     Raises ExportError for a quiz without papers and for credits that Moodle has no share for, TypesetError for texts
-    that cannot be shown.
+    that cannot be shown, OutputError; then `target` is as it was.
     """
-    papers = iter(quiz.papers)
-    first = next(papers, None)
-    if first is None:
-        raise ExportError(
-            "quiz: no paper - expected at least one - choose an exam that somebody sits"
-        )
-    sheet = _Sheet(quiz.language, form, _scale(first) if form == "cloze" else 1)
     with (
-        file_whole_or_not(target) as partial,
+        output_file(target, force=force) as partial,
         partial.open("x", encoding="utf-8", newline="\n") as stream,
     ):
+        papers = iter(quiz.papers)
+        first = next(papers, None)
+        if first is None:
+            raise ExportError(
+                "quiz: no paper - expected at least one - choose an exam that somebody sits"
+            )
+        sheet = _Sheet(quiz.language, form, _scale(first) if form == "cloze" else 1)
         stream.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for paper in chain([first], papers):
             _write_paper(paper, quiz.title, sheet, stream)

@@ -5,9 +5,7 @@ Entries go to disk one by one; in memory stays only the zip's own directory, som
 
 from __future__ import annotations
 
-import os
 import re
-import secrets
 import shutil
 import zipfile
 from collections.abc import Iterator
@@ -16,7 +14,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import IO
 
-from kinegrade.errors import ExportError, OutputError
+from kinegrade.errors import ExportError
+from kinegrade.files import output_file
 
 FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest a zip can say
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", re.ASCII)
@@ -34,25 +33,6 @@ def stable_name(identifier: str) -> str:
     fingerprint = sha256(identifier.encode("utf-8", "backslashreplace")).hexdigest()[:10]
     written = _UNFIT.sub("_", identifier)[:60]
     return f"{'' if written[:1].isalpha() else 'i'}{written}-{fingerprint}"
-
-
-@contextmanager
-def file_whole_or_not(target: Path) -> Iterator[Path]:
-    """Gives a hidden name beside `target`; the file takes its place when the block ends without an error.
-
-    Raises OutputError where it cannot be written.
-    """
-    partial = target.with_name(f".{target.name}.partial-{os.getpid()}-{secrets.token_hex(4)}")
-    try:
-        yield partial
-        os.replace(partial, target)
-    except OSError as fault:
-        raise OutputError(
-            f"{target}: cannot be written ({fault.strerror}) - expected a place with room and permission - choose "
-            "another"
-        ) from fault
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 class Package:
@@ -87,7 +67,10 @@ class Package:
 
 
 @contextmanager
-def package(target: Path) -> Iterator[Package]:
-    """A package that becomes `target` when the block ends without an error. Raises OutputError."""
-    with file_whole_or_not(target) as partial, zipfile.ZipFile(partial, "x") as archive:
+def package(target: Path, *, force: bool) -> Iterator[Package]:
+    """A package that becomes `target` when the block ends without an error.
+
+    With `force` an existing plain file is replaced. Raises OutputError.
+    """
+    with output_file(target, force=force) as partial, zipfile.ZipFile(partial, "x") as archive:
         yield Package(archive)

@@ -46,13 +46,13 @@ UNEVEN = (
 )
 
 
-def write(quiz: Quiz, target: Path) -> list[str]:
-    """Writes the package, replacing what stands at `target`; what an instructor should know about it, a line each.
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+    """Writes the package, with `force` over an existing plain file; what an instructor should know about it, a line each.
 
     Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it was.
     """
     with (
-        package(target) as parts,
+        package(target, force=force) as parts,
         Groups() as groups,
         Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest,
     ):

@@ -31,12 +31,12 @@ CANVAS = (
 )
 
 
-def write(quiz: Quiz, target: Path) -> list[str]:
-    """Writes the package, replacing what stands at `target`; what an instructor should know about it, a line each.
+def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
+    """Writes the package, with `force` over an existing plain file; what an instructor should know about it, a line each.
 
     Raises ExportError with every text that cannot be shown, OutputError; then `target` is as it was.
     """
-    with package(target) as parts, Manifest(HEAD, FOOT) as manifest:
+    with package(target, force=force) as parts, Manifest(HEAD, FOOT) as manifest:
         return _Writer(quiz, parts, manifest).write()
 
 

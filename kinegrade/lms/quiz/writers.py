@@ -6,13 +6,20 @@ know, a line each. A new system is a function more, and its name here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Protocol
 
 from kinegrade.exam.quiz_document import Quiz
 from kinegrade.lms.quiz import blackboard, moodle_xml, qti12, qti21
 
-Writer = Callable[[Quiz, Path], list[str]]
+
+class Writer(Protocol):
+    """Writes a quiz to a file, with `force` over an existing plain one, and gives remarks."""
+
+    def __call__(self, quiz: Quiz, target: Path, *, force: bool = False) -> list[str]: ...
+
+
 WRITERS: Mapping[str, Writer] = {
     "moodle-xml": moodle_xml.write,
     "qti12": qti12.write,

@@ -39,7 +39,7 @@ def target(tmp_path: Path) -> Path:
 
 
 def written(given_quiz: Quiz, target: Path, form: Form = "cloze") -> str:
-    write(given_quiz, target, form)
+    write(given_quiz, target, form=form)
     text = target.read_text(encoding="utf-8")
     target.unlink()
     assert faults(text) == []
@@ -231,7 +231,7 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
         "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; the "
         "maximum grade of the quiz sets that right"
     ]
-    assert write(of_asks(*asks), target, "numerical") == []
+    assert write(of_asks(*asks), target, form="numerical", force=True) == []
     numerical = read(target.read_text(encoding="utf-8"))
     assert [question.boxes[0][0] for question in numerical] == [
         Fraction("2.5"),
@@ -318,8 +318,9 @@ def test_an_empty_quiz_is_refused(target: Path) -> None:
 
 
 def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("mine", encoding="utf-8")
     with pytest.raises(OutputError, match="cannot be written"):
-        write(quiz(), tmp_path / "none" / "quiz.xml")
+        write(quiz(), tmp_path / "file" / "quiz.xml")
 
 
 def test_a_file_appears_whole_or_not_at_all(target: Path) -> None:
@@ -329,7 +330,7 @@ def test_a_file_appears_whole_or_not_at_all(target: Path) -> None:
 
     target.write_text("old", encoding="utf-8")
     with pytest.raises(ExportError, match="in the middle"):
-        write(replace(quiz(), papers=breaking()), target)
+        write(replace(quiz(), papers=breaking()), target, force=True)
     assert [(file.name, file.read_text()) for file in target.parent.iterdir()] == [
         ("quiz.xml", "old")
     ]

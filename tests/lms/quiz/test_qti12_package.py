@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tracemalloc
-from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -15,9 +15,9 @@ from kinegrade.errors import ExportError, OutputError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
 from kinegrade.lms.quiz import blackboard, qti12, qti21
 from kinegrade.lms.quiz.packaging import stable_name
+from kinegrade.lms.quiz.writers import Writer
 from tests.lms.quiz import a_quiz
 
-Writer = Callable[[Quiz, Path], list[str]]
 WRITERS = (qti12.write, qti21.write, blackboard.write)
 
 
@@ -37,18 +37,36 @@ def test_an_error_in_between_leaves_what_was_there(write: Writer, tmp_path: Path
         match='the name "[^"]*" stands for two things - expected one for each paper and '
         "question - set the exam anew",
     ):
-        write(Quiz("en", "", "Test", [paper, paper]), tmp_path / "quiz.zip")
+        write(Quiz("en", "", "Test", [paper, paper]), tmp_path / "quiz.zip", force=True)
     assert [path.name for path in tmp_path.iterdir()] == ["quiz.zip"]
     assert (tmp_path / "quiz.zip").read_text() == "before"
 
 
 @pytest.mark.parametrize("write", WRITERS)
 def test_a_place_that_cannot_be_written_is_named(write: Writer, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("mine")
     with pytest.raises(
         OutputError,
         match="quiz.zip: cannot be written .* - expected a place with room and permission",
     ):
-        write(a_quiz.quiz(), tmp_path / "missing" / "quiz.zip")
+        write(a_quiz.quiz(), tmp_path / "file" / "quiz.zip")
+
+
+@pytest.mark.parametrize("write", WRITERS)
+def test_a_file_that_somebody_puts_there_meanwhile_is_not_replaced(
+    write: Writer, tmp_path: Path
+) -> None:
+    target = tmp_path / "quiz.zip"
+
+    def meddled() -> Iterator[QuizPaper]:
+        yield from a_quiz.papers()
+        target.write_text("theirs")
+
+    with pytest.raises(OutputError, match="quiz.zip: already exists - expected a new name - add"):
+        write(Quiz("en", "", "Test", meddled()), target)
+    assert [(file.name, file.read_text()) for file in tmp_path.iterdir()] == [
+        ("quiz.zip", "theirs")
+    ]
 
 
 @pytest.mark.parametrize("write", WRITERS)
@@ -59,7 +77,7 @@ def test_memory_does_not_grow_with_the_class(write: Writer, tmp_path: Path) -> N
             QuizPaper(f"P{i}", str(i), "", (question,)) for i, question in enumerate(questions)
         )
         tracemalloc.reset_peak()
-        write(Quiz("en", "", "Test", papers), tmp_path / "quiz.zip")
+        write(Quiz("en", "", "Test", papers), tmp_path / "quiz.zip", force=True)
         return tracemalloc.get_traced_memory()[1]
 
     tracemalloc.start()

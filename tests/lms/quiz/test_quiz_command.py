@@ -109,3 +109,15 @@ def test_refusals_are_one_line_and_leave_nothing(small_class: Path, tmp_path: Pa
         == 2
     )
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_a_place_that_cannot_hold_a_file_is_named_in_one_line(
+    small_class: Path, tmp_path: Path, system: str
+) -> None:
+    (tmp_path / "file").write_text("mine", encoding="utf-8")
+    result = put(small_class / "EXAM", "--to", system, "-o", tmp_path / "file" / "quiz.zip")
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"error: {tmp_path}/file/quiz.zip: cannot be written (")
+    assert result.stderr.count("\n") == 1
+    assert [entry.name for entry in tmp_path.iterdir()] == ["file"]
