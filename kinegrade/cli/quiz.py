@@ -11,7 +11,7 @@ from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, METHOD, finish, progress, refusing
 
 if TYPE_CHECKING:
-    from kinegrade.lms.quiz.moodle_xml import Form
+    from kinegrade.lms.quiz.moodle_xml_questions import Form
     from kinegrade.problem.template import Language, Method
 
 SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")

@@ -68,7 +68,11 @@ def read_quiz(
     lines = islice(_different(source), variants)
     papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
     return Quiz(
-        source.language, source.course, source.title, progress(papers, variants or available)
+        source.language,
+        source.course,
+        source.title,
+        progress(papers, variants or available),
+        source.identifier,
     )
 
 

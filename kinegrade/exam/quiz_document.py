@@ -94,9 +94,13 @@ class QuizPaper:
 
 @dataclass(frozen=True)
 class Quiz:
-    """All papers of an exam, which may come one after another so that a large class needs no more memory."""
+    """All papers of an exam, which may come one after another so that a large class needs no more memory.
+
+    `identifier` tells the exam from others, also from those of the same title.
+    """
 
     language: Language
     course: str  # plain, as is title
     title: str
     papers: Iterable[QuizPaper]
+    identifier: str = ""

@@ -149,7 +149,7 @@ def _ask(
         row.symbol,
         row.meaning,
         entry["unit"],
-        row.sign,
+        template.asks[name].sign.in_language(source.language),
         row.points,
         value,
         low,

@@ -20,13 +20,16 @@ from kinegrade.problem.tolerance import Tolerance
 
 FORMAT = 1
 LOOKED_AT = 64  # papers from which the bank's tolerances are seen, which zero answers widen
-BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
+BROKEN = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
 MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 
 
 @dataclass(frozen=True)
 class QuizSource:
     """An exam folder; `identifier` tells it from other exams, and tells nothing of its secret.
+
+    It is of the bank and of the first paper's code: another class's exam of the same bank is another one, and
+    students appended to the roster change nothing.
 
     `templates` and `names` go by question and by student, `tolerances` by question and ask, `credits`, the shares of
     the points that the bank gives for known mistakes, by mistake.
@@ -58,6 +61,7 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
     try:
         templates = _templates(folder, head)
         names = {str(student["student"]): str(student["name"]) for student in head["students"]}
+        first = str(head["students"][0]["paper"])
         versions = tuple(map(str, head.get("versions", ())))
         credits = {
             str(name): Fraction(share)
@@ -69,7 +73,7 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         ) from fault
     return QuizSource(
         folder,
-        sha256(bank.encode()).hexdigest()[:8],
+        sha256(f"{first}\n{bank}".encode()).hexdigest()[:8],
         language or spoken,
         title,
         course,

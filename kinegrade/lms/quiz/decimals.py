@@ -15,14 +15,26 @@ _ROUNDINGS: dict[Rounding, str] = {
 }
 
 
-def decimal_text(number: Fraction, rounding: Rounding = "nearest") -> str:
-    """A number, exactly where so many significant digits hold it, else rounded to them; "down" is to minus infinity.
+def decimal_text(number: Fraction, rounding: Rounding = "nearest", digits: int = DIGITS) -> str:
+    """A number, exactly where so many significant digits hold it, else rounded to them.
+
+    "down" is to minus infinity.
+
 
     >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3)), decimal_text(Fraction(1, 3), "up")
     ('-2.5', '0.33333333333333333', '0.33333333333333334')
     """
-    context = Context(prec=DIGITS, rounding=_ROUNDINGS[rounding])
+    context = Context(prec=digits, rounding=_ROUNDINGS[rounding])
     quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(
         context
     )
     return f"{quotient:f}" if quotient else "0"
+
+
+def rounded(number: Fraction, rounding: Rounding, digits: int) -> Fraction:
+    """A number rounded to so many significant digits.
+
+    >>> rounded(Fraction(2, 3), "up", 2)
+    Fraction(67, 100)
+    """
+    return Fraction(decimal_text(number, rounding, digits))

@@ -8,6 +8,7 @@ from fractions import Fraction
 from kinegrade.exam.quiz_document import QuizAsk
 from kinegrade.lms.quiz.decimals import decimal_text
 
+TURNS = 2  # of zero: as far from it a quiz takes an angle, and says so
 _EVEN = Fraction(1, 10**15)  # no system that computes in doubles can tell such margins apart
 
 
@@ -18,6 +19,11 @@ class RightInterval:
     value: Fraction
     low: Fraction
     high: Fraction
+
+    @property
+    def middle(self) -> Fraction:
+        """Halfway between the bounds."""
+        return (self.low + self.high) / 2
 
     @property
     def symmetric(self) -> bool:
@@ -48,15 +54,27 @@ class RightInterval:
 
 
 def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
-    """The interval of the key first; of an angle also those whole turns away with a part within one turn of zero."""
-    first = RightInterval(ask.value, ask.low, ask.high)
-    if ask.period is None:
-        return (first,)
-    fewest, most = -((ask.high + ask.period) // ask.period), (ask.period - ask.low) // ask.period
-    shifts = [turns * ask.period for turns in range(fewest, most + 1) if turns]
+    """The interval of the key first; of an angle also those whole turns away, as `turned` has them."""
+    return turned(RightInterval(ask.value, ask.low, ask.high), ask.period)
+
+
+def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInterval, ...]:
+    """The interval first, then those whole turns away with a part within TURNS turns of zero.
+
+    Without a period it stands alone. A turn more or less than an angle within one turn of zero is there.
+    """
+    if period is None:
+        return (interval,)
+    farthest = TURNS * period
+    fewest = -((interval.high + farthest) // period)
+    most = (farthest - interval.low) // period
+    shifts = [turns * period for turns in sorted(range(fewest, most + 1), key=abs) if turns]
     return (
-        first,
-        *(RightInterval(ask.value + shift, ask.low + shift, ask.high + shift) for shift in shifts),
+        interval,
+        *(
+            RightInterval(interval.value + shift, interval.low + shift, interval.high + shift)
+            for shift in shifts
+        ),
     )
 
 

@@ -1,22 +1,26 @@
 """The answers of a numerical question for Moodle: numbers with how far from them counts, and what share it earns.
 
-Moodle takes the first that fits, so what is right stands first and then the narrowest. It knows symmetric intervals
-only, closed at both ends; an interval that is not symmetric about the right number is given twice, as the part that
-is, so that Moodle shows the right number, and whole, about its middle.
+Moodle takes the first that fits, so what is right stands first, and what several mistakes lead to before what one
+does. It knows symmetric intervals only, closed at both ends; an interval that is not symmetric about the right number
+is given twice, as the part that is, so that Moodle shows the right number, and whole, about its middle.
+
+Moodle keeps fourteen significant digits of every number. Those written here have no more, and the room is rounded up
+so that nothing right is lost at either end.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
 from kinegrade.errors import ExportError
-from kinegrade.exam.quiz_document import QuizAsk, QuizMistake
-from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.exam.quiz_document import QuizAsk
+from kinegrade.lms.quiz.decimals import decimal_text, rounded
 from kinegrade.lms.quiz.html import plain_html
-from kinegrade.lms.quiz.intervals import right_intervals
+from kinegrade.lms.quiz.intervals import RightInterval, right_intervals
+from kinegrade.lms.quiz.wrong_numbers import wrong_numbers
 
 ALL = Fraction(100)
 SHARES = tuple(
@@ -49,6 +53,10 @@ SHARES = tuple(
 )
 _GUARDS = str.maketrans({"}": r"\}", "#": r"\#", "~": "&#126;", "{": "&#123;", "\\": "&#92;"})
 NEAR = Fraction(1, 10**5)  # per cent: how near to one of its shares Moodle wants a share to be
+KEPT_DIGITS = 14
+# Moodle makes a box of a Cloze question as wide as its longest number, which would tell the length of the right one.
+# This one is longer than any that Moodle keeps, and nobody types it.
+WIDEST = "%0%-1.2345678901234E+300:0"
 
 
 @dataclass(frozen=True)
@@ -63,7 +71,7 @@ class MoodleAnswer:
 
 def moodle_answers(ask: QuizAsk) -> tuple[MoodleAnswer, ...]:
     """The answers of an ask in the order in which Moodle tries them. Raises ExportError for a share it has not."""
-    return (*_right(ask), *sorted(_wrong(ask.mistakes), key=lambda answer: answer.room))
+    return (*_right(ask), *_wrong(ask))
 
 
 def cloze_field(ask: QuizAsk, mark: int) -> str:
@@ -74,31 +82,39 @@ def cloze_field(ask: QuizAsk, mark: int) -> str:
             f"ask {ask.identifier}: a share of the points that is no whole per cent - expected one in "
             "Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
         )
-    return f"{{{mark}:NUMERICAL:{'~'.join(map(_alternative, answers))}}}"
+    return f"{{{mark}:NUMERICAL:{'~'.join((*map(_alternative, answers), WIDEST))}}}"
 
 
 def _right(ask: QuizAsk) -> Iterator[MoodleAnswer]:
-    first, *turned = right_intervals(ask)
-    if not first.symmetric:
-        yield MoodleAnswer(first.value, min(first.value - first.low, first.high - first.value), ALL)
-        turned = [first, *turned]
+    intervals = right_intervals(ask)
+    first = intervals[0]
+    if first.symmetric:
+        yield _covering(first.value, first, ALL)
+        intervals = intervals[1:]
     else:
-        yield MoodleAnswer(first.value, (first.high - first.low) / 2, ALL)
-    for interval in turned:
-        yield MoodleAnswer(
-            (interval.low + interval.high) / 2, (interval.high - interval.low) / 2, ALL
-        )
+        value = rounded(first.value, "nearest", KEPT_DIGITS)
+        inside = max(Fraction(0), min(value - first.low, first.high - value))
+        yield MoodleAnswer(value, rounded(inside, "down", KEPT_DIGITS), ALL)
+    for interval in intervals:
+        yield _covering(interval.middle, interval, ALL)
 
 
-def _wrong(mistakes: Iterable[QuizMistake]) -> Iterator[MoodleAnswer]:
-    """One answer for each wrong number, whatever mistakes lead to it; the best of their shares."""
-    by_interval: dict[tuple[Fraction, Fraction], list[QuizMistake]] = {}
-    for mistake in mistakes:
-        by_interval.setdefault(mistake.interval, []).append(mistake)
-    for (low, high), alike in by_interval.items():
-        share = max(_share(mistake.credit) for mistake in alike)
-        feedback = "<br/>".join(plain_html(mistake.sentence) for mistake in alike)
-        yield MoodleAnswer((low + high) / 2, (high - low) / 2, share, feedback)
+def _wrong(ask: QuizAsk) -> Iterator[MoodleAnswer]:
+    """What known mistakes lead to, with the sentences of all that lead there and the best of their shares."""
+    for wrong in wrong_numbers(ask):
+        sentences = dict.fromkeys(plain_html(mistake.sentence) for mistake in wrong.mistakes)
+        share = _share(wrong.credit)
+        for interval in wrong.intervals:
+            yield _covering(interval.middle, interval, share, "<br/>".join(sentences))
+
+
+def _covering(
+    about: Fraction, interval: RightInterval, share: Fraction, feedback: str = ""
+) -> MoodleAnswer:
+    """The narrowest answer that Moodle keeps as it is written and that holds the whole interval."""
+    value = rounded(about, "nearest", KEPT_DIGITS)
+    room = max(value - interval.low, interval.high - value)
+    return MoodleAnswer(value, rounded(room, "up", KEPT_DIGITS), share, feedback)
 
 
 @lru_cache(maxsize=256)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
 from kinegrade.lms.quiz.html import ask_html, plain_html
@@ -16,7 +15,6 @@ from kinegrade.lms.quiz.qti21_scoring import (
     mistake_name,
     processing,
     response_name,
-    told_apart,
 )
 from kinegrade.lms.quiz.question_html import question_html, warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
@@ -33,7 +31,6 @@ BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 def item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
     """The item's file; the figure stands at the address `picture`. Raises TypesetError."""
-    question = replace(question, asks=tuple(map(told_apart, question.asks)))
     title = plain_prose(question.title, question.question, inline=True)
     parts = on_lines(
         (

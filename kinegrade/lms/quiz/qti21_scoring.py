@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
-from kinegrade.exam.quiz_document import QuizAsk, QuizMistake
+from kinegrade.exam.quiz_document import QuizAsk
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.intervals import RightInterval, right_intervals
+from kinegrade.lms.quiz.wrong_numbers import wrong_numbers
 from kinegrade.lms.quiz.xml_text import Xml, element, on_lines
 
 SOLUTION = "SOLUTION"
@@ -28,23 +28,6 @@ def points_name(place: int) -> str:
 def mistake_name(place: int, mistake: int) -> str:
     """The name of a known mistake's feedback; mistakes are counted from 1."""
     return f"MISTAKE_{place}_{mistake}"
-
-
-def told_apart(ask: QuizAsk) -> QuizAsk:
-    """The ask with mistakes that lead to the same numbers as one: all their sentences, the best of their shares."""
-    alike: dict[tuple[Fraction, Fraction], QuizMistake] = {}
-    for mistake in ask.mistakes:
-        first = alike.get(mistake.interval)
-        alike[mistake.interval] = (
-            mistake
-            if first is None
-            else replace(
-                first,
-                credit=max(first.credit, mistake.credit),
-                sentence=f"{first.sentence} / {mistake.sentence}",
-            )
-        )
-    return replace(ask, mistakes=tuple(alike.values()))
 
 
 def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
@@ -93,24 +76,16 @@ def _number(name: str, default: Fraction, most: Fraction) -> Xml:
 
 
 def _condition(place: int, ask: QuizAsk) -> Xml:
-    """Right, or else the first known mistake that the answer shows."""
+    """Right, or else the known mistakes that the answer shows."""
     branches = [
         element("responseIf", _any(place, right_intervals(ask)), _points(place, ask.points))
     ]
-    for number, mistake in enumerate(ask.mistakes, start=1):
-        given = [_points(place, ask.points * mistake.credit)] if mistake.credit else []
-        seen = _any(place, _mistaken(ask, mistake))
-        branches.append(
-            element("responseElseIf", seen, *given, _feedback(mistake_name(place, number)))
-        )
+    for wrong in wrong_numbers(ask):
+        given = [_points(place, ask.points * wrong.credit)] if wrong.credit else []
+        numbers = (ask.mistakes.index(mistake) + 1 for mistake in wrong.mistakes)
+        shown = (_feedback(mistake_name(place, number)) for number in numbers)
+        branches.append(element("responseElseIf", _any(place, wrong.intervals), *given, *shown))
     return element("responseCondition", on_lines(branches))
-
-
-def _mistaken(ask: QuizAsk, mistake: QuizMistake) -> tuple[RightInterval, ...]:
-    low, high = mistake.interval
-    if ask.period is None:
-        return (RightInterval(mistake.value, low, high),)
-    return right_intervals(replace(ask, value=mistake.value, low=low, high=high))
 
 
 def _any(place: int, intervals: tuple[RightInterval, ...]) -> Xml:

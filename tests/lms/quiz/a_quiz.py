@@ -131,13 +131,13 @@ def papers(language: Literal["en", "zh"] = "en") -> tuple[QuizPaper, ...]:
 
 def quiz(language: Literal["en", "zh"] = "en") -> Quiz:
     """A quiz with a paper for every student."""
-    return Quiz(language, "Mechanics I", "Kinematics & <quiz> ]]>", iter(papers(language)))
+    return Quiz(language, "Mechanics I", "Kinematics & <quiz> ]]>", iter(papers(language)), "4711")
 
 
 def pooled(language: Literal["en", "zh"] = "en") -> Quiz:
     """The same questions for everybody, two variants of the first and one of the second."""
     variants = (replace(paper, student="", name="") for paper in papers(language))
-    return Quiz(language, "Mechanics I", "Kinematics", variants)
+    return Quiz(language, "Mechanics I", "Kinematics", variants, "4711")
 
 
 def all_asks() -> dict[str, QuizAsk]:

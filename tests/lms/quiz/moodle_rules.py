@@ -7,6 +7,7 @@ from base64 import b64decode
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from urllib.parse import unquote
 from xml.etree import ElementTree
@@ -39,6 +40,7 @@ FRACTIONS = set(
         ),
     )
 )
+WIDTH = len("-1.2345678901234E+300")
 NUMBER = r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 BOX = re.compile(r"\{([0-9]*):(?:NUMERICAL|NM):(.*?)(?<!\\)\}", re.DOTALL)
 ANYTHING_LIKE_A_BOX = re.compile(r"\{(?:[0-9]*:|#)")
@@ -56,6 +58,32 @@ class Answer:
     @property
     def interval(self) -> tuple[Fraction, Fraction]:
         return self.value - self.room, self.value + self.room
+
+    @property
+    def never(self) -> bool:
+        """Whether nobody types such a number."""
+        return abs(self.value) > 10**100
+
+    def takes(self, typed: float) -> bool:
+        """Whether Moodle takes a number for this answer: in doubles, with its slack of the fourteenth digit."""
+        value, room = float(self.value), float(self.room)
+        slack = 1e-14 * max(room, abs(value), 1e-14)
+        return value - (room + slack) <= typed <= value + (room + slack)
+
+
+def stored(number: Fraction) -> str:
+    """A number as PHP turns it into a text that is kept: to fourteen significant digits."""
+    mantissa, _, exponent = f"{float(number):.13E}".partition("E")
+    power = int(exponent)
+    if -5 < power < 14:
+        return f"{Decimal(f'{float(number):.14G}'):f}"
+    digits = mantissa.rstrip("0").rstrip(".")
+    return f"{digits if '.' in digits else digits + '.0'}E{power:+d}"
+
+
+def box_width(found: tuple[Answer, ...]) -> int:
+    """By how many characters Moodle sizes a box: the longest answer that it keeps."""
+    return max(len(stored(answer.value)) for answer in found)
 
 
 @dataclass(frozen=True)
@@ -148,11 +176,14 @@ def number(text: str) -> Fraction:
 
 
 def right(found: tuple[Answer, ...], typed: Fraction) -> Fraction:
-    """The share that a typed number gets: the first answer that fits, both ends included."""
-    return next(
-        (answer.share for answer in found if answer.interval[0] <= typed <= answer.interval[1]),
-        Fraction(0),
-    )
+    """The share that a typed number gets: that of the first answer that fits."""
+    taken = first(found, typed)
+    return Fraction(0) if taken is None else taken.share
+
+
+def first(found: tuple[Answer, ...], typed: Fraction) -> Answer | None:
+    """The answer that Moodle takes a typed number for, and whose sentence it shows."""
+    return next((answer for answer in found if answer.takes(float(typed))), None)
 
 
 def faults(content: str) -> list[str]:
@@ -201,8 +232,14 @@ def faults_of_box(one: Question, mark: Fraction, found: tuple[Answer, ...]) -> I
     if not found or found[0].share != 100:
         yield "the first answer is not right"
     yield from (f"share {answer.share}" for answer in found if answer.share not in FRACTIONS)
-    rooms = [answer.room for answer in found if answer.share < 100]
-    if rooms != sorted(rooms):
-        yield "a wide answer hides a narrow one"
+    wrong = [answer.interval for answer in found if answer.share < 100]
+    for place, (low, high) in enumerate(wrong):
+        if any(before[0] <= low and high <= before[1] for before in wrong[:place]):
+            yield "a wide answer hides a narrow one"
+    if one.kind == "cloze" and (box_width(found) != WIDTH or not found[-1].never):
+        yield "the width of the box tells the length of the number"
+    for answer in found:
+        if any(Fraction(stored(kept)) != kept for kept in (answer.value, answer.room)):
+            yield f"Moodle keeps another number than {answer.value} or {answer.room}"
     if any(answer.room < 0 for answer in found):
         yield "a negative tolerance"

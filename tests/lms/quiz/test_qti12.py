@@ -159,7 +159,12 @@ def test_no_bound_reads_as_a_precision_answer(package: Path) -> None:
 
 def test_an_angle_is_right_with_whole_turns_added(package: Path) -> None:
     found = intervals(items(package)["exam-P1-q2-phi"])
-    assert [(value, high - low) for value, low, high in found] == [(30, 1), (-330, 1)]
+    assert [(value, high - low) for value, low, high in found] == [
+        (30, 1),
+        (-330, 1),
+        (390, 1),
+        (-690, 1),
+    ]
 
 
 def test_an_answer_too_small_for_four_decimals_is_asked_for_in_a_finer_unit(package: Path) -> None:

@@ -235,17 +235,46 @@ def test_mistakes_that_lead_to_the_same_number_are_told_together(tmp_path: Path)
     paper = QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))
     write(Quiz("en", "", "Test", [paper]), tmp_path / "quiz.zip")
     root = item(tmp_path / "quiz.zip", "items/exam-P-q1.xml")
-    assert marked(root, {"RESPONSE_1": Fraction(-7)}) == (1, {"MISTAKE_1_1"})
-    assert root.findtext("modalFeedback/p") == f"another way there / {a_quiz.CORIOLIS.sentence}"
+    assert marked(root, {"RESPONSE_1": Fraction(-7)}) == (1, {"MISTAKE_1_1", "MISTAKE_1_2"})
+    assert [told.text for told in root.iterfind("modalFeedback/p")] == [
+        "another way there",
+        a_quiz.CORIOLIS.sentence,
+    ]
+
+
+def test_a_number_that_two_mistakes_lead_to_earns_the_better_share(tmp_path: Path) -> None:
+    near = replace(
+        a_quiz.CORIOLIS,
+        identifier="near",
+        credit=Fraction(1, 4),
+        value=Fraction("-6.9"),
+        low=Fraction(-7),
+        high=Fraction("-6.8"),
+    )
+    ask = replace(a_quiz.ACCELERATION, mistakes=(near, a_quiz.CORIOLIS))
+    paper = QuizPaper("P", "1", "Bo", (a_quiz.question("P", "q1", (ask,)),))
+    write(Quiz("en", "", "Test", [paper]), tmp_path / "quiz.zip")
+    root = item(tmp_path / "quiz.zip", "items/exam-P-q1.xml")
+    told = {
+        text: marked(root, {"RESPONSE_1": Fraction(text)})
+        for text in ("-6.81", "-6.9", "-7", "-7.1")
+    }
+    assert told == {
+        "-6.81": (Fraction(1, 2), {"MISTAKE_1_1"}),
+        "-6.9": (1, {"MISTAKE_1_1", "MISTAKE_1_2"}),
+        "-7": (1, {"MISTAKE_1_1", "MISTAKE_1_2"}),
+        "-7.1": (1, {"MISTAKE_1_2"}),
+    }
 
 
 def test_an_angle_may_have_whole_turns_more_or_less(package: Path) -> None:
     root = item(package, SECOND)
     found = {
-        answer: marked(root, {"RESPONSE_1": Fraction(answer)})[0] for answer in (30, -330, 210, 390)
+        answer: marked(root, {"RESPONSE_1": Fraction(answer)})[0]
+        for answer in (30, -330, 210, 390, 750)
     }
-    assert found == {30: 2, -330: 2, 210: 0, 390: 0}
-    assert "within one turn of zero" in "".join(root.itertext())
+    assert found == {30: 2, -330: 2, 210: 0, 390: 2, 750: 0}
+    assert "within two turns of zero" in "".join(root.itertext())
 
 
 def test_texts_are_text_and_the_figure_is_beside_the_items(package: Path) -> None:

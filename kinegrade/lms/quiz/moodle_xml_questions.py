@@ -1,0 +1,212 @@
+r"""The questions of a paper as Moodle's XML has them: categories, names, texts, figures, boxes, answers.
+
+A mechanism is one Cloze question with a box for every ask, or a numerical question for each. There is a category for
+each paper, or for each question of the bank where variants are pooled, and for each ask of it where every ask is a
+question: a random question then draws variants of one thing. Marks in Cloze questions are whole numbers; where points
+are not, all marks of the quiz are the same multiple of them. Figures are embedded, formulas stand between `\(` and
+`\)`. `idnumber`s are the same whenever the same exam is written, so that what is there already can be told.
+"""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+from typing import Literal, assert_never
+
+from kinegrade.exam.quiz_document import Language, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.html import ask_html, figure_html, plain_html, prose_html
+from kinegrade.lms.quiz.moodle_xml_answers import MoodleAnswer, cloze_field, moodle_answers
+from kinegrade.lms.quiz.question_html import warnings_html
+from kinegrade.lms.quiz.question_words import WORDS
+
+Form = Literal["cloze", "numerical"]
+FIGURE = "figure.svg"
+BOX = "\x00"  # stands for a box while the text around it is guarded; no text holds it
+LONGEST_NAME, LONGEST_IDENTIFIER = 200, 100  # characters
+MULTIPLIED = {
+    "en": "The marks of this question are {} times its points.",
+    "zh": "本题分值为所示分数的 {} 倍。",
+}
+_FIELD = re.compile(r"\{(?=#|[0-9]*:)")  # what Moodle would take for a box, or for the place of one
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What holds for all questions of a quiz."""
+
+    language: Language
+    form: Form
+    scale: int  # marks for a point
+    category: str  # in which those of the papers, or of the pools, stand; Moodle's mark-up
+
+
+def sheet_of(
+    language: Language, form: Form, title: str, identifier: str, first: QuizPaper
+) -> Sheet:
+    """What holds for a quiz with that first paper; points are the same on all papers.
+
+    The exam's identifier keeps exams of one title apart, whose questions one random question would draw else.
+    """
+    match form:
+        case "cloze":
+            points = (ask.points for question in first.questions for ask in question.asks)
+            scale = lcm(*(each.denominator for each in points))
+        case "numerical":
+            scale = 1
+        case _:
+            assert_never(form)
+    told = f" ({plain_html(identifier)})" if identifier else ""
+    return Sheet(language, form, scale, f"{_level(title)}{told}")
+
+
+def paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
+    """The categories and questions of a paper, one element after the other."""
+    owner = " · ".join(text for text in (paper.student, paper.name) if text)
+    if owner:
+        yield _category(sheet, [paper.code], owner)
+    for question in paper.questions:
+        yield from _questions(question, paper, sheet, pooled=not owner)
+
+
+def pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Fraction]]:
+    """What every pool of a question counts: its name as in the categories' names, and the mark of one variant."""
+    match sheet.form:
+        case "cloze":
+            yield question.question, question.points * sheet.scale
+        case "numerical":
+            for ask in question.asks:
+                yield f"{question.question} {ask.identifier}", ask.points
+        case _:
+            assert_never(sheet.form)
+
+
+def _category(sheet: Sheet, levels: Sequence[str], about: str) -> str:
+    names = "/".join((sheet.category, *map(_level, levels)))
+    return (
+        f'<question type="category">\n<category><text>$course$/top/{names}</text></category>\n'
+        f'<info format="html"><text>{_data(plain_html(about))}</text></info>\n</question>\n'
+    )
+
+
+def _level(name: str) -> str:
+    """A name in the path of a category; a slash in it would begin a new level."""
+    return _cut(name.replace("/", "∕"))
+
+
+def _questions(
+    question: QuizQuestion, paper: QuizPaper, sheet: Sheet, *, pooled: bool
+) -> Iterator[str]:
+    """The question of a mechanism, or one for each of its asks; pools stand in categories of their own."""
+    pool = f"{question.question} {_plain_title(question)}"
+    name = f"{paper.code} {pool}"
+    tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
+    match sheet.form:
+        case "cloze":
+            if pooled:
+                yield _category(sheet, [pool], "")
+            head = _head(name, _cloze_text(question, sheet), question)
+            yield _element("cloze", head, question.identifier, tags)
+        case "numerical":
+            for ask in question.asks:
+                if pooled:
+                    yield _category(sheet, [pool, ask.identifier], "")
+                yield _numerical(name, question, ask, sheet, tags)
+        case _:
+            assert_never(sheet.form)
+
+
+def _numerical(
+    name: str, question: QuizQuestion, ask: QuizAsk, sheet: Sheet, tags: Sequence[str]
+) -> str:
+    text = _statement(question) + _asked(ask, sheet) + _rule(question)
+    answers = "".join(map(_answer, moodle_answers(ask)))
+    return _element(
+        "numerical",
+        _head(f"{name}: {ask.identifier}", text, question),
+        f"{question.identifier}-{ask.identifier}",
+        tags,
+        f"<defaultgrade>{decimal_text(ask.points)}</defaultgrade>\n{answers}",
+    )
+
+
+def _cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
+    """The text with its boxes; nothing else in it looks like one."""
+    asks = "".join(
+        _guarded(_asked(ask, sheet, BOX)).replace(
+            BOX, cloze_field(ask, int(ask.points * sheet.scale))
+        )
+        for ask in question.asks
+    )
+    multiplied = (
+        f"<p>{MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
+    )
+    return _guarded(_statement(question)) + asks + _guarded(_rule(question)) + multiplied
+
+
+def _asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
+    """What is asked for, where the box stands, and which turns of an angle count."""
+    return ask_html(ask, sheet.language, field) + warnings_html(ask, ask, WORDS[sheet.language])
+
+
+def _head(name: str, text: str, question: QuizQuestion) -> str:
+    """What all kinds of questions begin with: name, text with the figure, worked solution."""
+    return (
+        f"<name><text>{_cut(name)}</text></name>\n"
+        f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
+        f'<generalfeedback format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
+        "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n"
+    )
+
+
+def _element(kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = "") -> str:
+    marked = "".join(f"<tag><text>{plain_html(tag)}</text></tag>" for tag in tags)
+    return (
+        f'<question type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
+        f"{answers}<tags>{marked}</tags>\n</question>\n"
+    )
+
+
+def _rule(question: QuizQuestion) -> str:
+    return prose_html(question.rule, f"{question.question}, rule")
+
+
+def _statement(question: QuizQuestion) -> str:
+    figure = figure_html(question.figure, f"@@PLUGINFILE@@/{FIGURE}") if question.figure else ""
+    return prose_html(question.statement, f"{question.question}, statement") + figure
+
+
+def _file(question: QuizQuestion) -> str:
+    if question.figure is None:
+        return ""
+    return f'<file name="{FIGURE}" path="/" encoding="base64">{b64encode(question.figure.svg).decode()}</file>'
+
+
+def _answer(answer: MoodleAnswer) -> str:
+    return (
+        f'<answer fraction="{decimal_text(answer.share)}" format="moodle_auto_format">'
+        f"<text>{decimal_text(answer.value)}</text><tolerance>{decimal_text(answer.room)}</tolerance>"
+        f'<feedback format="html"><text>{_data(answer.feedback)}</text></feedback></answer>\n'
+    )
+
+
+def _guarded(html: str) -> str:
+    """A text in which Moodle finds no box."""
+    return _FIELD.sub("&#123;", html)
+
+
+def _plain_title(question: QuizQuestion) -> str:
+    return question.title.replace("$", "")
+
+
+def _cut(name: str) -> str:
+    """A name of a length that Moodle keeps whole."""
+    return plain_html(name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…")
+
+
+def _data(html: str) -> str:
+    return f"<![CDATA[{html.replace(']]>', ']]]]><![CDATA[>')}]]>" if html else ""

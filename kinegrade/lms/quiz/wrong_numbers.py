@@ -1,0 +1,74 @@
+"""What wrong numbers show: the known mistakes that lead to them, all of them where several lead to one number.
+
+A system that takes the first of its answers that fits would name one mistake alone where two lead close to each
+other. So every set of mistakes that lead to some number together stands here with what they have in common.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+
+from kinegrade.exam.quiz_document import QuizAsk, QuizMistake
+from kinegrade.lms.quiz.intervals import RightInterval, turned
+
+
+@dataclass(frozen=True)
+class WrongNumbers:
+    """Mistakes that lead to the same numbers, and these: one interval, or one for each turn of an angle."""
+
+    mistakes: tuple[QuizMistake, ...]
+    intervals: tuple[RightInterval, ...]
+
+    @property
+    def credit(self) -> Fraction:
+        """The best share of the points that one of the mistakes earns."""
+        return max(mistake.credit for mistake in self.mistakes)
+
+
+@dataclass(frozen=True)
+class _Lead:
+    """A mistake and one interval that it leads to."""
+
+    mistake: QuizMistake
+    interval: RightInterval
+
+    def holds(self, number: Fraction) -> bool:
+        return self.interval.low <= number <= self.interval.high
+
+
+def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
+    """The sets of mistakes that some number shows; the first set whose intervals hold a number names all that lead to it.
+
+    What two sets have in common belongs to a larger one, and larger ones come first.
+    """
+    leads = [
+        _Lead(mistake, interval)
+        for mistake in ask.mistakes
+        for interval in turned(RightInterval(mistake.value, *mistake.interval), ask.period)
+    ]
+    found: dict[tuple[QuizMistake, ...], dict[RightInterval, None]] = {}
+    for together in _sets(leads):
+        mistakes = tuple(dict.fromkeys(lead.mistake for lead in together))
+        found.setdefault(mistakes, {})[_shared(together)] = None
+    largest_first = sorted(found.items(), key=lambda entry: -len(entry[0]))
+    return tuple(WrongNumbers(mistakes, tuple(places)) for mistakes, places in largest_first)
+
+
+def _sets(leads: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
+    """Every set of leads that hold some number together: an end of an interval, or one between two ends."""
+    ends = sorted({end for lead in leads for end in (lead.interval.low, lead.interval.high)})
+    between = [(end + following) / 2 for end, following in pairwise(ends)]
+    sets = (tuple(lead for lead in leads if lead.holds(number)) for number in (*ends, *between))
+    return list(dict.fromkeys(each for each in sets if each))
+
+
+def _shared(together: Sequence[_Lead]) -> RightInterval:
+    """What the intervals of all of them hold."""
+    if len(together) == 1:
+        return together[0].interval
+    low = max(lead.interval.low for lead in together)
+    high = min(lead.interval.high for lead in together)
+    return RightInterval((low + high) / 2, low, high)
