@@ -74,7 +74,8 @@ class QuizQuestion:
     figure: QuizFigure | None
     asks: tuple[QuizAsk, ...]
     solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
-    rule: str = ""  # prose: how to write answers, and when one is right
+    rule: str = ""  # prose: when an answer is right
+    digits: int = 4  # the fewest significant digits to be typed
 
     @property
     def points(self) -> Fraction:

@@ -21,7 +21,7 @@ from kinegrade.exam.quiz_document import (
 )
 from kinegrade.exam.quiz_solution import solution_html
 from kinegrade.exam.quiz_source import BROKEN, MENDING, QuizSource, tolerance_of
-from kinegrade.exam.quiz_words import FIGURE, answer_rules
+from kinegrade.exam.quiz_words import FIGURE, digits_to_type, marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
 from kinegrade.mechanics.mechanism import Mechanism
@@ -96,7 +96,8 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
             _figure(template, mechanism, language),
             asks,
             solution,
-            answer_rules(tolerances, language),
+            marking_rules(tolerances, language),
+            digits_to_type(tolerances),
         )
     except KinegradeError as error:
         raise type(error)(

@@ -122,9 +122,10 @@ def test_identifiers_are_stable_and_tell_nothing_of_the_secret(small_class: Path
 
 
 def test_the_rule_is_the_banks_even_where_zero_answers_have_more_room(small_class: Path) -> None:
-    rules = [question.rule for question in papers(small_class / "EXAM")[0].questions]
+    questions = papers(small_class / "EXAM")[0].questions
+    rules = [question.rule for question in questions]
     assert "at most 1 % of that value" in rules[0]
-    assert "at least four significant digits" in rules[0]
+    assert [question.digits for question in questions] == [4, 4, 4]
     assert (
         "For $v_{y}$: an answer is right if it differs from the exact value by at most 0.25 in the unit"
         in rules[1]
@@ -137,7 +138,7 @@ def test_a_quiz_in_the_other_language(small_class: Path) -> None:
     assert (chinese.language, chinese.title, chinese.course) == ("zh", "期中测验", "力学")
     paper = next(iter(chinese.papers))
     assert paper.questions[1].title == "曲柄"
-    assert "有效数字" in paper.questions[0].rule
+    assert "精确值" in paper.questions[0].rule
     mistake = paper.questions[0].asks[0].mistakes[0]
     assert mistake.sentence == mistake_sentence(mistake.identifier, "zh")
     assert read_quiz(small_class / "EXAM").language == "en"

@@ -14,6 +14,7 @@ from kinegrade.lms.quiz.plain_math import plain_math
 from kinegrade.lms.quiz.plain_prose import plain_prose
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
+from kinegrade.lms.quiz.typing_words import BLACKBOARD, rules
 
 MIDDLE = (
     "blackboard: {} is not in the middle of what is right - the middle stands there as the answer, so that the "
@@ -32,7 +33,7 @@ def question_line(
     where, column = question.question, f"{question.question}.{ask.identifier}"
     figure = WORDS[language].figure_on_paper if on_paper and question.figure is not None else ""
     turns = WORDS[language].half_turn if ask.period is not None else ""
-    rule = plain_prose(question.rule, where)
+    rule = plain_prose(rules(question, BLACKBOARD, language), where)
     parts = (
         plain_prose(question.statement, where),
         figure,

@@ -21,8 +21,9 @@ from kinegrade.exam.quiz_document import Language, QuizAsk, QuizPaper, QuizQuest
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import ask_html, figure_html, plain_html, prose_html
 from kinegrade.lms.quiz.moodle_xml_answers import MoodleAnswer, cloze_field, moodle_answers
-from kinegrade.lms.quiz.question_html import warnings_html
+from kinegrade.lms.quiz.question_html import rules_html, warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
+from kinegrade.lms.quiz.typing_words import MOODLE
 
 Form = Literal["cloze", "numerical"]
 FIGURE = "figure.svg"
@@ -123,7 +124,7 @@ def _questions(
 def _numerical(
     name: str, question: QuizQuestion, ask: QuizAsk, sheet: Sheet, tags: Sequence[str]
 ) -> str:
-    text = _statement(question) + _asked(ask, sheet) + _rule(question)
+    text = _statement(question) + _asked(ask, sheet) + rules_html(question, MOODLE, sheet.language)
     answers = "".join(map(_answer, moodle_answers(ask)))
     return _element(
         "numerical",
@@ -145,7 +146,12 @@ def _cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
     multiplied = (
         f"<p>{MULTIPLIED[sheet.language].format(sheet.scale)}</p>\n" if sheet.scale > 1 else ""
     )
-    return _guarded(_statement(question)) + asks + _guarded(_rule(question)) + multiplied
+    return (
+        _guarded(_statement(question))
+        + asks
+        + _guarded(rules_html(question, MOODLE, sheet.language))
+        + multiplied
+    )
 
 
 def _asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
@@ -169,10 +175,6 @@ def _element(kind: Form, head: str, identifier: str, tags: Sequence[str], answer
         f'<question type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
         f"{answers}<tags>{marked}</tags>\n</question>\n"
     )
-
-
-def _rule(question: QuizQuestion) -> str:
-    return prose_html(question.rule, f"{question.question}, rule")
 
 
 def _statement(question: QuizQuestion) -> str:

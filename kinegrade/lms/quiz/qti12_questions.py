@@ -15,6 +15,7 @@ from kinegrade.lms.quiz.qti12_item import NumericalItem
 from kinegrade.lms.quiz.question_html import question_html, warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
 from kinegrade.lms.quiz.remarks import Remarks
+from kinegrade.lms.quiz.typing_words import CANVAS
 
 FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
 NO_BANDS = (
@@ -34,7 +35,7 @@ def numerical_items(
 ) -> list[tuple[QuizAsk, NumericalItem]]:
     """The question's asks, each with its item; what cannot be said is left out and stands in the remarks."""
     try:
-        text = question_html(question, FILES + picture_name(question))
+        text = question_html(question, FILES + picture_name(question), CANVAS, language)
         found = [(ask, _item(question, ask, text, language, remarks)) for ask in question.asks]
     except TypesetError as fault:
         remarks.refuse_texts(fault)

@@ -18,6 +18,7 @@ from kinegrade.lms.quiz.qti21_scoring import (
 )
 from kinegrade.lms.quiz.question_html import question_html, warnings_html
 from kinegrade.lms.quiz.question_words import WORDS
+from kinegrade.lms.quiz.typing_words import QTI21
 from kinegrade.lms.quiz.xml_text import Xml, document, element, on_lines
 
 QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
@@ -57,7 +58,7 @@ def item_document(question: QuizQuestion, language: Language, picture: str) -> b
 def _body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
     boxes = (_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
-    return question_html(question, picture) + "".join(boxes)
+    return question_html(question, picture, QTI21, language) + "".join(boxes)
 
 
 def _asked(place: int, ask: QuizAsk, language: Language) -> str:

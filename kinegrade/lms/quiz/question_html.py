@@ -4,21 +4,31 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
 from kinegrade.lms.quiz.html import figure_html, prose_html, unit_html
 from kinegrade.lms.quiz.question_words import QuestionWords
+from kinegrade.lms.quiz.typing_words import Typing, rules
 
 
-def question_html(question: QuizQuestion, picture: str) -> str:
-    """The statement, its figure, which stands at the address `picture`, and the rule. Raises TypesetError."""
+def question_html(question: QuizQuestion, picture: str, typing: Typing, language: Language) -> str:
+    """The statement, its figure, which stands at the address `picture`, and the rules. Raises TypesetError."""
     figure = figure_html(question.figure, picture) if question.figure is not None else ""
-    return prose_html(question.statement, question.question) + figure + _rule_html(question.rule)
+    return (
+        prose_html(question.statement, question.question)
+        + figure
+        + rules_html(question, typing, language)
+    )
+
+
+def rules_html(question: QuizQuestion, typing: Typing, language: Language) -> str:
+    """How to type the answers, and when one is right."""
+    return _rules_html(rules(question, typing, language))
 
 
 @lru_cache(maxsize=64)
-def _rule_html(rule: str) -> str:
-    """The rule, which most questions of an exam share."""
-    return prose_html(rule, "rule") if rule else ""
+def _rules_html(text: str) -> str:
+    """The rules, which most questions of an exam share."""
+    return prose_html(text, "rule")
 
 
 def warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
