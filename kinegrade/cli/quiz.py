@@ -11,7 +11,10 @@ from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, METHOD, finish, progress, refusing
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from kinegrade.lms.quiz.moodle_xml_questions import Form
+    from kinegrade.lms.quiz.writers import Writer
     from kinegrade.problem.template import Language, Method
 
 SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
@@ -40,6 +43,14 @@ SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
     default="cloze",
     show_default=True,
     help="For Moodle: a question for each mechanism, or for each number asked for.",
+)
+@click.option(
+    "--split",
+    "megabytes",
+    type=click.FloatRange(0, min_open=True),
+    metavar="MB",
+    help="For Moodle: FILE is a folder of files quiz-1.xml ... of at most MB megabytes, for a site that limits "
+    "uploads (often to 2).",
 )
 @click.option(
     "--mistakes/--no-mistakes",
@@ -82,6 +93,7 @@ def quiz(
     output: Path,
     variants: int | None,
     form: Form,
+    megabytes: float | None,
     mistakes: bool,
     credit: float | None,
     solutions: bool,
@@ -95,17 +107,17 @@ def quiz(
     \b
     Example: kinegrade quiz EXAM --to moodle-xml -o quiz.xml
     A pool:  kinegrade quiz EXAM --to moodle-xml --variants 20 -o pool.xml
+    In parts: kinegrade quiz EXAM --to moodle-xml --variants 60 --split 2 -o pool
     """
     from fractions import Fraction
-    from functools import partial
     from os import cpu_count
 
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
-    from kinegrade.lms.quiz.moodle_xml import write as write_moodle_xml
-    from kinegrade.lms.quiz.writers import WRITERS
 
     expect_folders((exam, "EXAM"))
+    limit = None if megabytes is None else Fraction(str(megabytes))
+    writer = writer_of(system, form, limit)
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
@@ -117,7 +129,6 @@ def quiz(
         jobs=jobs or cpu_count() or 1,
         progress=progress,
     )
-    writer = partial(write_moodle_xml, form=form) if system == "moodle-xml" else WRITERS[system]
     remarks = writer(written, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
@@ -125,3 +136,23 @@ def quiz(
         err=True,
     )
     finish(tuple(remarks))
+
+
+def writer_of(system: str, form: Form, megabytes: Fraction | None) -> Writer:
+    """What writes for a system as it is wished. Raises ExportError for parts of anything but Moodle's XML."""
+    from functools import partial
+
+    from kinegrade.errors import ExportError
+    from kinegrade.lms.quiz import moodle_xml
+    from kinegrade.lms.quiz.writers import WRITERS
+
+    if system != "moodle-xml":
+        if megabytes is not None:
+            raise ExportError(
+                f"--split: {system} is one package - expected moodle-xml, whose files are imported one after the "
+                "other - leave --split out, or write for fewer with --variants"
+            )
+        return WRITERS[system]
+    if megabytes is None:
+        return partial(moodle_xml.write, form=form)
+    return partial(moodle_xml.write_parts, megabytes=megabytes, form=form)

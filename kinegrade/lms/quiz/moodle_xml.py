@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain
@@ -13,7 +13,7 @@ from pathlib import Path
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper
-from kinegrade.files import output_file
+from kinegrade.files import output_file, output_folder
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.moodle_xml_questions import (
     Form,
@@ -25,6 +25,17 @@ from kinegrade.lms.quiz.moodle_xml_questions import (
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n'
 FOOT = "</quiz>\n"
+MILLION = 10**6
+USUAL_LIMIT = 2  # MB that a site takes in one upload, unless it says otherwise; also far below what stops the import
+LARGE = (
+    "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add --split 2 if yours "
+    "refuses it"
+)
+PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
+TOO_LARGE = (
+    "quiz: paper {} takes {} MB of Moodle XML alone - expected to fit into a file of {} MB - ask for larger files with "
+    "--split"
+)
 SCALED = (
     "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the maximum grade of "
     "the quiz sets that right"
@@ -54,7 +65,49 @@ def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False
         stream.write(HEAD)
         stream.writelines(questions.papers())
         stream.write(FOOT)
+    size = target.stat().st_size
+    large = [LARGE.format(_shown(size))] if size > USUAL_LIMIT * MILLION else []
+    return [*questions.remarks(), *large]
+
+
+def write_parts(
+    quiz: Quiz, target: Path, megabytes: Fraction, *, form: Form = "cloze", force: bool = False
+) -> list[str]:
+    """The same as a folder of files quiz-1.xml, quiz-2.xml ... of at most so many million bytes, each complete.
+
+    With `force` a folder of such files is replaced. Raises ExportError also for a paper that takes more alone.
+    """
+    with output_folder(target, marker=PARTS[0], contents=PARTS, force=force) as folder:
+        questions = _Questions(quiz, form)
+        for number, part in enumerate(_parts(questions.papers(), megabytes)):
+            (folder / PARTS[number]).write_bytes(part)
     return questions.remarks()
+
+
+def _parts(papers: Iterable[str], megabytes: Fraction) -> Iterator[bytes]:
+    """Whole files of as many papers as fit."""
+    frame = len(HEAD) + len(FOOT)
+    most, size = megabytes * MILLION - frame, 0
+    waiting: list[bytes] = []
+    for number, paper in enumerate(papers, start=1):
+        written = paper.encode()
+        if len(written) > most:
+            raise ExportError(TOO_LARGE.format(number, _shown(len(written)), _shown(most + frame)))
+        if size + len(written) > most:
+            yield _file(waiting)
+            waiting, size = [], 0
+        waiting.append(written)
+        size += len(written)
+    if waiting:
+        yield _file(waiting)
+
+
+def _file(papers: Iterable[bytes]) -> bytes:
+    return b"".join((HEAD.encode(), *papers, FOOT.encode()))
+
+
+def _shown(size: Fraction | int) -> str:
+    return f"{float(Fraction(size) / MILLION):.3g}"
 
 
 @dataclass

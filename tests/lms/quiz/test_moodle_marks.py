@@ -212,3 +212,16 @@ def test_that_moodle_has_no_way_to_put_own_papers_is_said(tmp_path: Path) -> Non
     for name, put in (("pool", pooled()), ("versions", replace(quiz(), papers=versions))):
         remarks = write(put, tmp_path / f"{name}.xml")
         assert not any(line.startswith(no_route) for line in remarks)
+
+
+def test_a_file_that_many_sites_do_not_take_is_named(tmp_path: Path) -> None:
+    def one(code: int) -> QuizPaper:
+        question = QuizQuestion(f"e-{code}-q1", "q1", "Crank", "Find it. " * 12000, None, (SPEED,))
+        return QuizPaper(str(code), "", "", (question,))
+
+    put = Quiz("en", "", "Exam", [one(code) for code in range(20)])
+    *_, remark = write(put, tmp_path / "quiz.xml")
+    assert remark == (
+        "moodle-xml: the file has 2.18 MB, and many sites take no more than 2 MB in one upload - add --split 2 if yours "
+        "refuses it"
+    )

@@ -126,3 +126,54 @@ def test_a_place_that_cannot_hold_a_file_is_named_in_one_line(
     assert result.stderr.startswith(f"error: {tmp_path}/file/quiz.zip: cannot be written (")
     assert result.stderr.count("\n") == 1
     assert [entry.name for entry in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_quiz_in_parts_stays_below_the_upload_limit_and_loses_nothing(
+    small_class: Path, tmp_path: Path
+) -> None:
+    wanted = small_class / "EXAM", "--to", "moodle-xml", "--variants", "4"
+    assert put(*wanted, "-o", tmp_path / "whole.xml").exit_code == 1
+    whole = read((tmp_path / "whole.xml").read_text(encoding="utf-8"))
+    limit = (tmp_path / "whole.xml").stat().st_size * 2 // 3
+    result = put(*wanted, "--split", str(limit / 10**6), "-o", tmp_path / "parts")
+    assert result.exit_code == 1, result.stderr
+    parts = sorted((tmp_path / "parts").iterdir())
+    assert [part.name for part in parts] == ["quiz-1.xml", "quiz-2.xml"]
+    assert all(part.stat().st_size <= limit for part in parts)
+    texts = [part.read_text(encoding="utf-8") for part in parts]
+    assert [faults(text) for text in texts] == [[], []]
+    assert [question for text in texts for question in read(text)] == whole
+
+
+def test_parts_of_an_earlier_quiz_do_not_stay_among_new_ones(
+    small_class: Path, tmp_path: Path
+) -> None:
+    wanted = small_class / "EXAM", "--to", "moodle-xml", "--variants", "4", "-o", tmp_path / "parts"
+    assert put(*wanted, "--split", "0.05").exit_code == 1
+    assert len(list((tmp_path / "parts").iterdir())) > 1
+    again = put(*wanted, "--split", "2")
+    assert again.exit_code == 2
+    assert "already exists - expected a new folder - add --force" in again.stderr
+    assert put(*wanted, "--split", "2", "--force").exit_code == 1
+    assert [part.name for part in (tmp_path / "parts").iterdir()] == ["quiz-1.xml"]
+    (tmp_path / "parts" / "mine.txt").write_text("mine", encoding="utf-8")
+    assert "holds mine.txt, which would be lost" in put(*wanted, "--split", "2", "--force").stderr
+
+
+def test_parts_that_are_too_small_or_of_another_system_are_refused(
+    small_class: Path, tmp_path: Path
+) -> None:
+    wanted = small_class / "EXAM", "-o", tmp_path / "parts", "--split"
+    small = put(*wanted, "0.01", "--to", "moodle-xml")
+    assert small.exit_code == 2
+    assert small.stderr.startswith("error: quiz: paper 1 takes 0.0")
+    assert small.stderr.endswith(
+        "MB of Moodle XML alone - expected to fit into a file of 0.01 MB - ask for larger files with --split\n"
+    )
+    package = put(*wanted, "2", "--to", "qti12")
+    assert package.exit_code == 2
+    assert package.stderr == (
+        "error: --split: qti12 is one package - expected moodle-xml, whose files are imported one after the other - "
+        "leave --split out, or write for fewer with --variants\n"
+    )
+    assert list(tmp_path.iterdir()) == []
