@@ -33,8 +33,8 @@ HEAD = (
 )
 FOOT = "</section>\n</assessment>\n</questestinterop>\n"
 FOR_ONE = (
-    "qti12: every paper is a quiz of its own, and a published quiz is open to the whole course - assign each "
-    "quiz to its students before you publish it"
+    "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign each quiz to its "
+    "students, and to nobody else, before you publish it"
 )
 DRAWN_APART = (
     "qti12: Canvas draws every question by itself - the asks of one mechanism may come with different "
@@ -91,7 +91,8 @@ class _Writer:
         written = "".join(f"{item_element(item)}\n" for item in items)
         head = HEAD.format(quoteattr(identifier), quoteattr(title))
         self._parts.add(f"{identifier}/{identifier}.xml", f"{head}{written}{FOOT}".encode())
-        self._describe(identifier, title, sum((item.points for item in items), Fraction(0)))
+        points = sum((item.points for item in items), Fraction(0))
+        self._describe(identifier, title, points, assigned=True)
 
     def _variants(self, paper: QuizPaper) -> None:
         for question in paper.questions:
@@ -123,10 +124,9 @@ class _Writer:
             self._groups.write(stream)
             stream.write(FOOT.encode())
             self._parts.copy(f"{identifier}/{identifier}.xml", stream)
-        self._describe(identifier, title, self._groups.points)
+        self._describe(identifier, title, self._groups.points, assigned=False)
 
-    def _describe(self, identifier: str, title: str, points: Fraction) -> None:
-        self._parts.add(
-            f"{identifier}/assessment_meta.xml", qti12_manifest.quiz_meta(identifier, title, points)
-        )
+    def _describe(self, identifier: str, title: str, points: Fraction, *, assigned: bool) -> None:
+        meta = qti12_manifest.quiz_meta(identifier, title, points, assigned=assigned)
+        self._parts.add(f"{identifier}/assessment_meta.xml", meta)
         self._manifest.add(*qti12_manifest.assessment_resources(identifier))

@@ -11,6 +11,7 @@ from kinegrade.lms.quiz.intervals import RightInterval
 from kinegrade.lms.quiz.xml_text import Xml, element
 
 RESPONSE = "response1"
+HAIR = Fraction(1, 10**12)  # of the larger bound: more than doubles lose, less than anybody types
 SOLUTION = "general_fb"  # the name by which Canvas knows feedback that comes whatever the answer
 
 
@@ -92,12 +93,28 @@ def _conditions(item: NumericalItem) -> Iterator[Xml]:
 
 def _condition(interval: RightInterval) -> Iterator[Xml]:
     """An answer with its margin where that is even; Canvas and New Quizzes would take different ones of two."""
-    bounds = (
-        element("vargte", interval.low_text, respident=RESPONSE),
-        element("varlte", interval.high_text, respident=RESPONSE),
-    )
     if interval.symmetric:
         exact = element("varequal", interval.value_text, respident=RESPONSE)
+        bounds = _bounds(_hair_lower(interval), interval.high_text)
         yield element("or", exact, element("and", *bounds))
     else:
-        yield from bounds
+        yield from _bounds(interval.low_text, interval.high_text)
+
+
+def _bounds(low: str, high: str) -> tuple[Xml, Xml]:
+    return (
+        element("vargte", low, respident=RESPONSE),
+        element("varlte", high, respident=RESPONSE),
+    )
+
+
+def _hair_lower(interval: RightInterval) -> str:
+    """The lower bound a hair below where it is; Classic Quizzes take the margin from the upper one.
+
+    New Quizzes take the margin as the answer less the lower bound, in doubles, which loses every third right answer
+    at an edge. An exact answer has no margin, and nothing to lose.
+    """
+    if interval.low == interval.high:
+        return interval.low_text
+    hair = HAIR * max(abs(interval.low), abs(interval.high))
+    return decimal_text(interval.low - hair, "down")

@@ -19,8 +19,11 @@ FOOT = "</resources>\n</manifest>\n"
 META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 
 
-def quiz_meta(identifier: str, title: str, points: Fraction) -> bytes:
-    """The `assessment_meta.xml` of a quiz: graded, one attempt, in the order given."""
+def quiz_meta(identifier: str, title: str, points: Fraction, *, assigned: bool) -> bytes:
+    """The `assessment_meta.xml` of a quiz: graded, one attempt, in the order given.
+
+    One that is `assigned` is seen by nobody but those whom a person assigns it to; any other by the whole course.
+    """
     texts = {
         "title": title,
         "description": "",
@@ -29,6 +32,7 @@ def quiz_meta(identifier: str, title: str, points: Fraction) -> bytes:
         "quiz_type": "assignment",
         "points_possible": decimal_text(points),
         "allowed_attempts": "1",
+        "only_visible_to_overrides": "true" if assigned else "false",
     }
     children = on_lines(element(tag, text) for tag, text in texts.items())
     schema = f"{CANVAS} https://canvas.instructure.com/xsd/cccv1p0.xsd"

@@ -6,9 +6,12 @@ import re
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from xml.etree.ElementTree import Element, fromstring
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
@@ -130,7 +133,8 @@ def test_every_number_that_a_double_holds_is_the_exams(package: Path) -> None:
     for name in EXACT:
         ask = asks[name]
         value, low, high = intervals(found[f"exam-P1-{'q2' if name == 'phi' else 'q1'}-{name}"])[0]
-        assert (low, high) == (ask.low, ask.high)
+        assert high == ask.high
+        assert abs(low - (ask.low if value is None else lowered(ask))) < abs(high) / 10**16
         assert value == (None if name == "v_E" else ask.value)
 
 
@@ -141,16 +145,65 @@ def test_numbers_without_end_lose_nothing_that_is_right_and_less_than_a_double_c
     ask = a_quiz.all_asks()[name]
     ((value, low, high),) = intervals(items(package)[f"exam-P1-{place}-{name}"])
     assert value is not None
-    for read, meant in ((value, ask.value), (low, ask.low), (high, ask.high)):
+    for read, meant in ((value, ask.value), (low, lowered(ask)), (high, ask.high)):
         assert abs(read - meant) < abs(meant) / 10**16
     assert low <= ask.low <= ask.high <= high
 
 
 def test_margins_are_even_wherever_an_exact_answer_stands(package: Path) -> None:
-    """Classic takes the upper margin, New Quizzes the lower one."""
+    """Classic takes the upper margin, New Quizzes the lower one, which is a hair wider."""
     for item in items(package).values():
         for value, low, high in intervals(item):
-            assert value is None or abs((high - value) - (value - low)) < Fraction(1, 10**14)
+            size = max(abs(low), abs(high))
+            assert value is None or 0 < (value - low) - (high - value) < size / 10**11
+
+
+def lowered(ask: QuizAsk) -> Fraction:
+    """The lower bound that stands beside an exact answer: a hair lower than the exam's."""
+    return ask.low - max(abs(ask.low), abs(ask.high)) / 10**12
+
+
+def right_in_new_quizzes(read: tuple[Fraction | None, Fraction, Fraction], typed: Fraction) -> bool:
+    """As New Quizzes mark: with a margin that is the answer less the lower bound, all in doubles."""
+    value, low, high = read
+    if value is None:
+        return float(low) <= float(typed) <= float(high)
+    return abs(float(typed) - float(value)) <= float(value) - float(low)
+
+
+def right_in_classic_quizzes(
+    read: tuple[Fraction | None, Fraction, Fraction], typed: Fraction
+) -> bool:
+    """As Classic Quizzes mark: four decimals of what was typed, and the margin above, in exact decimals."""
+    value, low, high = read
+    kept = round(typed, 4)
+    return low <= kept <= high if value is None else abs(kept - value) <= high - value
+
+
+@given(st.integers(100, 10**7), st.integers(1, 5))
+def test_no_edge_of_a_tolerance_is_lost_in_either_of_canvas_quizzes(
+    digits: int, percent: int
+) -> None:
+    value = Fraction(digits, 100)
+    ask = a_quiz.relative("v_B", value, Fraction(percent, 100))
+    with TemporaryDirectory() as folder:
+        write(one_ask(ask), Path(folder) / "quiz.zip")
+        (read,) = intervals(items(Path(folder) / "quiz.zip")["exam-P-q1-v_B"])
+    for right in (right_in_new_quizzes, right_in_classic_quizzes):
+        assert right(read, ask.low)
+        assert right(read, ask.high)
+        assert not right(read, ask.low - Fraction(1, 10**4))
+        assert not right(read, ask.high + Fraction(1, 10**4))
+
+
+def test_own_papers_are_hidden_until_they_are_assigned_and_pools_are_not(
+    package: Path, tmp_path: Path
+) -> None:
+    write(a_quiz.pooled(), tmp_path / "pool.zip")
+    for place, hidden in ((package, "true"), (tmp_path / "pool.zip", "false")):
+        metas = [text for name, text in files_of(place).items() if name.endswith("_meta.xml")]
+        assert metas
+        assert {bare(text).findtext("only_visible_to_overrides") for text in metas} == {hidden}
 
 
 def test_no_bound_reads_as_a_precision_answer(package: Path) -> None:
@@ -159,7 +212,7 @@ def test_no_bound_reads_as_a_precision_answer(package: Path) -> None:
 
 def test_an_angle_is_right_with_whole_turns_added(package: Path) -> None:
     found = intervals(items(package)["exam-P1-q2-phi"])
-    assert [(value, high - low) for value, low, high in found] == [
+    assert [(value, round(high - low, 6)) for value, low, high in found] == [
         (30, 1),
         (-330, 1),
         (390, 1),
@@ -169,7 +222,8 @@ def test_an_angle_is_right_with_whole_turns_added(package: Path) -> None:
 
 def test_an_answer_too_small_for_four_decimals_is_asked_for_in_a_finer_unit(package: Path) -> None:
     item = items(package)["exam-P1-q2-v_F"]
-    assert intervals(item) == [(Fraction("4.25"), Fraction("4.2075"), Fraction("4.2925"))]
+    ask = replace(a_quiz.TINY, low=Fraction("4.2075"), high=Fraction("4.2925"))
+    assert intervals(item) == [(Fraction("4.25"), lowered(ask), ask.high)]
     text = item.findtext(".//mattext") or ""
     assert "? mm/s (2 points)" in text
     assert "Mind the unit: mm/s here, not m/s." in text
@@ -190,7 +244,7 @@ def test_units_change_by_whole_powers_of_ten(
     ask = a_quiz.relative("x", Fraction(value), unit=unit)
     write(one_ask(ask), tmp_path / "quiz.zip")
     ((found, low, high),) = intervals(items(tmp_path / "quiz.zip")["exam-P-q1-x"])
-    assert (found, low, high) == (ask.value * factor, ask.low * factor, ask.high * factor)
+    assert (found, low, high) == (ask.value * factor, lowered(ask) * factor, ask.high * factor)
     shown, meant = (one.replace("^2", "&lt;sup&gt;2&lt;/sup&gt;") for one in (finer, unit))
     text = listing(tmp_path / "quiz.zip")
     assert f"? {shown} (2 points)" in text
@@ -336,8 +390,8 @@ def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> Non
         "qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - give "
         "them with kinegrade grade, from the students' responses",
         "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s where that is too coarse",
-        "qti12: every paper is a quiz of its own, and a published quiz is open to the whole course - assign each quiz "
-        "to its students before you publish it",
+        "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign each quiz to its "
+        "students, and to nobody else, before you publish it",
     ]
     assert "CORIOLIS" not in listing(tmp_path / "quiz.zip").upper()
 
