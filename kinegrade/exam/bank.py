@@ -8,6 +8,7 @@ versions = 3                             # optional: versions A, B, C instead of
 engine = "latex"                         # optional: what typesets the exam (typst)
 credit = { follow-through = "1/2" }      # optional: see bank_credit
 solutions = true                         # optional: feedback holds the worked solutions
+lms = "canvas"                           # optional: refuse draws that the four decimals of Canvas cannot tell right
 
 [[questions]]
 template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
@@ -27,13 +28,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 from kinegrade.errors import BankError, TomlError, did_you_mean
 from kinegrade.exam.bank_credit import read_credit
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
 from kinegrade.exam.bank_values import Values, written
-from kinegrade.exam.blueprint import Bank, Blueprint, Slot, matched, wishes
+from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, matched, wishes
 from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
 from kinegrade.problem.library import shipped
@@ -51,6 +52,7 @@ KEYS = (
     "engine",
     "credit",
     "solutions",
+    "lms",
     "questions",
 )
 MAX_BYTES = 200_000
@@ -119,6 +121,7 @@ def blueprint(values: Values, table: Mapping[str, Any], text: str, folder: Path)
         read_engine(values, table.get("engine", "typst")),
         read_credit(values, table.get("credit")),
         values.flag("solutions", table.get("solutions", False)),
+        read_lms(values, table.get("lms")),
     )
     if values.faults:
         raise BankError(*values.faults)
@@ -131,6 +134,14 @@ def read_engine(values: Values, value: Any) -> Engine:
         return cast(Engine, value)
     values.fault("engine", f"expected {' or '.join(ENGINES)}, not {written(value)!r}")
     return "typst"
+
+
+def read_lms(values: Values, value: Any) -> LMS | None:
+    """The system that the exam is put into, where its draws have to suit it."""
+    if value is None or value in get_args(LMS):
+        return cast(LMS | None, value)
+    values.fault("lms", f"expected {' or '.join(get_args(LMS))}, or no lms, not {written(value)!r}")
+    return None
 
 
 def read_slots(

@@ -10,12 +10,15 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
+from typing import Literal, assert_never
 
 from kinegrade.exam.bank_credit import NO_CREDIT, Credit
 from kinegrade.exam.press import Engine
 from kinegrade.problem.drawing import address
 from kinegrade.problem.template import Template, Translated
 from kinegrade.problem.tolerance import Tolerance
+
+LMS = Literal["canvas"]  # systems that do not take every answer
 
 
 @dataclass(frozen=True)
@@ -48,7 +51,8 @@ class Bank:
 
     `shuffle` lets every paper have its own order of the questions; `versions` is how many different papers there are,
     0 for one of each student's own; `engine` is what typesets it unless an instructor asks for another; `credit` is for
-    answers that are not right; with `solutions` feedback holds the worked solutions unless somebody says otherwise.
+    answers that are not right; with `solutions` feedback holds the worked solutions unless somebody says otherwise;
+    `lms` is the system that the exam is put into, where its draws have to suit it.
     """
 
     title: Translated
@@ -62,6 +66,18 @@ class Bank:
     engine: Engine = "typst"
     credit: Credit = NO_CREDIT
     solutions: bool = False
+    lms: LMS | None = None
+
+    @property
+    def four_decimals(self) -> bool:
+        """Whether the system keeps no more than four decimals of an answer."""
+        match self.lms:
+            case "canvas":
+                return True
+            case None:
+                return False
+            case _:
+                assert_never(self.lms)
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ from pathlib import Path
 from kinegrade.errors import ExamError
 from kinegrade.exam.attendance import attend
 from kinegrade.exam.pages import version_name
-from kinegrade.exam.quiz_document import Language, Quiz, QuizPaper
-from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper
+from kinegrade.exam.quiz_document import Language, Quiz, QuizAsk, QuizPaper
+from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_quiz_source
 
 CHUNK = 20  # papers in one task, few enough for all processes to end together
@@ -73,6 +73,7 @@ def read_quiz(
         source.title,
         progress(papers, variants or available),
         source.identifier,
+        _asks(source, islice(_different(source), variants)),
     )
 
 
@@ -89,6 +90,12 @@ def _different(source: QuizSource) -> Iterator[Line]:
         if len(found) == len(source.versions):
             break
     yield from (found[letter] for letter in sorted(found))
+
+
+def _asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, QuizAsk]]:
+    """The asks of these lines, papers one after the other."""
+    for line in lines:
+        yield from paper_asks(source, key_record(source.folder, *line))
 
 
 def _papers(

@@ -97,7 +97,8 @@ class QuizPaper:
 class Quiz:
     """All papers of an exam, which may come one after another so that a large class needs no more memory.
 
-    `identifier` tells the exam from others, also from those of the same title.
+    `identifier` tells the exam from others, also from those of the same title. `asks` are those of all the papers by
+    question, ahead of them and without known mistakes, for what must be alike for a whole class.
     """
 
     language: Language
@@ -105,3 +106,4 @@ class Quiz:
     title: str
     papers: Iterable[QuizPaper]
     identifier: str = ""
+    asks: Iterable[tuple[str, QuizAsk]] = ()

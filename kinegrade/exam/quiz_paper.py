@@ -64,11 +64,31 @@ def quiz_paper(
         )
         owner = ("", "") if pooled else (student, source.names[student])
     except BROKEN as fault:
-        raise ExamError(
-            f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
-            f"({type(fault).__name__}: {fault}) - {MENDING}"
-        ) from fault
+        raise _broken(source, record, fault) from fault
     return QuizPaper(str(record["paper"]), *owner, questions)
+
+
+def paper_asks(source: QuizSource, record: Record) -> Iterator[tuple[str, QuizAsk]]:
+    """The asks of one paper by question, without known mistakes, figures and texts: little work.
+
+    Raises ExamError where the line is broken.
+    """
+    bare = QuizWishes(mistakes=False)
+    try:
+        for entry in record["questions"]:
+            question = str(entry["question"])
+            template = source.templates[question]
+            for name, stated in entry["asks"].items():
+                yield question, _ask(template, name, stated, bare, source)
+    except BROKEN as fault:
+        raise _broken(source, record, fault) from fault
+
+
+def _broken(source: QuizSource, record: Record, fault: Exception) -> ExamError:
+    return ExamError(
+        f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
+        f"({type(fault).__name__}: {fault}) - {MENDING}"
+    )
 
 
 def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) -> QuizQuestion:

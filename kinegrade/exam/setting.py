@@ -144,6 +144,7 @@ def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
             question.identifier,
             question.domains,
             tolerances={ask.name: ask.tolerance for ask in question.asks},
+            four_decimals=bank.four_decimals,
         )
         for question in bank.questions
     }

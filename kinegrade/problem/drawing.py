@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import lru_cache
 from hmac import digest
 from typing import Any
@@ -22,6 +23,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.foresight import Foresight, foresight
 from kinegrade.problem.honest import stray
 from kinegrade.problem.honest_together import FEW, surely_honest
+from kinegrade.problem.kept_decimals import RightRange, fitting_factor
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import (
     Solution,
@@ -31,14 +33,23 @@ from kinegrade.problem.solving import (
     solve_template,
 )
 from kinegrade.problem.template import Condition, Template
-from kinegrade.problem.tolerance import Tolerance
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
 MAX_ATTEMPTS = 400
 SMALLEST, LARGEST = (
     1e-3,
     1e5,
 )  # sizes of answers, in the ask's own unit, that a student can be asked to write
-REASONS = ("condition", "mechanism", "degenerate", "absurd", "rounding", "mistake", "duplicate")
+REASONS = (
+    "condition",
+    "mechanism",
+    "degenerate",
+    "absurd",
+    "rounding",
+    "mistake",
+    "duplicate",
+    "decimals",
+)
 SAMPLE = 400  # instances by which it is judged what mistakes can be kept apart from the truth
 
 
@@ -65,7 +76,7 @@ class Deck:
     """One question's template for one exam: draws for student after student, no two alike.
 
     `fixed` replaces the domains of some parameters. `refused` counts why draws were refused. `tolerances` holds for the
-    asks it names, 1 % for the others.
+    asks it names, 1 % for the others. With `four_decimals` every right answer is still right with no more of them.
     """
 
     template: Template
@@ -77,6 +88,7 @@ class Deck:
     taken: set[tuple[str, ...]] = field(default_factory=set)
     plan: Plan | None = None
     tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
+    four_decimals: bool = False
     foresight: Foresight | None = None
     drawn: dict[tuple[str, int], Mapping[str, str]] = field(default_factory=dict)
     examined: dict[tuple[str, ...], Solution | Refused] = field(default_factory=dict)
@@ -213,6 +225,8 @@ class Deck:
         )
         if isinstance(found, Refused):
             raise found
+        if self.four_decimals and (ask := too_fine(found, self.tolerances)):
+            raise Refused("decimals", f"{ask} is not right with four decimals", ask)
         self.plan = self.plan or found.motion.plan
         return found
 
@@ -286,6 +300,18 @@ def sensible(
         elif not SMALLEST <= abs(answer.value) <= LARGEST:
             raise Refused("absurd", f"{name} is {sized(answer)}")
     return solution
+
+
+def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
+    """The first ask whose right answer is no longer right with four decimals, in any unit; "" where there is none."""
+    for name, answer in solution.answers.items():
+        stated = tolerances.get(name, ONE_PER_CENT)
+        tolerance = effective(stated, answer.value, answer.measure, solution.doubles)
+        value = Fraction(answer.certified)
+        right = RightRange(value, *tolerance.interval(value))
+        if fitting_factor(answer.unit, right) is None:
+            return name
+    return ""
 
 
 def sized(answer: Quantity) -> str:

@@ -196,6 +196,14 @@ def test_a_bank_may_say_what_typesets_it(tmp_path: Path) -> None:
     assert bank(tmp_path, 'engine = "latex"\n' + HEAD + QUESTION).engine == "latex"
 
 
+def test_a_bank_may_say_that_it_goes_to_canvas(tmp_path: Path) -> None:
+    assert not bank(tmp_path, HEAD + QUESTION).four_decimals
+    assert bank(tmp_path, 'lms = "canvas"\n' + HEAD + QUESTION).four_decimals
+    assert faults(tmp_path, 'lms = "Canvas"\n' + HEAD + QUESTION) == [
+        "lms: expected canvas, or no lms, not 'Canvas'"
+    ]
+
+
 def test_every_fault_is_told_at_once(tmp_path: Path) -> None:
     found = faults(
         tmp_path,

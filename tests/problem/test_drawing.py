@@ -154,6 +154,7 @@ def test_all_reasons_are_counted_by_name() -> None:
     assert set(mixed.refused) == set(REASONS) - {
         "rounding",
         "mistake",
+        "decimals",
     }  # a crank's speed gives no room for these
     assert sum(mixed.refused.values()) >= MAX_ATTEMPTS
 

@@ -1,54 +1,53 @@
-"""Units in which Canvas keeps an answer: it rounds what students type to four decimals."""
+"""The units in which Canvas is asked: the same for a whole class, fine enough for the four decimals that it keeps."""
 
 from __future__ import annotations
 
-import re
-from dataclasses import replace
-from fractions import Fraction
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 
 from kinegrade.exam.quiz_document import QuizAsk
+from kinegrade.problem.kept_decimals import RightRange, fitting_factor, units
 
-KEPT = Fraction(1, 10**4)  # the last decimal that Canvas keeps
-SMALLEST = 10 * KEPT  # a right answer, not zero, of which two decimals are left at least
-FINER = {"km": ("m", 1000), "m": ("mm", 1000), "cm": ("mm", 10)}  # exact powers of ten
-_LENGTH_FIRST = re.compile(
-    r"(km|m|cm)(?![\^a-z])"
-)  # a length to the first power leads: m, m/s, cm/s^2
+Place = tuple[str, str]  # the question and the ask
 
 
-def fits(ask: QuizAsk) -> bool:
-    """Whether four decimals are enough: for the answer, and for what counts as right on either side of it."""
-    if ask.low == ask.high:
-        return (ask.value / KEPT).denominator == 1
-    return (_wide_enough(ask) or _kept(ask.low, ask.high)) and (
-        ask.value == 0 or abs(ask.value) >= SMALLEST
-    )
+@dataclass(frozen=True)
+class ClassUnits:
+    """How many times finer than on paper the unit of each ask is, by question and ask."""
+
+    factors: Mapping[Place, int]
+
+    def fitted(self, question: str, ask: QuizAsk) -> QuizAsk | None:
+        """The ask in the class's unit; None where four decimals do not keep its right answer right in any."""
+        own = fitting_factor(ask.unit, _right(ask))
+        if own is None:
+            return None
+        return _finer(ask, max(own, self.factors.get((question, ask.identifier), 1)))
 
 
-def _wide_enough(ask: QuizAsk) -> bool:
-    return min(ask.value - ask.low, ask.high - ask.value) >= KEPT
+def class_units(asks: Iterable[tuple[str, QuizAsk]]) -> ClassUnits:
+    """The units for a class with these asks: for each the finest that somebody's answer takes."""
+    factors: dict[Place, int] = {}
+    for question, ask in asks:
+        place = question, ask.identifier
+        own = fitting_factor(ask.unit, _right(ask)) or 1
+        factors[place] = max(own, factors.get(place, 1))
+    return ClassUnits(factors)
 
 
-def _kept(low: Fraction, high: Fraction) -> bool:
-    """Whether rounding to four decimals makes nothing wrong that is right, for the bounds are kept as they are."""
-    return high - low >= 2 * KEPT and all((bound / KEPT).denominator == 1 for bound in (low, high))
+def edges_kept(ask: QuizAsk) -> bool:
+    """Whether four decimals are enough for answers at the edges of what is right, too."""
+    return _right(ask).fits
 
 
-def fitted(ask: QuizAsk) -> QuizAsk | None:
-    """The ask in its own unit where that fits, else in the nearest finer one that does; None where none does."""
-    if fits(ask):
+def _right(ask: QuizAsk) -> RightRange:
+    return RightRange(ask.value, ask.low, ask.high)
+
+
+def _finer(ask: QuizAsk, factor: int) -> QuizAsk:
+    """The ask in a unit so many times finer, without what known mistakes lead to."""
+    if factor == 1:
         return ask
-    found = _LENGTH_FIRST.match(ask.unit)
-    if found is None:
-        return None
-    finer, factor = FINER[found[1]]
-    return fitted(
-        replace(
-            ask,
-            unit=finer + ask.unit[found.end() :],
-            value=ask.value * factor,
-            low=ask.low * factor,
-            high=ask.high * factor,
-            mistakes=(),
-        )
-    )
+    unit = next(unit for unit, each in units(ask.unit) if each == factor)
+    right = _right(ask).times(factor)
+    return replace(ask, unit=unit, value=right.value, low=right.low, high=right.high, mistakes=())

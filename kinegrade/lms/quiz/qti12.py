@@ -14,12 +14,13 @@ from xml.sax.saxutils import quoteattr
 
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz import qti12_manifest
+from kinegrade.lms.quiz.canvas_units import class_units
 from kinegrade.lms.quiz.manifest import Manifest
 from kinegrade.lms.quiz.packaging import Package, package, stable_name
 from kinegrade.lms.quiz.plain_prose import one_plain_line
 from kinegrade.lms.quiz.qti12_groups import Groups
 from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
-from kinegrade.lms.quiz.qti12_questions import numerical_items, picture_name
+from kinegrade.lms.quiz.qti12_questions import Asking, numerical_items, picture_name
 from kinegrade.lms.quiz.remarks import Remarks
 
 HEAD = (
@@ -65,6 +66,7 @@ class _Writer:
     def __init__(self, quiz: Quiz, parts: Package, groups: Groups, manifest: Manifest) -> None:
         self._quiz, self._parts, self._groups, self._manifest = quiz, parts, groups, manifest
         self._remarks = Remarks()
+        self._asking = Asking(quiz.language, class_units(quiz.asks), self._remarks)
 
     def write(self) -> list[str]:
         for paper in self._quiz.papers:
@@ -107,9 +109,7 @@ class _Writer:
         self, question: QuizQuestion, *, pooled: bool
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
         """The items of a question, whose figure goes into the package first."""
-        found = numerical_items(
-            question, self._quiz.language, self._remarks, solution_with_each=pooled
-        )
+        found = numerical_items(question, self._asking, solution_with_each=pooled)
         if question.figure is not None and found:
             place = picture_name(question)
             self._parts.add(place, question.figure.svg)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
-from kinegrade.lms.quiz.canvas_units import fitted
+from kinegrade.lms.quiz.canvas_units import ClassUnits, edges_kept
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import PLACES, ask_html
 from kinegrade.lms.quiz.intervals import right_intervals
@@ -22,23 +24,38 @@ NO_BANDS = (
     "qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - "
     "give them with kinegrade grade, from the students' responses"
 )
-CHANGED = "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {} where that is too coarse"
-TOO_COARSE = (
-    "{}: {} = {} {}, right from {} to {}, is finer than the four decimals that Canvas keeps - expected an "
-    "answer of 0 or of 0.001 and more, with 0.0001 or more allowed on either side, or 0.0002 between bounds "
-    "of four decimals - draw larger numbers, or allow more"
+CHANGED = (
+    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, of the whole class, because that is too "
+    "coarse for some answers"
+)
+TOO_FINE = (
+    "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas keeps - expected an "
+    'answer that is - set the exam with lms = "canvas" in the bank, which refuses such draws, or allow more'
+)
+EDGES = (
+    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the edge of what is right may be "
+    "marked the other way there - mark with kinegrade grade, from the students' responses"
 )
 
 
+@dataclass(frozen=True)
+class Asking:
+    """What holds for all questions of a quiz: their language, the class's units, and where remarks go."""
+
+    language: Language
+    units: ClassUnits
+    remarks: Remarks
+
+
 def numerical_items(
-    question: QuizQuestion, language: Language, remarks: Remarks, *, solution_with_each: bool
+    question: QuizQuestion, asking: Asking, *, solution_with_each: bool
 ) -> list[tuple[QuizAsk, NumericalItem]]:
     """The question's asks, each with its item; what cannot be said is left out and stands in the remarks."""
     try:
-        text = question_html(question, FILES + picture_name(question), CANVAS, language)
-        found = [(ask, _item(question, ask, text, language, remarks)) for ask in question.asks]
+        text = question_html(question, FILES + picture_name(question), CANVAS, asking.language)
+        found = [(ask, _item(question, ask, text, asking)) for ask in question.asks]
     except TypesetError as fault:
-        remarks.refuse_texts(fault)
+        asking.remarks.refuse_texts(fault)
         return []
     items = [(ask, item) for ask, item in found if item is not None]
     last = len(items) - 1
@@ -53,25 +70,15 @@ def picture_name(question: QuizQuestion) -> str:
     return f"images/{stable_name(question.identifier)}.svg"
 
 
-def _item(
-    question: QuizQuestion, ask: QuizAsk, text: str, language: Language, remarks: Remarks
-) -> NumericalItem | None:
-    now = fitted(ask)
+def _item(question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking) -> NumericalItem | None:
+    language, remarks = asking.language, asking.remarks
+    now = asking.units.fitted(question.question, ask)
     symbol = plain_math(ask.symbol, question.question)
     if now is None:
-        bounds = (decimal_text(ask.low), decimal_text(ask.high))
-        remarks.refuse(
-            TOO_COARSE.format(
-                question.identifier, symbol, decimal_text(ask.value), ask.unit, *bounds
-            )
-        )
+        numbers = (decimal_text(ask.value), ask.unit, decimal_text(ask.low), decimal_text(ask.high))
+        remarks.refuse(TOO_FINE.format(question.identifier, symbol, *numbers))
         return None
-    if ask.mistakes:
-        remarks.complain(NO_BANDS)
-    if now.unit != ask.unit:
-        remarks.complain(
-            CHANGED.format(f"{question.question}.{ask.identifier}", now.unit, ask.unit)
-        )
+    _remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
     asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
     title = f"{plain_prose(question.title, question.question, inline=True)}{PLACES[language][0]}{symbol}"
     return NumericalItem(
@@ -82,3 +89,13 @@ def _item(
         right_intervals(now),
         question.solution,
     )
+
+
+def _remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) -> None:
+    """What Canvas cannot do, or does in another unit."""
+    if on_paper.mistakes:
+        remarks.complain(NO_BANDS)
+    if now.unit != on_paper.unit:
+        remarks.complain(CHANGED.format(place, now.unit, on_paper.unit))
+    if not edges_kept(now):
+        remarks.complain(EDGES.format(place))
