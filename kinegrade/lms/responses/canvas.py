@@ -1,25 +1,37 @@
 """Canvas's Student Analysis of a classic quiz: two columns for each question, "12345: its text" and then its points.
 
 The header of the points is their number and repeats, so everything goes by position. Other headers are translated,
-and which of them are there depends on the rights of whoever downloaded the file.
+and which of them are there depends on the rights of whoever downloaded the file. A question whose text says that it asks
+for another unit than the paper does is read in that unit; the student that Canvas invents for trials is passed over.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
+from kinegrade.lms.responses.asked_units import asked_unit, in_unit
 from kinegrade.lms.responses.exam_asks import ExamAsks
-from kinegrade.lms.responses.people import Kind
+from kinegrade.lms.responses.people import Kind, People
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 from kinegrade.tables import Row, Table, header_key, trimmed
 
 TITLE = "the Student Analysis of a Canvas quiz"
+TEST_STUDENTS = ("Student, Test", "Test Student")
 _QUESTION = re.compile(r"\d+: ")
 _POINTS = re.compile(r"\d+(?:\.\d+)?")
 _MOMENT = re.compile(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC")
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """A column of responses, and the unit that its question asks for where that is not the paper's."""
+
+    place: int
+    unit: str
 
 
 def recognises(header: Sequence[str]) -> bool:
@@ -41,24 +53,47 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
         )
     columns = _columns(table, questions, asks)
     people = range(1, questions[0])  # the first is the name
-    rows = tuple(
-        TypedRow(
-            row, tuple(_response(row, places) for places in columns.values()), _moment(row, people)
-        )
-        for row in table.rows
-    )
-    assumed = "; ".join(
-        f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
-        for column, places in columns.items()
+    named = _named(table.header, people)
+    known = People(asks.students)
+    rows = [row for row in table.rows if not _is_test_student(row, people, named, known)]
+    sources = [_sources(table.header, column, places, asks) for column, places in columns.items()]
+    typed = (
+        TypedRow(row, tuple(_response(row, each) for each in sources), _moment(row, people))
+        for row in rows
     )
     return TypedRows(
         tuple(columns),
         frozenset(place for places in columns.values() for place in places),
-        rows,
+        tuple(typed),
         tuple(people),
-        _named(table.header, people),
-        assumed=assumed,
+        named,
+        assumed="; ".join(_assumed(table, columns, sources, len(rows))),
     )
+
+
+def _sources(
+    header: Sequence[str], column: str, places: Sequence[int], asks: ExamAsks
+) -> tuple[_Source, ...]:
+    """The columns of an ask, each with the unit that its text asks for."""
+    unit = asks.units.get(column, "")
+    return tuple(_Source(place, asked_unit(header[place], unit)) for place in places)
+
+
+def _assumed(
+    table: Table,
+    columns: Mapping[str, Sequence[int]],
+    sources: Sequence[Sequence[_Source]],
+    count: int,
+) -> Iterator[str]:
+    """Which column was taken for what, in which unit, and whose row was passed over."""
+    for column, places in columns.items():
+        yield f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
+    for column, each in zip(columns, sources, strict=True):
+        units = sorted({source.unit for source in each if source.unit})
+        if units:
+            yield f"{column} is in {', '.join(units)} there, and converted"
+    if count < len(table.rows):
+        yield "Canvas's test student is passed over"
 
 
 def _questions(header: Sequence[str]) -> list[int]:
@@ -78,9 +113,26 @@ def _columns(
     return {column: (place,) for column, place in columns_of_asks(table, questions, asks).items()}
 
 
-def _response(row: Row, places: Sequence[int]) -> str:
+def _response(row: Row, sources: Sequence[_Source]) -> str:
     """What stands in the one of these columns that the student was shown; the others are blank."""
-    return next((row.cell(place) for place in places if trimmed(row.cell(place))), "")
+    return next(
+        (
+            in_unit(row.cell(source.place), source.unit)
+            for source in sources
+            if trimmed(row.cell(source.place))
+        ),
+        "",
+    )
+
+
+def _is_test_student(
+    row: Row, people: Sequence[int], named: Mapping[Kind, Sequence[int]], known: People
+) -> bool:
+    """Whether a row is of the student that Canvas invents for trying a course out, and of nobody in the class."""
+    if trimmed(row.cell(0)) not in TEST_STUDENTS:
+        return False
+    cells = [row.cell(place) for place in named["id"] or people]
+    return not any(known.by_id(cell) or known.by_email(cell) for cell in cells)
 
 
 def _moment(row: Row, people: Sequence[int]) -> str:

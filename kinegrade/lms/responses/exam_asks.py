@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -25,10 +25,11 @@ class Person:
 
 @dataclass(frozen=True)
 class ExamAsks:
-    """The answer columns of each question in the exam's order, like q1.v_B, and the students."""
+    """The answer columns of each question in the exam's order, like q1.v_B, with their units, and the students."""
 
     questions: Mapping[str, tuple[str, ...]]
     students: tuple[Person, ...]
+    units: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def columns(self) -> tuple[str, ...]:
@@ -55,6 +56,11 @@ def read_exam_asks(folder: Path) -> ExamAsks:
         students = tuple(
             Person(str(entry["student"]), str(entry.get("email", ""))) for entry in exam["students"]
         )
+        units = {
+            f"{question['question']}.{ask['ask']}": str(ask.get("unit", ""))
+            for question in exam["questions"]
+            for ask in question["asks"]
+        }
     except OSError as fault:
         raise ExamError(
             f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade "
@@ -64,7 +70,7 @@ def read_exam_asks(folder: Path) -> ExamAsks:
         raise ExamError(
             f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
         ) from fault
-    return ExamAsks(questions, students)
+    return ExamAsks(questions, students, units)
 
 
 def _columns(question: Mapping[str, Any]) -> tuple[str, ...]:
