@@ -352,3 +352,27 @@ def test_a_killed_process_is_no_riddle(small_class: Path, monkeypatch: pytest.Mo
         ExamError, match="quiz: a process that makes papers was ended from outside - expected room"
     ):
         list(by_workers(order, key_lines(small_class / "EXAM"), 2))
+
+
+def test_a_late_student_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    assert generate(tmp_path).exit_code == 0
+    before = read_quiz(tmp_path / "EXAM").identifier
+    with (tmp_path / "roster.csv").open("a", encoding="utf-8") as roster:
+        roster.write("late,Lee,\n")
+    assert generate(tmp_path, "EXAM", "--force").exit_code == 0
+    quiz = read_quiz(tmp_path / "EXAM")
+    assert quiz.identifier == before
+    assert len({student.student for student in quiz.papers}) == 5
+
+
+def test_the_asks_are_known_ahead_of_the_papers(small_class: Path) -> None:
+    quiz = read_quiz(small_class / "EXAM", variants=2, wishes=QuizWishes(mistakes=False))
+    ahead = list(quiz.asks)
+    of_papers = [
+        (question.question, ask)
+        for paper in quiz.papers
+        for question in paper.questions
+        for ask in question.asks
+    ]
+    assert ahead == of_papers

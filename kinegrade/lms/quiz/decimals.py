@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
+from functools import lru_cache
 from typing import Literal
 
 DIGITS = 17  # as many as a double can tell apart
@@ -24,10 +25,7 @@ def decimal_text(number: Fraction, rounding: Rounding = "nearest", digits: int =
     >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3)), decimal_text(Fraction(1, 3), "up")
     ('-2.5', '0.33333333333333333', '0.33333333333333334')
     """
-    context = Context(prec=digits, rounding=_ROUNDINGS[rounding])
-    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator)).normalize(
-        context
-    )
+    quotient = _quotient(number, rounding, digits)
     return f"{quotient:f}" if quotient else "0"
 
 
@@ -37,4 +35,15 @@ def rounded(number: Fraction, rounding: Rounding, digits: int) -> Fraction:
     >>> rounded(Fraction(2, 3), "up", 2)
     Fraction(67, 100)
     """
-    return Fraction(decimal_text(number, rounding, digits))
+    return Fraction(_quotient(number, rounding, digits))
+
+
+def _quotient(number: Fraction, rounding: Rounding, digits: int) -> Decimal:
+    context = _context(rounding, digits)
+    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator))
+    return quotient.normalize(context)
+
+
+@lru_cache(maxsize=16)
+def _context(rounding: Rounding, digits: int) -> Context:
+    return Context(prec=digits, rounding=_ROUNDINGS[rounding])

@@ -6,7 +6,7 @@ other. So every set of mistakes that lead to some number together stands here wi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -30,9 +30,9 @@ class WrongNumbers:
 
 @dataclass(frozen=True)
 class _Lead:
-    """A mistake and one interval that it leads to."""
+    """One interval that a mistake leads to; `mistake` is its place among the ask's."""
 
-    mistake: QuizMistake
+    mistake: int
     interval: RightInterval
 
     def holds(self, number: Fraction) -> bool:
@@ -44,25 +44,51 @@ def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
 
     What two sets have in common belongs to a larger one, and larger ones come first.
     """
+    found: dict[tuple[int, ...], list[RightInterval]] = {}
+    for cluster in _clusters(_leads(ask)):
+        for together in _sets(cluster):
+            mistakes = tuple(sorted({lead.mistake for lead in together}))
+            found.setdefault(mistakes, []).append(_shared(together))
+    largest_first = sorted(found.items(), key=lambda entry: -len(entry[0]))
+    return tuple(
+        WrongNumbers(tuple(ask.mistakes[place] for place in places), tuple(intervals))
+        for places, intervals in largest_first
+    )
+
+
+def _leads(ask: QuizAsk) -> list[_Lead]:
+    """All intervals that mistakes lead to, by their lower ends."""
     leads = [
-        _Lead(mistake, interval)
-        for mistake in ask.mistakes
+        _Lead(place, interval)
+        for place, mistake in enumerate(ask.mistakes)
         for interval in turned(RightInterval(mistake.value, *mistake.interval), ask.period)
     ]
-    found: dict[tuple[QuizMistake, ...], dict[RightInterval, None]] = {}
-    for together in _sets(leads):
-        mistakes = tuple(dict.fromkeys(lead.mistake for lead in together))
-        found.setdefault(mistakes, {})[_shared(together)] = None
-    largest_first = sorted(found.items(), key=lambda entry: -len(entry[0]))
-    return tuple(WrongNumbers(mistakes, tuple(places)) for mistakes, places in largest_first)
+    return sorted(leads, key=lambda lead: lead.interval.low)
 
 
-def _sets(leads: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
+def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
+    """Those that overlap, directly or by others between them; as a rule each stands alone."""
+    cluster: list[_Lead] = []
+    for lead in leads:
+        if cluster and lead.interval.low > max(each.interval.high for each in cluster):
+            yield cluster
+            cluster = []
+        cluster.append(lead)
+    if cluster:
+        yield cluster
+
+
+def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
     """Every set of leads that hold some number together: an end of an interval, or one between two ends."""
-    ends = sorted({end for lead in leads for end in (lead.interval.low, lead.interval.high)})
+    if len(cluster) == 1:
+        return [tuple(cluster)]
+    ends = sorted({end for lead in cluster for end in (lead.interval.low, lead.interval.high)})
     between = [(end + following) / 2 for end, following in pairwise(ends)]
-    sets = (tuple(lead for lead in leads if lead.holds(number)) for number in (*ends, *between))
-    return list(dict.fromkeys(each for each in sets if each))
+    places = (
+        tuple(place for place, lead in enumerate(cluster) if lead.holds(number))
+        for number in (*ends, *between)
+    )
+    return [tuple(cluster[place] for place in each) for each in dict.fromkeys(places)]
 
 
 def _shared(together: Sequence[_Lead]) -> RightInterval:
