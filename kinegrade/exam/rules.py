@@ -91,7 +91,7 @@ def writing_rule(bank: Bank, language: Language) -> str:
     carried = [
         ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks
     ]
-    digits = max(FEWEST_DIGITS, *carried)
+    digits = max((FEWEST_DIGITS, *carried))
     point = f"{sqrt(3) / 2:.{digits}f}"
     numerals = NUMERALS[language][digits - FEWEST_DIGITS :]
     return WRITING[language].format(

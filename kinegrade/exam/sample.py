@@ -18,11 +18,16 @@ from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.worked.solution import worked_solution
 
 
+def shown(template: Template) -> tuple[str, ...]:
+    """What a page for the author asks: what has points, or all of it where everything is on request."""
+    return template.asked() or tuple(template.asks)
+
+
 def sample_bank(template: Template) -> Bank:
-    """A bank that asks what the template asks."""
+    """A bank that asks what the template asks; what is on request for one point."""
     asks = tuple(
-        BankAsk(name, Fraction(template.asks[name].points), ONE_PER_CENT)
-        for name in template.asked()
+        BankAsk(name, Fraction(template.asks[name].points or 1), ONE_PER_CENT)
+        for name in shown(template)
     )
     question = BankQuestion("q1", template, asks, {})
     return Bank(
@@ -40,7 +45,7 @@ def sample_page(template: Template, seed: str, language: Language) -> bytes:
 def worked_page(solution: Solution, language: Language, method: Method | None = None) -> bytes:
     """The worked solution of an instance for what the template asks, as PDF; the method as in `worked_solution`."""
     template = solution.template
-    worked = worked_solution(solution, template.asked(), language, method)
+    worked = worked_solution(solution, shown(template), language, method)
     question = WorkedQuestion(
         1,
         "q1",

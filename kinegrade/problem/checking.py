@@ -13,6 +13,7 @@ from typing import Any
 from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
+from kinegrade.problem.answerable import answerable, stated
 from kinegrade.problem.drawing import Deck, Refused, address, examine
 from kinegrade.problem.foresight import Foresight
 from kinegrade.problem.searching import breaking_values
@@ -31,12 +32,14 @@ INSTANCES = 5  # values at which a published formula is proved, besides the valu
 class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
+    `sound` are the asks that can be worked out at all drawn values; the others are faults.
     `inseparable` has for each ask the mistakes that cannot be told from the truth, or not in most instances. `blamed`
     counts the refusals that are one answer's doing, by reason and ask. `seconds` is the median time of an
     instance; `remarks` are for the author to weigh.
     """
 
     template: Template
+    sound: tuple[str, ...] = ()
     proved: int = 0
     instances: int = 0
     refused: Counter[str] = field(default_factory=Counter)
@@ -55,31 +58,52 @@ class Report:
 
 
 def check(template: Template, sample: int = 200) -> Report:
-    """Check published results exactly, and `sample` drawn instances (all, where there are no more)."""
-    report = Report(template)
+    """Check published results exactly, and `sample` drawn instances (all, where there are no more).
+
+    An ask that cannot be worked out is one fault; what follows from it is not reported again.
+    """
+    draws = list(drawable(template, sample))
+    asks = answerable(template, draws)
+    report = Report(template, asks.sound)
     for language in LANGUAGES:
         report.faults += statement_faults(template, language)
     if not template.published:
         report.faults.append(
             "no published result: a template is finished when [[published]] proves it"
         )
+    report.faults += asks.faults()
+    if asks.stuck and not asks.solved:
+        report.faults.append(f"no drawn instance can be solved: {asks.stuck}")
+        return report
     for published in template.published:
         prove(report, published)
-    draw(report, sample)
+    draw(report, draws)
     weigh(report)
-    broken = breaking_values(template, min(sample, SEARCHED))
-    if broken is not None:
-        shown = ", ".join(f"{name} = {text}" for name, text in broken[0].items())
-        report.faults.append(
-            f"breaks at {shown}: {broken[1]}: add a condition or narrow the domains"
-        )
+    search(report, min(sample, SEARCHED))
     return report
 
 
-def draw(report: Report, sample: int) -> None:
+def search(report: Report, examples: int) -> None:
+    """Look for values that break the template, drawable ones and their neighbours."""
+    broken = breaking_values(report.template, asked(report), examples)
+    if broken is not None:
+        report.faults.append(
+            f"breaks at {stated(broken[0])}: {broken[1]}: add a condition or narrow the domains"
+        )
+    elif report.refused["mechanism"]:
+        report.remarks.append(
+            "some drawable combinations cannot be solved: a condition would say why"
+        )
+
+
+def asked(report: Report) -> tuple[str, ...]:
+    """What an exam asks that names nothing: the asks with points, of those that can be worked out."""
+    return tuple(name for name in report.template.asked() if name in report.sound)
+
+
+def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:
     """Examine the sample: what is refused and why, how the answers spread, how long an instance takes."""
     times, plan = [], None
-    draws = list(drawable(report.template, sample))
     sight = look_ahead(report, draws)
     for values in draws:
         if sight.seen[tuple(values.values())]:
@@ -87,7 +111,7 @@ def draw(report: Report, sample: int) -> None:
             continue
         start = perf_counter()
         try:
-            solution = examine(report.template, values, report.template.asked(), plan)
+            solution = examine(report.template, values, asked(report), plan)
         except Refused as refusal:
             report.refused[refusal.reason] += 1
             report.blamed[refusal.reason, refusal.ask] += 1
@@ -100,7 +124,7 @@ def draw(report: Report, sample: int) -> None:
 
 def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> Foresight:
     """See which draws a known mistake would confuse with the truth; report what no draw can tell apart."""
-    sight = Deck(report.template, report.template.asked(), "check", report.template.name).sight
+    sight = Deck(report.template, asked(report), "check", report.template.name).sight
     sight.look(draws)
     if sight.separation is not None:
         report.inseparable = sight.separation.inseparable()
@@ -127,10 +151,6 @@ def weigh(report: Report) -> None:
         elif copied is not None:
             report.remarks.append(f"{name} equals the given {copied} in almost all instances")
     report.remarks += rounding_remarks(report)
-    if report.refused["mechanism"]:
-        report.remarks.append(
-            "some drawable combinations cannot be solved: a condition would say why"
-        )
 
 
 def rounding_remarks(report: Report) -> Iterator[str]:
@@ -177,9 +197,10 @@ def prove(report: Report, published: Published) -> None:
         set(published.given) == set(report.template.parameters),
     )
     solutions, problem = [], ""
-    for values in stated(report.template, published, 1 if complete else 20 * INSTANCES):
+    gives = [name for name in published.gives if name in report.sound]
+    for values in settled(report.template, published, 1 if complete else 20 * INSTANCES):
         try:
-            solutions.append(solve_template(report.template, values, published.gives))
+            solutions.append(solve_template(report.template, values, gives))
         except KinegradeError as error:
             problem = error.problems[0]
         if len(solutions) == INSTANCES:
@@ -190,12 +211,12 @@ def prove(report: Report, published: Published) -> None:
             for fault in differences(report.template, published, solution)
         ]
         report.faults += faults
-        report.proved += len(published.gives) - len(faults)
+        report.proved += len(gives) - len(faults)
     if not solutions:
         report.faults.append(f"{where}: no instance can be solved: {problem}")
 
 
-def stated(template: Template, published: Published, count: int) -> Iterator[Mapping[str, str]]:
+def settled(template: Template, published: Published, count: int) -> Iterator[Mapping[str, str]]:
     """The values that a source states, with `count` draws of those it leaves open."""
     fixed = {name: (text,) for name, text in published.given.items()}
     deck = Deck(template, template.asked(), "published", published.source, fixed)
@@ -212,8 +233,8 @@ def at(solution: Solution) -> str:
 
 def differences(template: Template, published: Published, solution: Solution) -> Iterator[str]:
     """The published results that the engine's answers do not equal exactly."""
-    for name, tree in published.gives.items():
-        ask, answer = template.asks[name], solution[name]
+    for name, answer in solution.answers.items():
+        ask, tree = template.asks[name], published.gives[name]
         try:
             expected = evaluate(
                 tree, quoted(solution), elementary(solution.arithmetic), solution.arithmetic

@@ -32,7 +32,7 @@ from kinegrade.problem.solving import (
     read_values,
     solve_template,
 )
-from kinegrade.problem.template import Condition, Template
+from kinegrade.problem.template import Ask, Condition, Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
 MAX_ATTEMPTS = 400
@@ -292,13 +292,8 @@ def sensible(
     except MechanismError as error:
         raise Refused("mechanism", error.problems[0]) from error
     for name, answer in solution.answers.items():
-        if answer.at_infinity:
-            raise Refused("degenerate", f"{name} is at infinity")
-        if answer.is_zero:
-            if not template.asks[name].vanishes:
-                raise Refused("degenerate", f"{name} is zero")
-        elif not SMALLEST <= abs(answer.value) <= LARGEST:
-            raise Refused("absurd", f"{name} is {sized(answer)}")
+        if refusal := unfit(template.asks[name], answer):
+            raise refusal
     return solution
 
 
@@ -312,6 +307,17 @@ def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
         if fitting_factor(answer.unit, right) is None:
             return name
     return ""
+
+
+def unfit(ask: Ask, answer: Quantity) -> Refused | None:
+    """Why an answer cannot be asked for: at infinity, zero where zero is no proper answer, of an absurd size."""
+    if answer.at_infinity:
+        return Refused("degenerate", f"{ask.name} is at infinity")
+    if answer.is_zero:
+        return None if ask.vanishes else Refused("degenerate", f"{ask.name} is zero")
+    if not SMALLEST <= abs(answer.value) <= LARGEST:
+        return Refused("absurd", f"{ask.name} is {sized(answer)}")
+    return None
 
 
 def sized(answer: Quantity) -> str:

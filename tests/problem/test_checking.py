@@ -11,6 +11,7 @@ from click.testing import CliRunner
 from kinegrade.cli import main
 from kinegrade.problem.checking import Report, check
 from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.neighbours import probed
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.reporting import report_lines
 from tests.problem.crank import crank, crank_text
@@ -114,11 +115,10 @@ def test_the_report_says_what_was_found() -> None:
     assert re.fullmatch(r"  distinct instances: about 2; [\d.]+ ms each", lines[3])
     assert lines[4:] == [
         "  v_x                  -1 .. -1         m/s     negative 100%, different 1",
-        "  remark: some drawable combinations cannot be solved: a condition would say why",
         "  fault: about 2 distinct instances: at least 500 are needed for a class: widen the domains",
         "  fault: v_x has the same answer in all instances: a student guesses it",
-        "  fault: breaks at r = 1.00, h = 1.01, omega = 2.00: crank: points.A: the circle about O of radius 1 does not "
-        "reach the line y = 1.01: add a condition or narrow the domains",
+        "  fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of radius 1 "
+        "does not reach the line y = 3: add a condition or narrow the domains",
     ]
 
 
@@ -153,3 +153,98 @@ def test_the_command_ends_with_status_1_for_a_faulty_template(tmp_path: Path) ->
     assert result.stdout.startswith("crank: FAULTY\n")
     assert "  fault: no published result" in result.stdout
     assert CliRunner().invoke(main, ["check", "slider-crank"]).exit_code == 0
+
+
+WIDE = (
+    ("draw = [1, 2]", 'draw = "1 .. 2 step 0.1"'),
+    ('[0, "1/2", 3]', '"0.1 .. 0.9 step 0.1"'),
+    ("[2, 1000000, 20000000]", '"2 .. 9 step 1"'),
+)
+
+
+def on_request(quantity: str, unit: str, flags: str = "") -> tuple[str, str]:
+    """A further ask without points."""
+    line = f'w = {{ quantity = "{quantity}", unit = "{unit}", {flags}means = {{ en = "w", zh = "w 量" }} }}'
+    return "\n[asks]\n", f"\n[asks]\n{line}\n"
+
+
+def test_an_ask_on_request_that_fails_at_every_value_is_one_fault() -> None:
+    report = check(crank(*WIDE, on_request("y(velocity(A))/(r - r)", "1/s")), sample=20)
+    assert len(report.faults) == 1
+    assert report.faults[0].startswith("asks.w: at r = ")
+    assert report.faults[0].endswith(": division by zero: check the values given")
+    assert report.proved == 5
+
+
+def test_an_ask_with_points_that_fails_is_one_fault() -> None:
+    changed = ('quantity = "x(velocity(A))"', 'quantity = "x(velocity(A))*r/(h - h)"')
+    (fault,) = check(crank(*WIDE, changed), sample=20).faults
+    assert fault.startswith("asks.v_x: at r = ")
+    assert fault.endswith(": division by zero: check the values given")
+
+
+def test_an_ask_on_request_that_fails_at_one_drawn_value_is_a_fault() -> None:
+    domains = (WIDE[0], WIDE[1], ("[2, 1000000, 20000000]", '"2 .. 12 step 0.5"'))
+    report = check(crank(*domains, on_request("omega(OA)*r/(r - 1)", "rad/s")), sample=10_000)
+    assert [fault.split(": ", 1)[0] for fault in report.faults] == ["asks.w"]
+    assert "asks.w: at r = 1, " in report.faults[0]
+
+
+def test_an_ask_on_request_without_any_answer_to_ask_for_is_a_fault() -> None:
+    zero = on_request("alpha(OA)", "rad/s^2")
+    assert check(crank(*WIDE, zero), sample=20).faults == [
+        "asks.w: no drawn instance has an answer to ask for: w is zero: "
+        "ask for something else, or write vanishes = true where zero is a proper answer"
+    ]
+    allowed = on_request("alpha(OA)", "rad/s^2", "vanishes = true, ")
+    assert check(crank(*WIDE, allowed), sample=20).faults == []
+
+
+def test_a_mechanism_that_never_moves_is_one_fault() -> None:
+    loose = crank(*WIDE, ('joints = ["pin O: ground OA"]', "joints = []"))
+    (fault,) = check(loose, sample=20).faults
+    assert fault.startswith("no drawn instance can be solved: at r = ")
+    assert fault.endswith("(2 degrees of freedom left): add a joint or a driver")
+
+
+def test_a_template_whose_asks_are_all_on_request_is_checked(tmp_path: Path) -> None:
+    text = crank_text(
+        *WIDE, ("points = 2, ", ""), ('conditions = ["omega < 10000000"]', "conditions = []")
+    )
+    file = tmp_path / "crank.toml"
+    file.write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["check", str(file), "--sample", "20"])
+    assert (result.exit_code, result.exception) == (0, None)
+    assert result.stdout.startswith("crank: sound\n")
+    for arguments in (["show"], ["gallery"], ["solve", "--set", "h=1/2"]):
+        output = str(tmp_path / f"{arguments[0]}.pdf")
+        result = CliRunner().invoke(main, [*arguments, str(file), "-o", output])
+        assert (result.exit_code, result.exception) == (0, None)
+        assert Path(output).stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    ("draw", "values"),
+    [
+        ('["0.002", "0.004"]', ["0.002", "0.004", "0.00225", "0.00375"]),
+        ("[1, -1]", ["1", "-1"]),
+        ("[3]", ["3"]),
+        ('["1000000", "3000000"]', ["1000000", "3000000", "1250000", "2750000"]),
+        ('["sqrt(2)", "1"]', ["sqrt(2)", "1", "1.052", "1.362"]),
+    ],
+)
+def test_only_drawable_values_and_their_neighbours_are_probed(draw: str, values: list[str]) -> None:
+    template = crank(("draw = [1, 2]", f"draw = {draw}"))
+    assert probed(template, template.parameters["r"]) == values
+
+
+def test_no_value_breaks_a_template_that_could_never_be_drawn() -> None:
+    """A radius of 2 or 4 mm is no radius of 0.00 m, and a side of 1 or -1 is not 0."""
+    small = crank(
+        ("draw = [1, 2]", 'draw = ["0.002", "0.004"]'),
+        ('[0, "1/2", 3]', "[1, -1]"),
+        ('"(0, h)"', '"(0, r*h/(2*abs(h)))"'),
+        ("[2, 1000000, 20000000]", '"2 .. 600 step 1"'),
+        ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "-omega*r*h/(2*abs(h))" }'),
+    )
+    assert not [fault for fault in check(small, sample=60).faults if "breaks" in fault]

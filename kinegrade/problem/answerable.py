@@ -1,0 +1,107 @@
+"""Whether each ask of a template can be answered at its drawn values, also those that are asked on request alone.
+
+`check` looks at each by itself, as a bank may ask for any of them.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from kinegrade.errors import KinegradeError
+from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.drawing import holds, unfit
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template import Template
+
+
+@dataclass
+class Answerable:
+    """What was found of a template's asks.
+
+    `failed` has those that cannot be worked out at some drawn values, with these and the reason; `fit` counts the
+    instances in which an ask has an answer to be asked for, `unfit` says why it had none. `solved` counts the
+    instances that meet the conditions and move, `stuck` is why none did.
+    """
+
+    template: Template
+    failed: dict[str, str] = field(default_factory=dict)
+    fit: Counter[str] = field(default_factory=Counter)
+    unfit: dict[str, str] = field(default_factory=dict)
+    solved: int = 0
+    stuck: str = ""
+    plan: Plan | None = None
+
+    @property
+    def sound(self) -> tuple[str, ...]:
+        """The asks that can be worked out at all drawn values."""
+        return tuple(name for name in self.template.asks if name not in self.failed)
+
+    def look(self, values: Mapping[str, str]) -> None:
+        """Work out every ask at drawn values that meet the conditions."""
+        if not all(
+            holds(self.template, condition, values) for condition in self.template.conditions
+        ):
+            return
+        try:
+            together = self.solution(values, self.sound)
+        except KinegradeError:
+            self.look_at_each(values)
+            return
+        self.solved += 1
+        for name in together.answers:
+            self.note(name, together)
+
+    def look_at_each(self, values: Mapping[str, str]) -> None:
+        """Work out the asks one by one, where they cannot be worked out together."""
+        try:
+            self.solution(values, ())
+        except KinegradeError as error:
+            self.stuck = self.stuck or f"at {stated(values)}: {error.problems[0]}"
+            return
+        self.solved += 1
+        for name in self.sound:
+            try:
+                self.note(name, self.solution(values, (name,)))
+            except KinegradeError as error:
+                own = error.problems[0].removeprefix(f"{self.template.name}: {name}: ")
+                self.failed[name] = f"at {stated(values)}: {own}"
+
+    def solution(self, values: Mapping[str, str], asks: Iterable[str]) -> Solution:
+        """The instance solved for some asks. Raises MechanismError."""
+        found = solve_template(self.template, values, asks, self.plan)
+        self.plan = self.plan or found.motion.plan
+        return found
+
+    def note(self, name: str, solution: Solution) -> None:
+        """Count an answer, or keep the reason why it is none to ask for."""
+        refusal = unfit(self.template.asks[name], solution[name])
+        if refusal is None:
+            self.fit[name] += 1
+        else:
+            self.unfit.setdefault(name, str(refusal))
+
+    def faults(self) -> list[str]:
+        """A line for every ask that is no good at some values, or at all of them."""
+        lines = [f"asks.{name}: {problem}" for name, problem in self.failed.items()]
+        for name in self.sound:
+            if self.solved and not self.fit[name]:
+                lines.append(
+                    f"asks.{name}: no drawn instance has an answer to ask for: {self.unfit[name]}: "
+                    "ask for something else, or write vanishes = true where zero is a proper answer"
+                )
+        return lines
+
+
+def answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answerable:
+    """What can be said of the template's asks at these values."""
+    found = Answerable(template)
+    for values in draws:
+        found.look(values)
+    return found
+
+
+def stated(values: Mapping[str, str]) -> str:
+    """Values for a message: "r = 1, phi = 30"."""
+    return ", ".join(f"{name} = {text}" for name, text in values.items())

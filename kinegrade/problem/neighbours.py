@@ -1,0 +1,56 @@
+"""The values of a parameter at which a template is probed: those that can be drawn, and their near neighbours.
+
+A neighbour is an eighth of the way to the next drawable value, so it is near on the parameter's own scale, be that
+micrometres or kilometres, and it never leaves the range that the author gave. Values of one size and two senses, such
+as 1 and -1, are a choice between the two: they have no neighbours.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import floor, log10
+from typing import Any
+
+from kinegrade.exact.text import decimal_text
+from kinegrade.problem.solving import certified, parameter_values, read_values
+from kinegrade.problem.template import Parameter, Template
+
+STEP = 8  # a neighbour is this part of the way to the next drawable value
+FIGURES = 2  # of the distance to the neighbour that its decimal shows
+
+
+def probed(template: Template, parameter: Parameter) -> list[str]:
+    """The drawable values as they are written, then their neighbours as decimals."""
+    sizes = sorted(float(size(template, parameter.name, text)) for text in parameter.choices)
+    if len({abs(value) for value in sizes}) == 1:
+        return list(parameter.choices)
+    return [*parameter.choices, *neighbours(sizes)]
+
+
+def neighbours(sizes: list[float]) -> list[str]:
+    """What lies near to each of some sorted values on the side of the next one, in enough decimals to tell.
+
+    >>> neighbours([0.002, 0.004]), neighbours([15.0, 30.0])
+    (['0.00225', '0.00375'], ['16.9', '28.1'])
+    """
+    found = []
+    for low, high in pairwise(sizes):
+        step = (high - low) / STEP
+        decimals = max(0, FIGURES - 1 - floor(log10(step)))
+        found += [f"{low + step:.{decimals}f}", f"{high - step:.{decimals}f}"]
+    return found
+
+
+def size(template: Template, name: str, text: str) -> str:
+    """A drawable value in its unit, as a decimal."""
+    parameter = template.parameters[name]
+    trees = read_values(template, {name: text})
+
+    def decimal(arithmetic: Any) -> str:
+        value = parameter_values(template, trees, arithmetic)[name]
+        number = value if parameter.unit.degrees else value / parameter.unit.factor
+        if parameter.unit.degrees and not arithmetic.exact:
+            number = number * 180 / arithmetic.turns(1)
+        return decimal_text(number, 15, parameter.unit.degrees)
+
+    return certified(decimal)
