@@ -7,6 +7,7 @@ from typing import Any
 
 from kinegrade.errors import MechanismError
 from kinegrade.exact.elimination import consistent, null_vectors
+from kinegrade.mechanics.dead_point import dead_point, numeral
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.plan import Equations
 from kinegrade.mechanics.relations import omega_of
@@ -23,15 +24,23 @@ def refusal(
     rows = [arithmetic_row(row, arithmetic) for block in matrix for row in block]
     loose = null_vectors(rows, len(rates), arithmetic.is_zero)
     fits = consistent(
-        rows, [number(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
+        rows, [numeral(s, arithmetic) for side in sides for s in side], arithmetic.is_zero
     )
+    motions = [{rates[i] for i in vector} for vector in loose]
+    turning = {rate.split(" ", 1)[1] for rate in set().union(*motions) if is_turning(rate)}
+    line = dead_point(frames, turning, arithmetic) if loose else ""
+    if fits and line:
+        return MechanismError(
+            f"dead point: {line} at these values: choose other values or another driver"
+        )
     if fits:
-        return MechanismError(looseness(frames, [{rates[i] for i in vector} for vector in loose]))
+        return MechanismError(looseness(frames, motions))
     culprits = contradiction(matrix, sides, arithmetic)
     names = " and ".join(frames.relations[index].origin for index in culprits)
     if loose:
+        where = f"{line} at these values," if line else "in this configuration"
         return MechanismError(
-            f"dead point: in this configuration {names} cannot act together: "
+            f"dead point: {where} {names} cannot act together: "
             "choose another configuration or driver"
         )
     return MechanismError(
@@ -39,12 +48,17 @@ def refusal(
     )
 
 
+def is_turning(rate: str) -> bool:
+    """Whether a rate is the angular velocity of a body."""
+    return rate.startswith("omega ")
+
+
 def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
     """Which bodies can still turn and which points can still move."""
     idle = unrelated(frames)
     moving = set().union(*motions, idle)
-    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if rate.startswith("omega ")]
-    points = sorted({rate.split(" ")[1] for rate in moving if not rate.startswith("omega ")})
+    bodies = [rate.split(" ", 1)[1] for rate in sorted(moving) if is_turning(rate)]
+    points = sorted({rate.split(" ")[1] for rate in moving if not is_turning(rate)})
     parts = [f"body {body} can still turn" for body in bodies]
     parts += [f"{point} can still move" for point in points]
     count = len(motions) + len(idle)
@@ -68,7 +82,7 @@ def contradiction(
     for index in list(culprits):
         rest = [other for other in culprits if other != index]
         rows = [arithmetic_row(row, arithmetic) for other in rest for row in matrix[other]]
-        right = [number(side, arithmetic) for other in rest for side in sides[other]]
+        right = [numeral(side, arithmetic) for other in rest for side in sides[other]]
         if rows and not consistent(rows, right, arithmetic.is_zero):
             culprits = rest
     return culprits
@@ -76,9 +90,4 @@ def contradiction(
 
 def arithmetic_row(row: Sequence[Any], arithmetic: Any) -> list[Any]:
     """A row in the arithmetic's own numbers."""
-    return [number(entry, arithmetic) for entry in row]
-
-
-def number(entry: Any, arithmetic: Any) -> Any:
-    """An entry in the arithmetic's own numbers: plain integers would divide into floats."""
-    return arithmetic.number(entry) if isinstance(entry, int) else entry
+    return [numeral(entry, arithmetic) for entry in row]

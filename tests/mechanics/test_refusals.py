@@ -29,6 +29,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import solve
 from tests.laws.cases import with_numbers
 from tests.mechanics.writing import Paper
+from tests.small_class import kinegrade
 
 X, Y = (1, 0), (0, 1)
 P = Paper()
@@ -95,12 +96,13 @@ def written(
         (
             [*CRANK, Slide("B", "AB", P.line(0, 0, X), GROUND)],
             [P.moves("B", "AB", X, 1)],
-            "dead point: in this configuration",
+            "dead point: A, B and O are in line at these values, the pin A of OA and AB and "
+            "the given motion of B of AB cannot act together",
         ),
         (
             [*CRANK, Slide("B", "AB", P.line(0, 0, X), GROUND)],
             [P.moves("B", "AB", X, 0)],
-            "body AB can still turn, body OA can still turn (1 degree of freedom left)",
+            "dead point: A, B and O are in line at these values: choose other values or another driver",
         ),
     ],
 )
@@ -125,6 +127,51 @@ def test_a_dead_point_names_the_joints_that_cannot_act_together() -> None:
     assert problem(stretched).endswith(
         "the given motion of B of AB cannot act together: choose another configuration or driver"
     )
+
+
+DYAD_POINTS = {"O": (0, 0), "C": (2, 0), "D": (5, 0), "O6": (9, 0)}
+DYAD_BODIES = {"OC": "O C", "CD": "C D", "DO6": "D O6"}
+DYAD = [
+    Pin("O", ("OC", GROUND)),
+    Pin("C", ("OC", "CD")),
+    Pin("D", ("CD", "DO6")),
+    Pin("O6", ("DO6", GROUND)),
+]
+
+
+def test_a_dead_point_says_what_is_in_line_and_asks_for_no_joint() -> None:
+    """The four-bar is complete; only where its coupler and its rocker are in line they may turn either way."""
+    assert problem(written(DYAD, [P.turns("OC", 0)], points=DYAD_POINTS, bodies=DYAD_BODIES)) == (
+        "dead point: C, D and O6 are in line at these values: choose other values or another driver"
+    )
+    standing = {**DYAD_POINTS, "O": (2, -2)}
+    assert problem(
+        written(DYAD, [P.turns("OC", 1)], points=standing, bodies=DYAD_BODIES)
+    ).startswith("dead point: C, D and O6 are in line at these values, ")
+
+
+def test_a_rod_at_right_angles_to_its_guide_is_at_a_dead_point() -> None:
+    upright = {**POINTS, "B": (3, 5)}
+    joints = [*CRANK, Slide("B", "AB", P.line(0, 5, X), GROUND)]
+    assert problem(written(joints, [P.turns("OA", 0)], points=upright)) == (
+        "dead point: AB is at right angles to the line on which B slides at these values: "
+        "choose other values or another driver"
+    )
+
+
+def test_links_in_line_that_lack_a_joint_are_loose() -> None:
+    assert problem(
+        written(DYAD[:3], [P.turns("OC", 1)], points=DYAD_POINTS, bodies=DYAD_BODIES)
+    ).endswith("(2 degrees of freedom left): add a joint or a driver")
+    assert problem(written(DYAD, [], points=DYAD_POINTS, bodies=DYAD_BODIES)).endswith(
+        "left): add a joint or a driver"
+    )
+
+
+def test_solve_names_the_dead_point_of_a_trammel() -> None:
+    shown = kinegrade("solve", "elliptic-trammel-end-driven", "--set", "phi=0")
+    assert shown.exit_code == 2
+    assert "dead point: AB is at right angles to the line on which B slides" in shown.stderr
 
 
 @pytest.mark.parametrize(

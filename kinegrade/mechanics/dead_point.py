@@ -1,0 +1,102 @@
+"""Dead points: values at which a mechanism that is complete cannot be solved, as links of it stand in line.
+
+A mechanism whose relations determine its motion anywhere else is not loose: no joint and no driver is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from itertools import combinations
+from typing import Any
+
+from kinegrade.exact.elimination import null_vectors
+from kinegrade.mechanics.frames import Frames, build
+from kinegrade.mechanics.joints import Pin, Slide
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
+
+PARTS = 9973  # a point is moved by so many parts of a metre, each point by others
+
+
+def dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
+    """What stands in line at a dead point, "C, D and O6 are in line"; "" where nothing does, or a body is loose.
+
+    `bodies` are those that could turn.
+    """
+    found = next(alignments(frames.mechanism, bodies, arithmetic), "")
+    return found if found and determined_elsewhere(frames.mechanism, arithmetic) else ""
+
+
+def alignments(mechanism: Mechanism, bodies: Collection[str], arithmetic: Any) -> Iterator[str]:
+    """Two bodies pinned together whose joints are in line, and a body at right angles to the line that guides it."""
+    ends = {body: joint_points(mechanism, body) for body in bodies}
+    pins = (joint for joint in mechanism.joints if isinstance(joint, Pin))
+    for pin in pins:
+        for first, second in combinations([body for body in pin.bodies if body in ends], 2):
+            yield from chains(mechanism, ends[first], pin.point, ends[second], arithmetic)
+    for joint in mechanism.joints:
+        if isinstance(joint, Slide) and joint.body in ends:
+            yield from across(mechanism, joint, ends[joint.body], arithmetic)
+
+
+def chains(
+    mechanism: Mechanism,
+    first: Collection[str],
+    middle: str,
+    second: Collection[str],
+    arithmetic: Any,
+) -> Iterator[str]:
+    """Joints of two bodies that are in line with the pin between these."""
+    points = mechanism.points
+    for start in first:
+        for end in second:
+            arms = (points[start] - points[middle], points[end] - points[middle])
+            if len({start, middle, end}) == 3 and arithmetic.is_zero(arms[0].cross(arms[1])):
+                names = sorted((start, middle, end))
+                yield f"{names[0]}, {names[1]} and {names[2]} are in line"
+
+
+def across(
+    mechanism: Mechanism, joint: Slide, ends: Collection[str], arithmetic: Any
+) -> Iterator[str]:
+    """A body that stands at right angles to the line on which its point slides."""
+    for end in ends:
+        arm: Vector = mechanism.points[end] - mechanism.points[joint.point]
+        if end != joint.point and arithmetic.is_zero(arm.dot(joint.line.direction)):
+            yield f"{end}{joint.point} is at right angles to the line on which {joint.point} slides"
+
+
+def joint_points(mechanism: Mechanism, body: str) -> tuple[str, ...]:
+    """The points at which a body is pinned or guided."""
+    found = [
+        joint.point
+        for joint in mechanism.joints
+        if (isinstance(joint, Pin) and body in joint.bodies)
+        or (isinstance(joint, Slide) and joint.body == body)
+    ]
+    return tuple(dict.fromkeys(found))
+
+
+def determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
+    """Whether the relations determine the motion when every point lies a little elsewhere."""
+    moved = {
+        name: Vector(
+            place.x + arithmetic.number(7 * number * number + 3) / PARTS,
+            place.y + arithmetic.number(11 * number + 5) / PARTS,
+        )
+        for number, (name, place) in enumerate(mechanism.points.items())
+    }
+    relations = build(replace(mechanism, points=moved), arithmetic).relations
+    rates = list(dict.fromkeys(rate for relation in relations for rate in relation.unknowns()))
+    rows = [
+        [numeral(row.get(rate, 0), arithmetic) for rate in rates]
+        for relation in relations
+        for row in relation.equations()
+    ]
+    return not null_vectors(rows, len(rates), arithmetic.is_zero)
+
+
+def numeral(entry: Any, arithmetic: Any) -> Any:
+    """An entry in the arithmetic's own numbers: plain integers would divide into floats."""
+    return arithmetic.number(entry) if isinstance(entry, int) else entry
