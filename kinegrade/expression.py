@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, TypeVar, assert_never
 
 from flint import fmpq
 
@@ -46,6 +46,11 @@ SLIPS: Mapping[str, str] = {
     "³": "a cube written as **3",
     "√": "a root written as sqrt(...)",
 }
+Mark = Literal["+", "-", "*", "/"]
+Operator = Literal["+", "-", "*", "/", "**"]
+SUMS: tuple[Mark, ...] = ("+", "-")
+PRODUCTS: tuple[Mark, ...] = ("*", "/")
+_Taken = TypeVar("_Taken", bound=str)
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,7 @@ class Name:
 class Operation:
     """left sign right; sign is one of + - * / **."""
 
-    sign: str
+    sign: Operator
     left: Expression
     right: Expression
 
@@ -80,6 +85,26 @@ class Call:
 
 
 Expression = Number | Name | Operation | Call
+
+
+def parts(tree: Expression) -> tuple[Expression, ...]:
+    """The expressions of which an expression is made, in order; none for a number or a name."""
+    match tree:
+        case Number() | Name():
+            return ()
+        case Operation(left=left, right=right):
+            return (left, right)
+        case Call(arguments=arguments):
+            return arguments
+        case _:
+            assert_never(tree)
+
+
+def every_part(tree: Expression) -> Iterator[Expression]:
+    """The expression itself and, depth first, all that it is made of."""
+    yield tree
+    for part in parts(tree):
+        yield from every_part(part)
 
 
 def read(text: str) -> Expression:
@@ -126,12 +151,12 @@ class Reader:
             f"expected {SLIPS.get(self.token, expected)}"
         )
 
-    def take(self, *marks: str) -> str | None:
+    def take(self, *marks: _Taken) -> _Taken | None:
         """The mark just here if it is one of `marks`, gone past; else None."""
-        if self.kind == "mark" and self.token in marks:
-            mark = self.token
-            self.advance()
-            return mark
+        for mark in marks:
+            if self.kind == "mark" and self.token == mark:
+                self.advance()
+                return mark
         return None
 
     def finish(self) -> None:
@@ -146,14 +171,14 @@ class Reader:
                 f'"{one_line(self.text)}": nested deeper than {MAX_DEPTH}: write it more simply'
             )
         tree = self.product(depth)
-        while mark := self.take("+", "-"):
+        while mark := self.take(*SUMS):
             tree = Operation(mark, tree, self.product(depth))
         return tree
 
     def product(self, depth: int) -> Expression:
         """product = signed (("*" | "/") signed)*"""
         tree = self.signed(depth)
-        while mark := self.take("*", "/"):
+        while mark := self.take(*PRODUCTS):
             tree = Operation(mark, tree, self.signed(depth))
         return tree
 
@@ -215,14 +240,19 @@ def rational(digits: str) -> Any:
 
 def names(tree: Expression) -> Iterator[str]:
     """The names (not the functions) that occur, in order."""
-    if isinstance(tree, Name):
-        yield tree.name
-    elif isinstance(tree, Operation):
-        yield from names(tree.left)
-        yield from names(tree.right)
-    elif isinstance(tree, Call):
-        for argument in tree.arguments:
-            yield from names(argument)
+    match tree:
+        case Number():
+            pass
+        case Name(name):
+            yield name
+        case Operation(left=left, right=right):
+            yield from names(left)
+            yield from names(right)
+        case Call(arguments=arguments):
+            for argument in arguments:
+                yield from names(argument)
+        case _:
+            assert_never(tree)
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
@@ -232,18 +262,35 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
 
 def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
     """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
-    if isinstance(tree, Name):
-        return int(tree.name == "pi" or tree.name in angles)
-    if isinstance(tree, Call):
-        if tree.function == "abs" and tree.arguments:
-            return angular_degree(tree.arguments[0], angles)
-        return int(tree.function in ANGLES)
-    if not isinstance(tree, Operation):
-        return 0
-    left, right = angular_degree(tree.left, angles), angular_degree(tree.right, angles)
-    if tree.sign in "+-":
-        return max(left, right)
-    return {"*": left + right, "/": left - right}.get(tree.sign, 0)
+    match tree:
+        case Number():
+            return 0
+        case Name(name):
+            return int(name == "pi" or name in angles)
+        case Call("abs", (argument, *_)):
+            return angular_degree(argument, angles)
+        case Call(function):
+            return int(function in ANGLES)
+        case Operation(sign, left, right):
+            degrees = angular_degree(left, angles), angular_degree(right, angles)
+            return _degree_of(sign, *degrees)
+        case _:
+            assert_never(tree)
+
+
+def _degree_of(sign: Operator, left: int, right: int) -> int:
+    """The power of "angle" in a combination of two expressions with theirs."""
+    match sign:
+        case "+" | "-":
+            return max(left, right)
+        case "*":
+            return left + right
+        case "/":
+            return left - right
+        case "**":
+            return 0
+        case _:
+            assert_never(sign)
 
 
 def evaluate(
@@ -258,19 +305,30 @@ def evaluate(
     negative numbers and combinations that make no sense (a point plus a number); Inexact for exact values that no small
     field holds.
     """
-    if isinstance(tree, Number):
-        return arithmetic.number(tree.value)
-    if isinstance(tree, Name):
-        if tree.name not in values:
-            raise ExpressionError(f'unknown name "{tree.name}": {did_you_mean(tree.name, values)}')
-        return values[tree.name]
-    if isinstance(tree, Call):
-        arguments = [evaluate(part, values, functions, arithmetic) for part in tree.arguments]
-        return called(tree.function, arguments, functions)
-    left = evaluate(tree.left, values, functions, arithmetic)
-    if tree.sign == "**":
-        return powered(left, tree.right, arithmetic)
-    return combined(tree.sign, left, evaluate(tree.right, values, functions, arithmetic), tree)
+    match tree:
+        case Number():
+            return arithmetic.number(tree.value)
+        case Name():
+            if tree.name not in values:
+                raise ExpressionError(
+                    f'unknown name "{tree.name}": {did_you_mean(tree.name, values)}'
+                )
+            return values[tree.name]
+        case Call():
+            arguments = [evaluate(part, values, functions, arithmetic) for part in tree.arguments]
+            return called(tree.function, arguments, functions)
+        case Operation(sign=sign):
+            left = evaluate(tree.left, values, functions, arithmetic)
+            match sign:
+                case "**":
+                    return powered(left, tree.right, arithmetic)
+                case "+" | "-" | "*" | "/":
+                    right = evaluate(tree.right, values, functions, arithmetic)
+                    return combined(sign, left, right, tree)
+                case _:
+                    assert_never(sign)
+        case _:
+            assert_never(tree)
 
 
 def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]) -> Any:
@@ -324,14 +382,20 @@ def whole_power(exponent: Expression) -> int:
     return -int(literal.value) if negative else int(literal.value)
 
 
-def combined(mark: str, left: Any, right: Any, tree: Expression) -> Any:
+def combined(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
     """left mark right for + - * /."""
     try:
-        if mark == "+":
-            return left + right
-        if mark == "-":
-            return -right if is_literal_zero(tree) else left - right
-        return left * right if mark == "*" else left / right
+        match mark:
+            case "+":
+                return left + right
+            case "-":
+                return -right if is_literal_zero(tree) else left - right
+            case "*":
+                return left * right
+            case "/":
+                return left / right
+            case _:
+                assert_never(mark)
     except ZeroDivisionError as error:
         raise ExpressionError("division by zero: check the values given") from error
     except (TypeError, AttributeError) as error:

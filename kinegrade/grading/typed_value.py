@@ -24,8 +24,11 @@ from kinegrade.exact.field import Field
 from kinegrade.exact.surd import Surd
 from kinegrade.exact.text import bounds
 from kinegrade.expression import (
+    PRODUCTS,
+    SUMS,
     Call,
     Expression,
+    Mark,
     Name,
     Number,
     Operation,
@@ -116,7 +119,7 @@ class _Reader:
     def sum(self, depth: int) -> Expression:
         before, self.surds = self.surds, False
         tree, terms = self.product(depth), 1
-        while (mark := self.operator("+-")) is not None:
+        while (mark := self.operator(*SUMS)) is not None:
             tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
         if terms > 1 and not self.surds:
             raise Unreadable(
@@ -128,7 +131,7 @@ class _Reader:
     def product(self, depth: int) -> Expression:
         tree, divided = self.power(depth), False
         while True:
-            mark = self.operator("*/")
+            mark = self.operator(*PRODUCTS)
             if mark is None:
                 factor = self.beside(depth)
                 if factor is None:
@@ -159,12 +162,13 @@ class _Reader:
             self.place, self.roots, self.surds, self.remark = state
             return None
 
-    def operator(self, marks: str) -> str | None:
+    def operator(self, *marks: Mark) -> Mark | None:
         found = _OPERATOR.match(self.text, self.place)
-        if found is None or found[1] not in marks or not _START.match(self.text, found.end()):
+        if found is None or not _START.match(self.text, found.end()):
             return None
-        self.place = found.end()
-        return found[1]
+        mark = next((mark for mark in marks if mark == found[1]), None)
+        self.place = self.place if mark is None else found.end()
+        return mark
 
     def power(self, depth: int) -> Expression:
         base = self.atom(depth)
@@ -225,7 +229,8 @@ class _Reader:
                 f'"{shown(self.text)}": a bracket is not closed, or holds more than a number'
             )
         self.place += 1
-        return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
+        negative = sign == "-"
+        return Operation("-", Number(rational("0")), tree) if negative else tree
 
     def number(self, *, power_of_ten: bool = True) -> Expression:
         """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a hundredth of √3."""

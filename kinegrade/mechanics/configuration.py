@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import MechanismError, did_you_mean
-from kinegrade.mechanics.drivers import Circulation, Driver, Rotation
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.frames import describe
 from kinegrade.mechanics.geometry import short, size
 from kinegrade.mechanics.joints import (
@@ -54,17 +54,34 @@ def unknown_names(mechanism: Mechanism) -> Iterator[str]:
                 yield f'{describe(part)}: no point "{point}": {did_you_mean(point, mechanism.points)}'
 
 
-def point_names(part: Joint | Driver) -> list[str]:
-    """The points that a joint or driver names."""
-    named = [getattr(part, field) for field in ("point", "centre") if hasattr(part, field)]
-    return [*named, *(circle.centre for circle in circles(part))]
-
-
 def body_names(part: Joint | Driver) -> list[str]:
     """The bodies that a joint or driver names."""
-    if isinstance(part, Pin):
-        return list(part.bodies)
-    return [getattr(part, field) for field in ("body", "of", "carrier") if hasattr(part, field)]
+    match part:
+        case Pin(bodies=bodies):
+            return list(bodies)
+        case Mesh(body=body, of=of, carrier=carrier):
+            return [body, of, carrier]
+        case (
+            Slide() | Sleeve() | Arc() | Contact() | Roll() | Parallel() | Rotation() | Component()
+        ):
+            return [part.body, part.of]
+        case Circulation(body=body):
+            return [body]
+        case _:
+            assert_never(part)
+
+
+def turning_bodies(part: Joint | Driver) -> list[str]:
+    """The bodies of a joint or driver that turn in it or carry its line or circle: no particle can."""
+    match part:
+        case Pin():
+            return []
+        case Rotation() | Parallel() | Sleeve() | Roll() | Mesh():
+            return body_names(part)
+        case Slide() | Arc() | Contact() | Component() | Circulation():
+            return body_names(part)[1:]
+        case _:
+            assert_never(part)
 
 
 def nonsense(mechanism: Mechanism) -> Iterator[str]:
@@ -76,40 +93,76 @@ def nonsense(mechanism: Mechanism) -> Iterator[str]:
             yield f"{describe(part)}: a body cannot move relative to itself: name two bodies"
         if isinstance(part, Sleeve) and part.body == GROUND:
             yield f"{describe(part)}: the ground does not slide: name the moving body first"
-        turning = names if isinstance(part, (Rotation, Parallel, Sleeve, Roll, Mesh)) else names[1:]
-        if not isinstance(part, Pin):
-            yield from (
-                f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or circle: "
-                "give it two points"
-                for name in turning
-                if name in particles
-            )
+        yield from (
+            f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or circle: "
+            "give it two points"
+            for name in turning_bodies(part)
+            if name in particles
+        )
 
 
-def circles(part: Any) -> list[Circle]:
+def point_names(part: Joint | Driver) -> list[str]:
+    """The points that a joint or driver names."""
+    match part:
+        case Pin(point=point) | Slide(point=point) | Component(point=point):
+            return [point]
+        case Arc(point=point, circle=Circle(centre=centre)):
+            return [point, centre]
+        case Circulation(point=point, centre=centre):
+            return [point, centre]
+        case Contact() | Roll() | Mesh():
+            return [circle.centre for circle in circles(part)]
+        case Sleeve() | Parallel() | Rotation():
+            return []
+        case _:
+            assert_never(part)
+
+
+def shapes(joint: Joint) -> list[Line | Circle]:
+    """The lines and circles that a joint speaks of."""
+    match joint:
+        case Pin() | Parallel():
+            return []
+        case Slide(line=line) | Sleeve(line=line):
+            return [line]
+        case Arc(circle=circle):
+            return [circle]
+        case (
+            Contact(circle=circle, on=on) | Roll(circle=circle, on=on) | Mesh(circle=circle, on=on)
+        ):
+            return [circle, on]
+        case _:
+            assert_never(joint)
+
+
+def circles(joint: Joint) -> list[Circle]:
     """The circles that a joint speaks of."""
-    found = [getattr(part, field, None) for field in ("circle", "on")]
-    return [circle for circle in found if isinstance(circle, Circle)]
+    return [shape for shape in shapes(joint) if isinstance(shape, Circle)]
 
 
-def misfits(mechanism: Mechanism, joint: Any, arithmetic: Any) -> Iterator[str]:
+def misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str]:
     """What is wrong with the positions at one joint."""
     for circle in circles(joint):
         if not bool(arithmetic.is_zero(circle.radius)) and arithmetic.sign(circle.radius) > 0:
             continue
         yield f"{describe(joint)}: a circle of radius {short(circle.radius)}: the radius must be positive"
-    for line in (getattr(joint, field, None) for field in ("line", "on")):
+    for line in shapes(joint):
         if isinstance(line, Line) and arithmetic.is_zero(line.direction.squared()):
             yield f"{describe(joint)}: the line has no direction: give it two different points, or an angle"
             return
-    if isinstance(joint, Slide) and off_line(mechanism, joint.point, joint.line, arithmetic):
-        yield f"{describe(joint)}: {joint.point} does not lie on that line: check the construction of {joint.point}"
-    if isinstance(joint, Arc):
-        yield from wrong_distance(
-            mechanism, joint, (joint.point, joint.circle.centre), joint.circle.radius, arithmetic
-        )
-    if isinstance(joint, (Contact, Roll, Mesh)):
-        yield from apart(mechanism, joint, arithmetic)
+    match joint:
+        case Slide(point=point):
+            if off_line(mechanism, point, joint.line, arithmetic):
+                yield f"{describe(joint)}: {point} does not lie on that line: check the construction of {point}"
+        case Arc(circle=circle):
+            ends = (joint.point, circle.centre)
+            yield from wrong_distance(mechanism, joint, ends, circle.radius, arithmetic)
+        case Contact() | Roll() | Mesh():
+            yield from apart(mechanism, joint, arithmetic)
+        case Pin() | Sleeve() | Parallel():
+            pass  # they say nothing of where their bodies are
+        case _:
+            assert_never(joint)
 
 
 def off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) -> bool:
@@ -120,23 +173,26 @@ def off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) -> b
 def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -> Iterator[str]:
     """Two profiles that do not touch."""
     own, centre = joint.circle.radius, joint.circle.centre
-    if isinstance(joint.on, Circle):
-        if joint.inside and arithmetic.is_zero(joint.on.radius - own):
-            yield f"{describe(joint)}: a circle within a circle of the same radius: one must be smaller"
-            return
-        expected = joint.on.radius - own if joint.inside else joint.on.radius + own
-        yield from wrong_distance(mechanism, joint, (centre, joint.on.centre), expected, arithmetic)
-        return
-    across = joint.on.direction.cross(mechanism.points[centre] - joint.on.point)
-    if not arithmetic.is_zero(across * across - own * own * joint.on.direction.squared()):
-        yield (
-            f"{describe(joint)}: the circle about {centre} of radius {short(own)} does not touch the line: "
-            "its centre must be a radius away"
-        )
+    match joint.on:
+        case Circle(centre=other, radius=radius):
+            if joint.inside and arithmetic.is_zero(radius - own):
+                yield f"{describe(joint)}: a circle within a circle of the same radius: one must be smaller"
+                return
+            expected = radius - own if joint.inside else radius + own
+            yield from wrong_distance(mechanism, joint, (centre, other), expected, arithmetic)
+        case Line(point=point, direction=direction):
+            across = direction.cross(mechanism.points[centre] - point)
+            if not arithmetic.is_zero(across * across - own * own * direction.squared()):
+                yield (
+                    f"{describe(joint)}: the circle about {centre} of radius {short(own)} does not touch the line: "
+                    "its centre must be a radius away"
+                )
+        case _:
+            assert_never(joint.on)
 
 
 def wrong_distance(
-    mechanism: Mechanism, joint: Any, ends: tuple[str, str], expected: Any, arithmetic: Any
+    mechanism: Mechanism, joint: Joint, ends: tuple[str, str], expected: Any, arithmetic: Any
 ) -> Iterator[str]:
     """Two points whose distance is not what the joint needs."""
     first, second = ends

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import MechanismError
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
@@ -110,23 +110,30 @@ def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
     """The guided point that a joint states, or None for joints that guide no point."""
     track: Line | Circle
     match joint:
-        case Slide(point, body, track, of) | Arc(point, body, track, of):
-            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
-        case Sleeve(body, track, of):
+        case Slide(point=point, line=track) | Arc(point=point, circle=track):
+            pass
+        case Sleeve(line=track):
             point = sleeve_point(mechanism, joint)
-            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
-        case Contact(body, circle, of, track) | Roll(body, circle, of, track):
+        case Contact(circle=circle, on=track) | Roll(circle=circle, on=track):
             point = circle.centre
-            return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
-    return None
+        case Pin() | Mesh() | Parallel():
+            return None
+        case _:
+            assert_never(joint)
+    body, of = joint.body, joint.of
+    return Guided(joint, point, body, of, track_term(mechanism, point, body, track, of))
 
 
 def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str) -> Term:
     """`point` of `body` moves along a line, or about the centre of a circle, seen from `of`."""
-    if isinstance(track, Line):
-        return Term("sliding", f"slide {point} {body}/{of}", track.direction, point, frame=of)
-    arm = mechanism.points[point] - mechanism.points[track.centre]
-    return Term("arc", f"circle {point} {body}/{of}", arm, point, track.centre, of)
+    match track:
+        case Line(direction=direction):
+            return Term("sliding", f"slide {point} {body}/{of}", direction, point, frame=of)
+        case Circle(centre=centre):
+            arm = mechanism.points[point] - mechanism.points[centre]
+            return Term("arc", f"circle {point} {body}/{of}", arm, point, centre, of)
+        case _:
+            assert_never(track)
 
 
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
@@ -186,7 +193,7 @@ def base_candidates(
 def ground_rank(mechanism: Mechanism, guide: Guided) -> int:
     """1 for a guided point that is driven, 2 for one of a translating body, 4 for others."""
     driven = any(
-        not isinstance(driver, Rotation)
+        isinstance(driver, Component | Circulation)
         and (driver.point, driver.body) == (guide.point, guide.body)
         for driver in mechanism.drivers
     )
@@ -207,23 +214,29 @@ def joint_relations(
     mechanism: Mechanism, bases: Mapping[str, Base], joint: Joint, guide: Guided | None
 ) -> Iterator[Relation]:
     """What a joint states beyond what the bases have used of it."""
-    if isinstance(joint, Pin):
-        yield from pin_relations(mechanism, bases, joint)
-    elif guide and not any(base.joint is joint for base in bases.values()):
+    if guide and not any(base.joint is joint for base in bases.values()):
         right = (*chain(mechanism, bases, guide.of, guide.point), guide.term)
         yield Relation(
             describe(joint), chain(mechanism, bases, guide.body, guide.point), right, source=joint
         )
-    if isinstance(joint, (Parallel, Sleeve)):
-        yield Relation(
-            f"{joint.body} does not turn relative to {joint.of}",
-            turning=turning(joint.body, joint.of, 1),
-            source=joint,
-        )
-    if isinstance(joint, Roll) and guide:
-        yield rolling(mechanism, joint, guide)
-    if isinstance(joint, Mesh):
-        yield meshing(joint)
+    match joint:
+        case Pin():
+            yield from pin_relations(mechanism, bases, joint)
+        case Parallel() | Sleeve():
+            yield Relation(
+                f"{joint.body} does not turn relative to {joint.of}",
+                turning=turning(joint.body, joint.of, 1),
+                source=joint,
+            )
+        case Roll():
+            if guide:
+                yield rolling(mechanism, joint, guide)
+        case Mesh():
+            yield meshing(joint)
+        case Slide() | Arc() | Contact():
+            pass  # what they guide is all that they state
+        case _:
+            assert_never(joint)
 
 
 def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Iterator[Relation]:
@@ -252,13 +265,15 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
     On a line: s u.u + omega_r u.(k x CF) = 0; on a circle of radius R: rate of the centre plus omega_r times
     -r/(R + r) outside, r/(R - r) inside (F the contact, C the centre of the rolling circle, r its radius).
     """
-    if isinstance(roll.on, Line):
-        centre = mechanism.points[roll.circle.centre]
-        along = roll.on.direction
-        slip = along.dot((foot(centre, roll.on) - centre).turned()) / along.squared()
-    else:
-        own, other = roll.circle.radius, roll.on.radius
-        slip = own / (other - own) if roll.inside else -own / (other + own)
+    match roll.on:
+        case Line(direction=along):
+            centre = mechanism.points[roll.circle.centre]
+            slip = along.dot((foot(centre, roll.on) - centre).turned()) / along.squared()
+        case Circle(radius=other):
+            own = roll.circle.radius
+            slip = own / (other - own) if roll.inside else -own / (other + own)
+        case _:
+            assert_never(roll.on)
     relative = ((guide.term.rate, 1), *turning(roll.body, roll.of, slip))
     return Relation(f"no slip: {describe(roll)}", turning=relative, source=roll)
 
@@ -281,43 +296,56 @@ def driver_relation(
 ) -> Relation:
     """What a driver imposes."""
     imposed = {"velocity": driver.velocity, "acceleration": driver.acceleration, "source": driver}
-    if isinstance(driver, Rotation):
-        return Relation(describe(driver), turning=turning(driver.body, driver.of, 1), **imposed)
-    left = chain(mechanism, bases, driver.body, driver.point)
-    if isinstance(driver, Component):
-        right = chain(mechanism, bases, driver.of, driver.point)
-        return Relation(describe(driver), left, right, driver.direction, frame=driver.of, **imposed)
+    match driver:
+        case Rotation():
+            return Relation(describe(driver), turning=turning(driver.body, driver.of, 1), **imposed)
+        case Component(point=point, direction=along, of=of):
+            left = chain(mechanism, bases, driver.body, point)
+            right = chain(mechanism, bases, of, point)
+            return Relation(describe(driver), left, right, along, frame=of, **imposed)
+        case Circulation():
+            left = chain(mechanism, bases, driver.body, driver.point)
+            along = path_direction(mechanism, driver, arithmetic)
+            return Relation(describe(driver), left, (), along, **imposed)
+        case _:
+            assert_never(driver)
+
+
+def path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: Any) -> Vector:
+    """The unit vector along a circular path, counter-clockwise. Raises MechanismError at its centre."""
     arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
     if arithmetic.is_zero(arm.squared()):
         raise MechanismError(
             f"{describe(driver)}: {driver.point} is at the centre: it has no path about it"
         )
-    tangent = arm.turned() / arithmetic.sqrt(arm.squared())
-    return Relation(describe(driver), left, (), tangent, **imposed)
+    tangent: Vector = arm.turned() / arithmetic.sqrt(arm.squared())
+    return tangent
 
 
 def describe(part: Joint | Driver) -> str:
     """A joint or driver in words, as refusals name it."""
     match part:
-        case Pin(point, bodies):
+        case Pin(point=point, bodies=bodies):
             return f"the pin {point} of {' and '.join(bodies)}"
-        case Slide(point, body, _, of):
+        case Slide(point=point, body=body, of=of):
             return f"{point} of {body} on the line of {of}"
-        case Sleeve(body, _, of):
+        case Sleeve(body=body, of=of):
             return f"{body} in the sleeve {of}"
-        case Arc(point, body, circle, of):
+        case Arc(point=point, body=body, circle=circle, of=of):
             return f"{point} of {body} on the circle about {circle.centre} of {of}"
-        case Contact(body, _, of, _):
+        case Contact(body=body, of=of):
             return f"the contact of {body} and {of}"
-        case Roll(body, _, of, _):
+        case Roll(body=body, of=of):
             return f"the rolling of {body} on {of}"
-        case Mesh(body, _, of, _, _):
+        case Mesh(body=body, of=of):
             return f"the meshing of {body} and {of}"
-        case Parallel(body, of):
+        case Parallel(body=body, of=of):
             return f"{body} not turning relative to {of}"
-        case Rotation(body, _, _, of):
+        case Rotation(body=body, of=of):
             return f"the given rotation of {body}" + ("" if of == GROUND else f" relative to {of}")
-        case Component(point, body):
+        case Component(point=point, body=body):
             return f"the given motion of {point} of {body}"
-        case Circulation(point, body, centre):
+        case Circulation(point=point, body=body, centre=centre):
             return f"the given motion of {point} of {body} about {centre}"
+        case _:
+            assert_never(part)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, MechanismError
 from kinegrade.exact.text import decimal_text
@@ -78,11 +78,14 @@ class Constructions:
 
     def distance(self, first: Vector, second: Any) -> Any:
         """The distance of a point from another point or from a line."""
-        if isinstance(second, Line):
-            return abs(second.direction.cross(first - second.point)) / self.arithmetic.sqrt(
-                second.direction.squared()
-            )
-        return self.arithmetic.sqrt((second - first).squared())
+        match second:
+            case Line(point=point, direction=direction):
+                length = self.arithmetic.sqrt(direction.squared())
+                return abs(direction.cross(first - point)) / length
+            case Vector():
+                return self.arithmetic.sqrt((second - first).squared())
+            case _:
+                raise TypeError("a distance is that of a point or a line")
 
     def toward(self, start: Vector, end: Vector, distance: Any) -> Vector:
         """The point at `distance` from `start` on the way to `end` and beyond."""
@@ -108,10 +111,15 @@ class Constructions:
             raise ExpressionError(
                 f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}"
             )
-        if isinstance(first, Round) and isinstance(second, Round):
-            return self._circles(first, second, branch)
-        line, circle = (first, second) if isinstance(first, Line) else (second, first)
-        return self._line_circle(line, circle, branch)  # type: ignore[arg-type]
+        match first, second:
+            case Round(), Round():
+                return self._circles(first, second, branch)
+            case Line(), Round():
+                return self._line_circle(first, second, branch)
+            case Round(), Line():
+                return self._line_circle(second, first, branch)
+            case _:
+                raise TypeError("lines and circles meet")
 
     def _lines(self, first: Line, second: Line) -> Vector:
         across = first.direction.cross(second.direction)
@@ -176,15 +184,17 @@ class Constructions:
 
     def name(self, shape: Line | Round) -> str:
         """A line or circle in words for a refusal."""
-        if isinstance(shape, Round):
-            return (
-                f"the circle about {self.point_name(shape.centre)} of radius {short(shape.radius)}"
-            )
-        if self.arithmetic.is_zero(shape.direction.y):
-            return f"the line y = {short(shape.point.y)}"
-        if self.arithmetic.is_zero(shape.direction.x):
-            return f"the line x = {short(shape.point.x)}"
-        return f"the slanting line through {self.point_name(shape.point)}"
+        match shape:
+            case Round(centre=centre, radius=radius):
+                return f"the circle about {self.point_name(centre)} of radius {short(radius)}"
+            case Line(point=point, direction=direction):
+                if self.arithmetic.is_zero(direction.y):
+                    return f"the line y = {short(point.y)}"
+                if self.arithmetic.is_zero(direction.x):
+                    return f"the line x = {short(point.x)}"
+                return f"the slanting line through {self.point_name(point)}"
+            case _:
+                assert_never(shape)
 
     def point_name(self, point: Vector) -> str:
         """The name of a point, or its coordinates."""

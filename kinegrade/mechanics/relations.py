@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, assert_never
 
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import GROUND, Joint
@@ -45,7 +45,13 @@ class Term:
 
     def coefficient(self) -> Vector:
         """The vector by which the unknown rate is multiplied."""
-        return self.vector if self.kind == "sliding" else self.vector.turned()
+        match self.kind:
+            case "sliding":
+                return self.vector
+            case "rotation" | "arc":
+                return self.vector.turned()
+            case _:
+                assert_never(self.kind)
 
     def velocity(self, rates: Rates) -> Vector:
         """The term's velocity, m/s."""
@@ -54,10 +60,14 @@ class Term:
 
     def normal(self, rates: Rates) -> Vector:
         """The centripetal part of the term's acceleration, m/s^2: towards the base point or the centre."""
-        if self.kind == "sliding":
-            return Vector(0, 0)
-        centripetal: Vector = self.vector * (-rates[self.rate] * rates[self.rate])
-        return centripetal
+        match self.kind:
+            case "sliding":
+                return Vector(0, 0)
+            case "rotation" | "arc":
+                centripetal: Vector = self.vector * (-rates[self.rate] * rates[self.rate])
+                return centripetal
+            case _:
+                assert_never(self.kind)
 
     def coriolis(self, rates: Rates) -> Vector:
         """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own rotation."""

@@ -9,11 +9,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, assert_never
 
-from kinegrade.mechanics.drivers import Rotation
+from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.frames import Frames
-from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Roll
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Circle,
+    Contact,
+    Line,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, omega_of
 from kinegrade.mechanics.vector import Vector
 
@@ -156,16 +168,34 @@ def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
 def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any], ...]:
     """The factors of the turning rates with the slips made."""
     match relation.source:
-        case Roll(_, _, of, Line()) | Rotation(_, _, _, of) if of != GROUND:
-            return tuple(
-                (rate, factor * slips.carried if rate == omega_of(of) else factor)
-                for rate, factor in relation.turning
-            )
-        case Roll(_, _, _, Circle()):
-            return tuple(mistaken_rolling(relation, relation.source, slips))
+        case Roll(on=on):
+            match on:
+                case Line():
+                    return mistaken_carrying(relation, relation.source.of, slips)
+                case Circle():
+                    return tuple(mistaken_rolling(relation, relation.source, slips))
+                case _:
+                    assert_never(on)
+        case Rotation(of=of):
+            return mistaken_carrying(relation, of, slips)
         case Mesh():
             return mistaken_meshing(relation.source, slips)
-    return relation.turning
+        case Pin() | Slide() | Sleeve() | Arc() | Contact() | Parallel():
+            return relation.turning
+        case Component() | Circulation() | None:
+            return relation.turning
+        case _:
+            assert_never(relation.source)
+
+
+def mistaken_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
+    """The factors of the turning rates where the turning of the body `of` is only thought of in part."""
+    if of == GROUND:
+        return relation.turning
+    return tuple(
+        (rate, factor * slips.carried if rate == omega_of(of) else factor)
+        for rate, factor in relation.turning
+    )
 
 
 def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:

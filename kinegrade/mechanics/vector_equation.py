@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
@@ -159,24 +159,39 @@ def transports(chain: Chain, count: int) -> bool:
 
 def drawn_together(chain: Chain, motion: Motion, level: Level, transport: bool) -> Part:
     """Known terms as one vector."""
-    values = (
-        term.velocity(motion.rates)
-        if level == "velocity"
-        else term.acceleration(motion.rates, motion.changes)
-        for term in chain
-    )
-    return Part(
-        "transport" if transport else "absolute", chain[-1].point, total(values), together=chain
-    )
+    value = total(term_value(term, motion, level) for term in chain)
+    return Part("transport" if transport else "absolute", chain[-1].point, value, together=chain)
+
+
+def term_value(term: Term, motion: Motion, level: Level) -> Vector:
+    """A term's velocity or acceleration, m/s or m/s^2."""
+    match level:
+        case "velocity":
+            return term.velocity(motion.rates)
+        case "acceleration":
+            return term.acceleration(motion.rates, motion.changes)
+        case _:
+            assert_never(level)
 
 
 def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level) -> Iterator[Part]:
     """One term's velocity, or the parts of its acceleration; those that vanish identically are left out."""
     role: Role = "relative" if term.frame != GROUND else "rotation"
     unknown = None if term.rate in known else term.coefficient()
-    if level == "velocity":
-        yield Part(role, term.point, term.velocity(motion.rates), term, unknown, frame=term.frame)
-        return
+    match level:
+        case "velocity":
+            velocity = term.velocity(motion.rates)
+            yield Part(role, term.point, velocity, term, unknown, frame=term.frame)
+        case "acceleration":
+            yield from acceleration_parts(term, motion, role, unknown)
+        case _:
+            assert_never(level)
+
+
+def acceleration_parts(
+    term: Term, motion: Motion, role: Role, unknown: Vector | None
+) -> Iterator[Part]:
+    """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies what is sought."""
     curved = term.kind != "sliding"
     if curved:
         yield Part(role, term.point, term.normal(motion.rates), term, part="n", frame=term.frame)
@@ -188,8 +203,17 @@ def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level)
 
 def placed(part: Part, chain: Chain, place: int) -> Part:
     """The part with the role that its place in the chain gives it: first terms are absolute, or transport."""
-    if part.role != "rotation":
-        return part
+    match part.role:
+        case "absolute" | "transport" | "relative" | "coriolis":
+            return part
+        case "rotation":
+            return placed_rotation(part, chain, place)
+        case _:
+            assert_never(part.role)
+
+
+def placed_rotation(part: Part, chain: Chain, place: int) -> Part:
+    """A rotation with its role: absolute or transport at the head of a chain, and for a free point's components."""
     transport = transports(chain, place + 1)
     if place == 0:
         return replace(part, role="transport" if transport else "absolute")

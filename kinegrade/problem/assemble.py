@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from flint import fmpq
 
@@ -180,7 +180,10 @@ class Parts:
                 return Roll(body, circle, of, on, sentence.inside)
             case "mesh":
                 return Mesh(body, circle, of, on, sentence.carrier, sentence.inside)
-        return Parallel(body, of)
+            case "parallel":
+                return Parallel(body, of)
+            case _:
+                assert_never(sentence.kind)
 
     def driver(self, sentence: DriverSentence) -> Driver:
         """The driver that a sentence states."""
@@ -188,21 +191,26 @@ class Parts:
             measure(self.value(sentence.velocity)),
             measure(self.value(sentence.acceleration)),
         )
-        if sentence.kind == "rotation":
-            return Rotation(sentence.body, velocity, acceleration, sentence.of)
-        if sentence.along is None:
-            return Circulation(
-                sentence.point, sentence.body, sentence.centre, velocity, acceleration
-            )
-        along = self.value(sentence.along)
-        if isinstance(along, (Vector, Line, Round, str)):
+        point, body, of = sentence.point, sentence.body, sentence.of
+        match sentence.kind:
+            case "rotation":
+                return Rotation(body, velocity, acceleration, of)
+            case "component":
+                along = self.direction(sentence.along)
+                return Component(point, body, along, velocity, acceleration, of)
+            case "circulation":
+                return Circulation(point, body, sentence.centre, velocity, acceleration)
+            case _:
+                assert_never(sentence.kind)
+
+    def direction(self, tree: Expression | None) -> Vector:
+        """The unit vector of an angle. Raises ExpressionError for what is no angle."""
+        along = None if tree is None else self.value(tree)
+        if along is None or isinstance(along, (Vector, Line, Round, str)):
             raise ExpressionError(
                 "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
             )
-        direction = Constructions(self.arithmetic, self.points).unit(along)
-        return Component(
-            sentence.point, sentence.body, direction, velocity, acceleration, sentence.of
-        )
+        return Constructions(self.arithmetic, self.points).unit(along)
 
 
 __all__ = ["Assembly", "assemble", "parameter_value"]

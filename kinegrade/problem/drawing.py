@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 from hmac import digest
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import DrawError, ExpressionError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
@@ -223,12 +223,16 @@ class Deck:
         found = self.examined.get(key) or examine(
             self.template, values, self.asks, self.plan, self.tolerances
         )
-        if isinstance(found, Refused):
-            raise found
-        if self.four_decimals and (ask := too_fine(found, self.tolerances)):
-            raise Refused("decimals", f"{ask} is not right with four decimals", ask)
-        self.plan = self.plan or found.motion.plan
-        return found
+        match found:
+            case Refused():
+                raise found
+            case Solution():
+                if self.four_decimals and (ask := too_fine(found, self.tolerances)):
+                    raise Refused("decimals", f"{ask} is not right with four decimals", ask)
+                self.plan = self.plan or found.motion.plan
+                return found
+            case _:
+                assert_never(found)
 
 
 def address(secret: str, *parts: str | int) -> int:

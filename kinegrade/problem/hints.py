@@ -20,6 +20,7 @@ Side = Literal["right", "up", "left", "down"]
 Shape = Literal["gear", "cam", "bent", "bar", "through"]
 
 SENSES = ("ccw", "cw")
+TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES = ("right", "up", "left", "down")
 SHAPES = ("gear", "cam", "bent", "bar", "through")
 GREEK = re.findall(

@@ -25,7 +25,7 @@ from kinegrade.errors import KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import NOTHING, Rounded, Sparing
-from kinegrade.expression import Call, Expression, Operation, elementary, evaluate
+from kinegrade.expression import Call, Expression, elementary, evaluate, every_part
 from kinegrade.mechanics.by_hand import solve_by_hand, write
 from kinegrade.mechanics.doubles import MotionInDoubles, double
 from kinegrade.mechanics.frames import build
@@ -237,13 +237,7 @@ def nearest_turn(number: Any, exact: Any, turn: float) -> Any:
 
 def calls(tree: Expression, function: str) -> bool:
     """Whether an expression calls a function."""
-    if isinstance(tree, Call):
-        return tree.function == function or any(
-            calls(argument, function) for argument in tree.arguments
-        )
-    return isinstance(tree, Operation) and (
-        calls(tree.left, function) or calls(tree.right, function)
-    )
+    return any(isinstance(part, Call) and part.function == function for part in every_part(tree))
 
 
 def in_double(value: Any) -> Any:

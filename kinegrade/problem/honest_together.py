@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exact.rounded_arrays import RoundedArrays
-from kinegrade.expression import Call, Expression, Operation
+from kinegrade.expression import Expression, Operation, every_part
 from kinegrade.mechanics.stacked import stacked, stacked_numbers, stacked_vector, structure
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.honest import (
@@ -85,11 +85,9 @@ def together(template: Template, asks: Iterable[str]) -> bool:
 
 def has_power(tree: Expression | None) -> bool:
     """Whether something in an expression is raised to a power."""
-    if isinstance(tree, Call):
-        return any(map(has_power, tree.arguments))
-    return isinstance(tree, Operation) and (
-        tree.sign == "**" or has_power(tree.left) or has_power(tree.right)
-    )
+    if tree is None:
+        return False
+    return any(isinstance(part, Operation) and part.sign == "**" for part in every_part(tree))
 
 
 def passed(instances: Sequence[Instance]) -> Flags:

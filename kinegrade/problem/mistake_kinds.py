@@ -16,7 +16,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, every_part
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.signs import CONVENTIONS
 from kinegrade.problem.template import Ask, Language, Template
@@ -208,12 +208,10 @@ def occasions_of_givens(template: Template, asks: Mapping[str, Ask]) -> dict[str
 
 def calls(tree: Expression, functions: tuple[str, ...], count: int) -> bool:
     """Whether one of the functions is called with `count` arguments in an expression."""
-    if isinstance(tree, Operation):
-        return calls(tree.left, functions, count) or calls(tree.right, functions, count)
-    if not isinstance(tree, Call):
-        return False
-    here = tree.function in functions and len(tree.arguments) == count
-    return here or any(calls(part, functions, count) for part in tree.arguments)
+    return any(
+        isinstance(part, Call) and part.function in functions and len(part.arguments) == count
+        for part in every_part(tree)
+    )
 
 
 @cache

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.followed import FollowedMotion
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.own_terms import coriolis_share, normal_share
@@ -64,16 +64,18 @@ def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable
 
 def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
     """The tree with each difference of the velocities of two points of one body written as the body's rotation."""
-    if isinstance(tree, Call):
-        return Call(tree.function, tuple(with_rotations(part, bodies) for part in tree.arguments))
-    if not isinstance(tree, Operation):
-        return tree
-    body = common_body(tree, bodies)
-    if body:
-        return Call(ROTATION, (tree.left.arguments[0], tree.right.arguments[0], Name(body)))  # type: ignore[union-attr]
-    return Operation(
-        tree.sign, with_rotations(tree.left, bodies), with_rotations(tree.right, bodies)
-    )
+    match tree:
+        case Call(function, arguments):
+            return Call(function, tuple(with_rotations(part, bodies) for part in arguments))
+        case Number() | Name():
+            return tree
+        case Operation(sign, left, right):
+            body = common_body(tree, bodies)
+            if body:
+                return Call(ROTATION, (left.arguments[0], right.arguments[0], Name(body)))  # type: ignore[union-attr]
+            return Operation(sign, with_rotations(left, bodies), with_rotations(right, bodies))
+        case _:
+            assert_never(tree)
 
 
 def common_body(tree: Operation, bodies: Sequence[Body]) -> str | None:

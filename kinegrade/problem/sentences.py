@@ -14,7 +14,9 @@ Where no second body is named it is the ground. `inside` says that one circle li
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read
@@ -22,29 +24,26 @@ from kinegrade.mechanics.joints import GROUND
 
 SHAPE = r"(?:line|circle)\(.+?\)"
 OF = r"(?: of (?P<of>\w+))?"
-JOINTS = {
-    kind: re.compile(pattern, re.ASCII)
-    for kind, pattern in {
-        "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
-        "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
-        "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
-        "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
-        "contact": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-        "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-        "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+)"
-        r" on (?P<carrier>\w+)(?P<inside> inside)?",
-        "translate": r"(?P<body>\w+) translates",
-        "parallel": r"(?P<body>\w+) turns with (?P<of>\w+)",
-    }.items()
+JointKind = Literal["pin", "slide", "sleeve", "arc", "contact", "roll", "mesh", "parallel"]
+DriverKind = Literal["rotation", "component", "circulation"]
+_JOINT_PATTERNS: Mapping[JointKind, str] = {
+    "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
+    "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
+    "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
+    "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
+    "contact": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
+    "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
+    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+)"
+    r" on (?P<carrier>\w+)(?P<inside> inside)?",
+    "parallel": r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))",
 }
-DRIVERS = {
-    kind: re.compile(pattern, re.ASCII)
-    for kind, pattern in {
-        "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
-        "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?",
-        "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
-    }.items()
+_DRIVER_PATTERNS: Mapping[DriverKind, str] = {
+    "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
+    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?",
+    "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
 }
+JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}
+DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _DRIVER_PATTERNS.items()}
 AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
 
@@ -52,7 +51,7 @@ AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 class JointSentence:
     """A joint as written: names, and shapes still to be worked out at an instance's values."""
 
-    kind: str
+    kind: JointKind
     text: str
     point: str = ""
     body: str = ""
@@ -68,7 +67,7 @@ class JointSentence:
 class DriverSentence:
     """An input as written: what moves, and the expressions of its velocity and acceleration."""
 
-    kind: str
+    kind: DriverKind
     text: str
     velocity: Expression
     acceleration: Expression
@@ -88,7 +87,7 @@ def read_joint(text: str) -> JointSentence:
             found = {key: value for key, value in match.groupdict().items() if value is not None}
             bodies = tuple(re.split(r"[ ,]+", found["bodies"])) if "bodies" in found else ()
             return JointSentence(
-                "parallel" if kind == "translate" else kind,
+                kind,
                 text,
                 found.get("point", ""),
                 found.get("body", ""),

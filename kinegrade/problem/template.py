@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.expression import Expression
 from kinegrade.mechanics.mechanism import Body
@@ -30,7 +30,13 @@ class Translated:
 
     def in_language(self, language: Language) -> str:
         """The text in one language."""
-        return self.en if language == "en" else self.zh
+        match language:
+            case "en":
+                return self.en
+            case "zh":
+                return self.zh
+            case _:
+                assert_never(language)
 
 
 @dataclass(frozen=True)
