@@ -7,11 +7,13 @@ sense, and none that an arrow's hint tells. What it shows is brought here to a f
 from __future__ import annotations
 
 from dataclasses import dataclass, field, is_dataclass, replace
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.figure.paper import to_paper
 from kinegrade.figure.plane import unit
-from kinegrade.mechanics.joints import Circle, Line
+from kinegrade.mechanics.configuration import circles
+from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
+from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
@@ -45,10 +47,7 @@ def subject(mechanism: Mechanism, hints: FigureHints) -> tuple[Subject, float]:
 
 def _lengths(mechanism: Mechanism) -> list[float]:
     """All coordinates, and the radii of all circles."""
-    circles = (
-        getattr(joint, name, None) for joint in mechanism.joints for name in ("circle", "on")
-    )
-    radii = [circle.radius for circle in circles if isinstance(circle, Circle)]
+    radii = [circle.radius for joint in mechanism.joints for circle in circles(joint)]
     return radii + [number for point in mechanism.points.values() for number in point]
 
 
@@ -62,19 +61,30 @@ def _settled(part: Any) -> Any:
         return Line(_settled(part.point), _settled(unit(part.direction)))
     if is_dataclass(part) and not isinstance(part, type):
         return type(part)(**{name: _settled(value) for name, value in vars(part).items()})
-    return part
+    if isinstance(part, str | bool | tuple):
+        return part  # names and marks
+    raise TypeError(f"a figure cannot be compared with another by {part!r}")
 
 
 def _follows_driver(arrow: Turning | Moving) -> bool:
     """Whether an arrow has its sense from the imposed motion."""
-    return (arrow.sense if isinstance(arrow, Turning) else arrow.along) is None
+    match arrow:
+        case Turning(sense=sense):
+            return sense is None
+        case Moving(along=along):
+            return along is None
+        case _:
+            assert_never(arrow)
 
 
-def _sense(driver: Any) -> Any:
+def _sense(driver: Driver) -> Driver:
     """A driver by the sense of its velocity alone."""
-    direction = (
-        {"direction": _settled(unit(driver.direction))} if hasattr(driver, "direction") else {}
-    )
-    return replace(
-        driver, velocity=-1.0 if driver.velocity < 0 else 1.0, acceleration=0.0, **direction
-    )
+    velocity = -1.0 if driver.velocity < 0 else 1.0
+    match driver:
+        case Component():
+            along = _settled(unit(driver.direction))
+            return replace(driver, velocity=velocity, acceleration=0.0, direction=along)
+        case Rotation() | Circulation():
+            return replace(driver, velocity=velocity, acceleration=0.0)
+        case _:
+            assert_never(driver)

@@ -16,7 +16,7 @@ from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, PIN, arrowhead
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Angle
+from kinegrade.problem.hints import TURN, Angle
 
 SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
 RADII = (
@@ -44,7 +44,8 @@ def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
     start, end = (leg.angle for leg in legs)
     sweep = shorter_way(end - start)
     if hint.sense is not None and abs(sweep) > SMALLEST_ANGLE:
-        sweep = sweep % (2 * pi) if hint.sense == "ccw" else -((-sweep) % (2 * pi))
+        turn = TURN[hint.sense]
+        sweep = turn * ((turn * sweep) % (2 * pi))
     nicest = min(RADII[0], max(RADII[3], SHARE * _room(vertex, (start, end), at.values())))
     if abs(sweep) > SMALLEST_ANGLE:
         yield [

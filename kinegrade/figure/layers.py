@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import assert_never
 
 from kinegrade.figure import symbols
 from kinegrade.figure.bars import (
@@ -85,23 +86,46 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
 
 
 def _rim(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
-    if rim.kind == "edge":
-        return (Disc(rim.at, rim.radius, FIRM),)
     if rim.body == GROUND:
-        edge = symbols.round_ground(rim.at, rim.radius, rim.ring)
-        return (*edge[:-1], Disc(rim.at, rim.radius, PITCH)) if rim.kind == "gear" else edge
-    if rim.kind == "cam":
-        return _cam(mechanism, rim)
+        return _fixed_rim(rim)
+    match rim.kind:
+        case "edge":
+            return (Disc(rim.at, rim.radius, FIRM),)
+        case "cam":
+            return _cam(mechanism, rim)
+        case "wheel" | "gear" | "slot":
+            return _ring(rim) if rim.ring else _round(rim)
+        case _:
+            assert_never(rim.kind)
+
+
+def _fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
+    """A rim of the ground: hatched, the pitch circle of a gear dash-dotted."""
+    match rim.kind:
+        case "edge":
+            return (Disc(rim.at, rim.radius, FIRM),)
+        case "gear":
+            edge = symbols.round_ground(rim.at, rim.radius, rim.ring)
+            return (*edge[:-1], Disc(rim.at, rim.radius, PITCH))
+        case "wheel" | "slot" | "cam":
+            return symbols.round_ground(rim.at, rim.radius, rim.ring)
+        case _:
+            assert_never(rim.kind)
+
+
+def _ring(rim: Rim) -> tuple[Primitive, ...]:
+    """A rim around others: the body lies outside."""
+    outer = Disc(rim.at, grown(rim, 2.0).radius, FIRM, "grey")
+    return (outer, Disc(rim.at, rim.radius, PENCILS[rim.kind], "white"))
+
+
+def _round(rim: Rim) -> tuple[Primitive, ...]:
+    """A wheel, a gear, or a ring-shaped slot."""
     pen = PENCILS[rim.kind]
-    if rim.ring:
-        return (
-            Disc(rim.at, grown(rim, 2.0).radius, FIRM, "grey"),
-            Disc(rim.at, rim.radius, pen, "white"),
-        )
-    if rim.kind == "slot":
-        half = symbols.SLOT_WIDTH / 2
-        return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
-    return (Disc(rim.at, rim.radius, pen, "grey"),)
+    if rim.kind != "slot":
+        return (Disc(rim.at, rim.radius, pen, "grey"),)
+    half = symbols.SLOT_WIDTH / 2
+    return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
 
 
 def _cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:
@@ -123,22 +147,34 @@ def cam_outline(mechanism: Mechanism, rim: Rim) -> tuple[Vector, ...]:
 
 
 def _part(mechanism: Mechanism, part: Bar | Plate | SlottedDisc | Rod) -> tuple[Primitive, ...]:
-    if isinstance(part, Plate):
-        return (Outline(part.corners, BOLD, "grey"),)
-    if isinstance(part, SlottedDisc):
-        slot = Outline(symbols.stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
-        return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
-    if isinstance(part, Rod):
-        along = unit(part.end - part.start)
-        return (
-            *symbols.guide(part.end - along * 5.0, along),
-            Strokes(((part.start, part.end),), BOLD),
-        )
-    if part.use == "rack":
-        return symbols.rack(part.start, part.end, part.back)
-    if part.use == "slot":
-        return symbols.slotted_bar(part.start, part.end, _slot(mechanism, part))
-    return (Strokes(((part.start, part.end),), BOLD),)
+    match part:
+        case Plate():
+            return (Outline(part.corners, BOLD, "grey"),)
+        case SlottedDisc():
+            slot = Outline(symbols.stadium(*part.slot, symbols.SLOT_WIDTH), FIRM, "white")
+            return (Disc(part.centre, part.radius, FIRM, "grey"), slot)
+        case Rod():
+            along = unit(part.end - part.start)
+            return (
+                *symbols.guide(part.end - along * 5.0, along),
+                Strokes(((part.start, part.end),), BOLD),
+            )
+        case Bar():
+            return _bar(mechanism, part)
+        case _:
+            assert_never(part)
+
+
+def _bar(mechanism: Mechanism, bar: Bar) -> tuple[Primitive, ...]:
+    match bar.use:
+        case "rack":
+            return symbols.rack(bar.start, bar.end, bar.back)
+        case "slot":
+            return symbols.slotted_bar(bar.start, bar.end, _slot(mechanism, bar))
+        case "link" | "bar" | "face":
+            return (Strokes(((bar.start, bar.end),), BOLD),)
+        case _:
+            assert_never(bar.use)
 
 
 def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:

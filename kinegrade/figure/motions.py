@@ -18,7 +18,7 @@ from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Moving, Turning
+from kinegrade.problem.hints import TURN, Moving, Sense, Turning
 
 ARROW = 9.0  # millimetres, length of the arrow of a straight motion
 TURNING_RADII = (5.0, 6.5, 8.0, 10.0)  # millimetres, of the arrow of a rotation about its pivot
@@ -29,7 +29,7 @@ TWELFTHS = tuple(index * pi / 6 for index in range(12))
 def turning_marks(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
     """Arrows about the pivot of a body, the nicest close to it, where the body leaves it."""
     centre = pivot_of(mechanism, hint.body, drawing.rims)
-    sense = 1.0 if (hint.sense or _imposed_sense(mechanism, hint.body)) == "ccw" else -1.0
+    sense = TURN[hint.sense or _imposed_sense(mechanism, hint.body)]
     crank = _crank(mechanism, hint.body, centre, drawing)
     found: list[Mark] = []
     for radius in (
@@ -91,7 +91,7 @@ def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
     return own[0] if own else mean(mechanism.points[name] for name in mechanism.body(body).points)
 
 
-def _imposed_sense(mechanism: Mechanism, body: str) -> str:
+def _imposed_sense(mechanism: Mechanism, body: str) -> Sense:
     for driver in mechanism.drivers:
         if isinstance(driver, Rotation) and driver.body == body:
             return "cw" if driver.velocity < 0 else "ccw"

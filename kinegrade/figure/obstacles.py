@@ -11,7 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import hypot
+from typing import assert_never
 
 from kinegrade.figure.scene import (
     BOLD,
@@ -62,12 +64,15 @@ class Obstacles:
         lines: list[Boxed] = []
         rings: list[Boxed] = []
         for primitive in primitives:
-            if isinstance(primitive, Label):
-                lines.extend(_label(primitive))
-            elif isinstance(primitive, Disc):
-                rings.append(_ring(primitive))
-            else:
-                lines.extend(_segments(primitive))
+            match primitive:
+                case Label():
+                    lines.extend(_label(primitive))
+                case Disc():
+                    rings.append(_ring(primitive))
+                case Strokes() | Outline() | Bow():
+                    lines.extend(_segments(primitive))
+                case _:
+                    assert_never(primitive)
         return Obstacles((*self.lines, *lines), (*self.rings, *rings))
 
     def near(self, box: Bounds) -> Obstacles:
@@ -244,8 +249,13 @@ def _segments(primitive: Strokes | Outline | Bow) -> list[Boxed]:
 
 
 def _pieces(primitive: Strokes | Outline | Bow) -> Iterable[Segment]:
-    if isinstance(primitive, Strokes):
-        return primitive.lines
-    path = primitive.path() if isinstance(primitive, Bow) else primitive.corners
-    closing = path[:1] if isinstance(primitive, Outline) and primitive.closed else ()
-    return zip(path, path[1:] + closing, strict=False)
+    match primitive:
+        case Strokes():
+            return primitive.lines
+        case Bow():
+            return pairwise(primitive.path())
+        case Outline(corners=path, closed=closed):
+            closing = path[:1] if closed else ()
+            return zip(path, path[1:] + closing, strict=False)
+        case _:
+            assert_never(primitive)

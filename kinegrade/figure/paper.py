@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import assert_never
 
 from kinegrade.mechanics.joints import (
     Arc,
@@ -11,6 +12,8 @@ from kinegrade.mechanics.joints import (
     Joint,
     Line,
     Mesh,
+    Parallel,
+    Pin,
     Roll,
     Sleeve,
     Slide,
@@ -27,16 +30,30 @@ def to_paper(mechanism: Mechanism, scale: float) -> Mechanism:
 
 
 def _scaled(joint: Joint, scale: float) -> Joint:
-    if isinstance(joint, Slide | Sleeve):
-        return replace(joint, line=_line(joint.line, scale))
-    if isinstance(joint, Arc):
-        return replace(joint, circle=_circle(joint.circle, scale))
-    if isinstance(joint, Contact | Roll):
-        on = _line(joint.on, scale) if isinstance(joint.on, Line) else _circle(joint.on, scale)
-        return replace(joint, circle=_circle(joint.circle, scale), on=on)
-    if isinstance(joint, Mesh):
-        return replace(joint, circle=_circle(joint.circle, scale), on=_circle(joint.on, scale))
-    return joint
+    match joint:
+        case Pin() | Parallel():
+            return joint
+        case Slide() | Sleeve():
+            return replace(joint, line=_line(joint.line, scale))
+        case Arc():
+            return replace(joint, circle=_circle(joint.circle, scale))
+        case Contact() | Roll():
+            on = _shape(joint.on, scale)
+            return replace(joint, circle=_circle(joint.circle, scale), on=on)
+        case Mesh():
+            return replace(joint, circle=_circle(joint.circle, scale), on=_circle(joint.on, scale))
+        case _:
+            assert_never(joint)
+
+
+def _shape(shape: Line | Circle, scale: float) -> Line | Circle:
+    match shape:
+        case Line():
+            return _line(shape, scale)
+        case Circle():
+            return _circle(shape, scale)
+        case _:
+            assert_never(shape)
 
 
 def _line(line: Line, scale: float) -> Line:

@@ -23,7 +23,7 @@ from kinegrade.figure.vectors import PointArrow, placed_arrows, with_arrows, wit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints, Turning
+from kinegrade.problem.hints import TURN, FigureHints, Turning
 
 NORMAL = Pen(0.22, "dashed")
 TALL = 75.0  # millimetres a picture with a pole may be high
@@ -190,7 +190,7 @@ def _right_angle(arrow: VectorArrow, end: Vector) -> Outline:
 
 def _turning_about(centre: Vector, rotation: Turning, placed: Sequence[VectorArrow]) -> list[Mark]:
     """Curved arrows about the pole, towards the points whose velocities are drawn first."""
-    sense = -1.0 if rotation.sense == "cw" else 1.0
+    sense = 1.0 if rotation.sense is None else TURN[rotation.sense]
     toward = angle_of(mean(arrow.start for arrow in placed) - centre) if placed else pi / 2
     found: list[Mark] = []
     for radius in TURNING_RADII:

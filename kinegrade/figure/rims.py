@@ -4,10 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.figure.plane import foot, length, unit
-from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Circle,
+    Contact,
+    Joint,
+    Line,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import Rimmed
@@ -37,11 +50,7 @@ def rims(
     """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; asked ones come last."""
     found: dict[tuple[str, str, float], Rim] = {}
     for joint in mechanism.joints:
-        if isinstance(joint, Contact | Roll | Mesh):
-            for rim in _of_pair(mechanism, joint, shapes):
-                found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
-        if isinstance(joint, Arc):
-            rim = _of_arc(mechanism, joint)
+        for rim in _of_joint(mechanism, joint, shapes):
             found.setdefault((rim.body, rim.centre, round(rim.radius, 6)), rim)
     for circle in circles:
         at, touched = mechanism.points[circle.centre], mechanism.points[circle.through]
@@ -50,17 +59,33 @@ def rims(
     return tuple(found.values())
 
 
+def _of_joint(mechanism: Mechanism, joint: Joint, shapes: Mapping[str, str]) -> Iterator[Rim]:
+    match joint:
+        case Contact() | Roll() | Mesh():
+            yield from _of_pair(mechanism, joint, shapes)
+        case Arc():
+            yield _of_arc(mechanism, joint)
+        case Pin() | Slide() | Sleeve() | Parallel():
+            pass  # nothing round
+        case _:
+            assert_never(joint)
+
+
 def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
     """Where the two profiles of a joint touch."""
     centre, radius = mechanism.points[joint.circle.centre], float(joint.circle.radius)
-    if isinstance(joint.on, Line):
-        return foot(centre, joint.on)
-    other, other_radius = mechanism.points[joint.on.centre], float(joint.on.radius)
-    if not joint.inside:
-        return centre + unit(other - centre) * radius
-    if radius < other_radius:
-        return centre + unit(centre - other) * radius
-    return other + unit(other - centre) * other_radius
+    match joint.on:
+        case Line():
+            return foot(centre, joint.on)
+        case Circle(centre=name, radius=size):
+            other, other_radius = mechanism.points[name], float(size)
+            if not joint.inside:
+                return centre + unit(other - centre) * radius
+            if radius < other_radius:
+                return centre + unit(centre - other) * radius
+            return other + unit(other - centre) * other_radius
+        case _:
+            assert_never(joint.on)
 
 
 def toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:

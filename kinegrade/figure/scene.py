@@ -6,11 +6,11 @@ positive. Primitives are listed from the lowest layer to the topmost.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from math import ceil, cos, sin
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.mechanics.vector import Vector
 
@@ -133,6 +133,17 @@ class Scene:
         return tuple(primitive for primitive in self.primitives if isinstance(primitive, Label))
 
 
+def fill_of(primitive: Strokes | Outline | Disc | Bow) -> Fill:
+    """What is inside a primitive; strokes and arcs have no inside."""
+    match primitive:
+        case Outline() | Disc():
+            return primitive.fill
+        case Strokes() | Bow():
+            return "none"
+        case _:
+            assert_never(primitive)
+
+
 def box_about(centre: Vector, width: float, height: float) -> Box:
     """The box of that size about a centre."""
     return Box(
@@ -142,15 +153,24 @@ def box_about(centre: Vector, width: float, height: float) -> Box:
 
 def box_of(primitive: Primitive) -> Box:
     """The smallest box around one primitive, its pen included."""
-    if isinstance(primitive, Label):
-        return box_about(primitive.centre, primitive.width, primitive.height)
-    half = primitive.pen.width / 2 if primitive.pen else 0.0
-    if isinstance(primitive, Disc):
-        return box_about(
-            primitive.centre, 2 * (primitive.radius + half), 2 * (primitive.radius + half)
-        )
-    across, upward = zip(*corners(primitive), strict=True)
-    return Box(min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
+    match primitive:
+        case Label():
+            return box_about(primitive.centre, primitive.width, primitive.height)
+        case Disc():
+            width = 2 * (primitive.radius + _half_width(primitive.pen))
+            return box_about(primitive.centre, width, width)
+        case Strokes() | Outline() | Bow():
+            half = _half_width(primitive.pen)
+            across, upward = zip(*corners(primitive), strict=True)
+            return Box(
+                min(across) - half, min(upward) - half, max(across) + half, max(upward) + half
+            )
+        case _:
+            assert_never(primitive)
+
+
+def _half_width(pen: Pen | None) -> float:
+    return pen.width / 2 if pen else 0.0
 
 
 def box_around(primitives: Iterable[Primitive]) -> Box:
@@ -162,24 +182,35 @@ def box_around(primitives: Iterable[Primitive]) -> Box:
 
 def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
     """The points a pen visits."""
-    if isinstance(primitive, Strokes):
-        return tuple(chain.from_iterable(primitive.lines))
-    return primitive.path() if isinstance(primitive, Bow) else primitive.corners
+    match primitive:
+        case Strokes():
+            return tuple(chain.from_iterable(primitive.lines))
+        case Bow():
+            return primitive.path()
+        case Outline():
+            return primitive.corners
+        case _:
+            assert_never(primitive)
 
 
 def moved(primitive: Primitive, by: Vector) -> Primitive:
     """The primitive carried along by a vector."""
-    if isinstance(primitive, Strokes):
-        x, y = by
-        return Strokes(
-            tuple(
-                [
-                    (Vector(start.x + x, start.y + y), Vector(end.x + x, end.y + y))
-                    for start, end in primitive.lines
-                ]
-            ),
-            primitive.pen,
-        )
-    if isinstance(primitive, Outline):
-        return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
-    return replace(primitive, centre=primitive.centre + by)
+    match primitive:
+        case Strokes():
+            return Strokes(_moved_lines(primitive.lines, by), primitive.pen)
+        case Outline():
+            return replace(primitive, corners=tuple(corner + by for corner in primitive.corners))
+        case Disc() | Bow() | Label():
+            return replace(primitive, centre=primitive.centre + by)
+        case _:
+            assert_never(primitive)
+
+
+def _moved_lines(
+    lines: Sequence[tuple[Vector, Vector]], by: Vector
+) -> tuple[tuple[Vector, Vector], ...]:
+    x, y = by  # components at once: a scene has thousands of strokes
+    moved_lines = [
+        (Vector(start.x + x, start.y + y), Vector(end.x + x, end.y + y)) for start, end in lines
+    ]
+    return tuple(moved_lines)

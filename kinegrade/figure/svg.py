@@ -8,17 +8,33 @@ from __future__ import annotations
 from functools import lru_cache
 from html import escape
 from math import ceil, cos, pi, sin
+from typing import assert_never
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import EM
-from kinegrade.figure.scene import Bow, Disc, Fill, Label, Outline, Pen, Primitive, Scene, Strokes
+from kinegrade.figure.scene import (
+    Bow,
+    Dash,
+    Disc,
+    Fill,
+    Label,
+    Outline,
+    Pen,
+    Primitive,
+    Scene,
+    Strokes,
+)
 from kinegrade.figure.symbol_runs import Run, symbol_runs
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import symbol_fault
 
 FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
 _FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}
-_DASHES = {"solid": "", "dashed": "1.06 1.06", "dash-dotted": "1.06 .7 .01 .7"}  # millimetres
+_DASHES: dict[Dash, str] = {
+    "solid": "",
+    "dashed": "1.06 1.06",
+    "dash-dotted": "1.06 .7 .01 .7",
+}  # millimetres
 _HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must tell its circle
 
 
@@ -64,7 +80,10 @@ def _written(primitive: Primitive, height: float) -> str:
         case Outline():
             path = _polyline(primitive.corners, height) + ("Z" if primitive.closed else "")
             return f'<path d="{path}"{_style(primitive.pen, primitive.fill)}/>'
-    return f'<path d="{_arc(primitive, height)}"{_style(primitive.pen, "none")}/>'
+        case Bow():
+            return f'<path d="{_arc(primitive, height)}"{_style(primitive.pen, "none")}/>'
+        case _:
+            assert_never(primitive)
 
 
 def _polyline(corners: tuple[Vector, ...], height: float) -> str:

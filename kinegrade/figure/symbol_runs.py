@@ -166,6 +166,11 @@ class _Reader:
                 ]
             case "'":
                 return [replace(style, text="′")]
+            case _:
+                return self.lettered(name, style)
+
+    def lettered(self, name: str, style: Run) -> list[Run]:
+        """A letter, a sign or an accent over the atom that follows."""
         if name in _ACCENTS:
             return [
                 replace(run, text=run.text + _ACCENTS[name])

@@ -8,10 +8,22 @@ from __future__ import annotations
 
 from itertools import chain
 from math import ceil, cos, pi, sin, tan
+from typing import assert_never
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import FONT_SIZE
-from kinegrade.figure.scene import Bow, Disc, Fill, Label, Outline, Pen, Primitive, Scene, Strokes
+from kinegrade.figure.scene import (
+    Bow,
+    Disc,
+    Fill,
+    Label,
+    Outline,
+    Pen,
+    Primitive,
+    Scene,
+    Strokes,
+    fill_of,
+)
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import symbol_fault
 
@@ -53,7 +65,7 @@ def _commands(primitives: tuple[Primitive, ...]) -> list[list[str]]:
         if primitive.pen and primitive.pen != pen:
             chosen.append(_pen(primitive.pen, pen))
             pen = primitive.pen
-        inside: Fill = primitive.fill if isinstance(primitive, Outline | Disc) else "none"
+        inside = fill_of(primitive)
         if inside not in ("none", fill):
             chosen.append(rf"\pgfsetfillcolor{{{_FILLS[inside]}}}")
             fill = inside
@@ -82,7 +94,10 @@ def _path(primitive: Strokes | Outline | Disc | Bow) -> str:
             return "".join(_polyline(line) for line in primitive.lines)
         case Outline():
             return _polyline(primitive.corners) + (r"\pgfpathclose" if primitive.closed else "")
-    return _arc(primitive)
+        case Bow():
+            return _arc(primitive)
+        case _:
+            assert_never(primitive)
 
 
 def _polyline(corners: tuple[Vector, ...]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from typing import assert_never
 
 import tylax
 
@@ -11,6 +12,7 @@ from kinegrade.errors import TypesetError
 from kinegrade.figure.extent import FONT_SIZE
 from kinegrade.figure.scene import (
     Bow,
+    Dash,
     Disc,
     Fill,
     Label,
@@ -24,6 +26,11 @@ from kinegrade.figure.svg import to_svg
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import symbol_fault
 
+_DASHES: dict[Dash, str] = {
+    "solid": "",
+    "dashed": ', dash: "dashed"',
+    "dash-dotted": ', dash: "dash-dotted"',
+}
 _FILLS: dict[Fill, str] = {"none": "none", "white": "white", "grey": "luma(91%)", "black": "black"}
 
 
@@ -87,23 +94,28 @@ def math_to_typst(symbol: str) -> str:
 
 def _write(primitive: Primitive, height: float) -> str:
     """The primitive in Typst's frame, whose y axis points down from the top of the figure."""
-    if isinstance(primitive, Label):
-        return _write_label(primitive, height)
-    if isinstance(primitive, Disc):
-        radius = primitive.radius
-        corner = _at(primitive.centre.x - radius, height - primitive.centre.y - radius)
-        return f"{corner}, circle(radius: {_mm(radius)}, {_style(primitive.pen, primitive.fill)}))"
-    if isinstance(primitive, Strokes):
-        steps = [
-            f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
-            for start, end in primitive.lines
-        ]
-        return f"place(curve({_style(primitive.pen, 'none')}, {', '.join(steps)}))"
-    outline = (
-        Outline(primitive.path(), primitive.pen, closed=False)
-        if isinstance(primitive, Bow)
-        else primitive
-    )
+    match primitive:
+        case Label():
+            return _write_label(primitive, height)
+        case Disc(centre=centre, radius=radius):
+            corner = _at(centre.x - radius, height - centre.y - radius)
+            style = _style(primitive.pen, primitive.fill)
+            return f"{corner}, circle(radius: {_mm(radius)}, {style}))"
+        case Strokes():
+            steps = [
+                f"curve.move({_point(start, height)}), curve.line({_point(end, height)})"
+                for start, end in primitive.lines
+            ]
+            return f"place(curve({_style(primitive.pen, 'none')}, {', '.join(steps)}))"
+        case Bow():
+            return _write_outline(Outline(primitive.path(), primitive.pen, closed=False), height)
+        case Outline():
+            return _write_outline(primitive, height)
+        case _:
+            assert_never(primitive)
+
+
+def _write_outline(outline: Outline, height: float) -> str:
     first, *rest = (_point(corner, height) for corner in outline.corners)
     steps = [f"curve.move({first})", *(f"curve.line({corner})" for corner in rest)]
     closing = ['curve.close(mode: "straight")'] if outline.closed else []
@@ -124,7 +136,7 @@ def _style(pen: Pen | None, fill: Fill) -> str:
 def _stroke(pen: Pen | None) -> str:
     if pen is None:
         return "none"
-    dash = "" if pen.dash == "solid" else f', dash: "{pen.dash}"'
+    dash = _DASHES[pen.dash]
     return f'(thickness: {_mm(pen.width)}, cap: "round", join: "round"{dash})'
 
 
