@@ -240,19 +240,7 @@ def rational(digits: str) -> Any:
 
 def names(tree: Expression) -> Iterator[str]:
     """The names (not the functions) that occur, in order."""
-    match tree:
-        case Number():
-            pass
-        case Name(name):
-            yield name
-        case Operation(left=left, right=right):
-            yield from names(left)
-            yield from names(right)
-        case Call(arguments=arguments):
-            for argument in arguments:
-                yield from names(argument)
-        case _:
-            assert_never(tree)
+    return (part.name for part in every_part(tree) if isinstance(part, Name))
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation, evaluate
 from kinegrade.mechanics.joints import GROUND
@@ -34,10 +34,11 @@ from kinegrade.worked.numbers import (
     with_unit,
 )
 from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import NUMBER, Fact, Findings, Piece, component
+from kinegrade.worked.points import Fact, Findings, Piece
 from kinegrade.worked.poles import pole_blocks, pole_name
 from kinegrade.worked.scalars import turning, turning_value
 from kinegrade.worked.senses import direction_words, rotation_words
+from kinegrade.worked.summands import NUMBER, component
 
 RIGHT = 1e-7  # degrees from a right angle that count as none
 PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
@@ -128,7 +129,10 @@ class Writer:
                 return self.axis(fact, tree.function)
             case "along":
                 return self.along(fact, self.value(tree.arguments[1]))
-        return self.angle(tree)
+            case "angle" | "between":
+                return self.angle(tree)
+            case _:
+                raise ValueError(f"{tree.function} does not measure a vector")
 
     def fact(self, tree: Expression) -> Fact:
         """A vector that has been told."""
@@ -204,22 +208,31 @@ class Writer:
     def combined(self, tree: Operation) -> Written:
         """A formula of two numbers."""
         left, right = self.write(tree.left), self.write(tree.right)
-        numbers = [
-            short(self.value(side)) if not isinstance(side, Number) else short(side.value)
-            for side in (tree.left, tree.right)
-        ]
+        numbers = [self.number(side) for side in (tree.left, tree.right)]
         symbols = [
             part.symbols or self.component_symbol(side)
             for part, side in ((left, tree.left), (right, tree.right))
         ]
-        if tree.sign == "/":
-            return Written(
-                rf"\frac{{{symbols[0]}}}{{{symbols[1]}}}", rf"\frac{{{numbers[0]}}}{{{numbers[1]}}}"
-            )
-        sign = r"\cdot" if tree.sign == "*" else tree.sign
-        return Written(
-            f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}"
-        )
+        match tree.sign:
+            case "/":
+                sides = rf"\frac{{{symbols[0]}}}{{{symbols[1]}}}"
+                return Written(sides, rf"\frac{{{numbers[0]}}}{{{numbers[1]}}}")
+            case "+" | "-" | "**":
+                return beside(tree.sign, symbols, numbers)
+            case "*":
+                return beside(r"\cdot", symbols, numbers)
+            case _:
+                assert_never(tree.sign)
+
+    def number(self, tree: Expression) -> str:
+        """The value of a side, a literal as it is."""
+        match tree:
+            case Number(value=value):
+                return short(value)
+            case Name() | Operation() | Call():
+                return short(self.value(tree))
+            case _:
+                assert_never(tree)
 
     def component_symbol(self, tree: Expression) -> str:
         """The symbol of a component that has been told."""
@@ -285,17 +298,26 @@ def root(numbers: Iterable[str]) -> str:
     return rf"\sqrt{{{'+'.join(squares)}}}"
 
 
+def beside(sign: str, symbols: Sequence[str], numbers: Sequence[str]) -> Written:
+    """Two sides with a sign between them; the second number in brackets where it is negative."""
+    return Written(
+        f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}"
+    )
+
+
 def poles_named(tree: Expression, case: Case) -> Expression:
     """The expression with every velocity pole as a named point."""
-    if isinstance(tree, Call):
-        if tree.function == "pole" and isinstance(tree.arguments[0], Name):
-            return Name(pole_name(tree.arguments[0].name, case))
-        return Call(
-            tree.function, tuple(poles_named(argument, case) for argument in tree.arguments)
-        )
-    if isinstance(tree, Operation):
-        return Operation(tree.sign, poles_named(tree.left, case), poles_named(tree.right, case))
-    return tree
+    match tree:
+        case Call(function="pole", arguments=(Name(body), *_)):
+            return Name(pole_name(body, case))
+        case Call(function=function, arguments=arguments):
+            return Call(function, tuple(poles_named(argument, case) for argument in arguments))
+        case Operation(sign=sign, left=left, right=right):
+            return Operation(sign, poles_named(left, case), poles_named(right, case))
+        case Number() | Name():
+            return tree
+        case _:
+            assert_never(tree)
 
 
 def result(ask: Ask, case: Case) -> Result:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.expression import Call, Name
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.sentences import JointSentence
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Language, Method, Template
 from kinegrade.worked.naming import Naming
+
+LETTERS: Mapping[Level, str] = {"velocity": "v", "acceleration": "a"}
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,16 @@ class Case:
     def arithmetic(self) -> Any:
         """The arithmetic in which the instance is solved."""
         return self.solution.arithmetic
+
+    def rates(self, level: Level) -> Mapping[str, Any]:
+        """The rates of the motion, or their changes."""
+        match level:
+            case "velocity":
+                return self.motion.rates
+            case "acceleration":
+                return self.motion.changes
+            case _:
+                assert_never(level)
 
     @cached_property
     def naming(self) -> Naming:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import assert_never
 
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, Number, Operation, parts
 from kinegrade.problem.template import Language
 from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scaled
-from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
 from kinegrade.worked.formula_text import quarter_turns
 from kinegrade.worked.instance import Instance
 from kinegrade.worked.meetings import foot_blocks, meeting_blocks
@@ -42,12 +43,25 @@ def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tu
         if isinstance(told, Coordinates) and isinstance(before, Coordinates):
             told = Coordinates(before.points + told.points, before.lines + told.lines)
             blocks.pop()
-        blocks += [told] if isinstance(told, Coordinates) else told
-    return tuple(
-        part
-        for block in blocks
-        for part in (block.blocks(words) if isinstance(block, Coordinates) else (block,))
-    )
+        match told:
+            case Coordinates():
+                blocks.append(told)
+            case tuple():
+                blocks += told
+            case _:
+                assert_never(told)
+    return tuple(part for block in blocks for part in written_out(block, words))
+
+
+def written_out(block: Block | Coordinates, words: PositionWords) -> tuple[Block, ...]:
+    """A block as it is, coordinates with their sentence."""
+    match block:
+        case Coordinates():
+            return block.blocks(words)
+        case Heading() | Prose() | Display() | TermTable() | Pictures() | Results():
+            return (block,)
+        case _:
+            assert_never(block)
 
 
 def construction(
@@ -95,13 +109,16 @@ def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
                 point=point, first=instance.symbols[first], second=instance.symbols[second]
             )
         case Operation(sign="+" | "-", left=Name(base), right=right):
-            vector = right if tree.sign == "+" else negated(right, instance)
+            vector = {"+": right, "-": negated(right, instance)}[tree.sign]
             return words.displaced.format(
                 point=point,
                 base=instance.symbols[base],
                 vector=vector_words(vector, instance, words),
             )
-    return ""
+        case Number() | Operation() | Call():
+            return ""
+        case _:
+            assert_never(tree)
 
 
 def polar_sentence(
@@ -127,9 +144,7 @@ def polar_sentence(
 
 def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
     """A point at a distance on the way from one point to another, or along a vector."""
-    start, end, distance = (
-        step.tree.arguments if isinstance(step.tree, Call) else (ZERO, ZERO, ZERO)
-    )
+    start, end, distance = parts(step.tree)
     vector = way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
@@ -139,11 +154,13 @@ def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple
         "end": instance.symbolic(end),
         "distance": instance.symbolic(distance),
     }
-    told = (
-        words.toward.format(**texts)
-        if isinstance(end, Name)
-        else words.along.format(vector=vector_words(vector, instance, words), **texts)
-    )
+    match end:
+        case Name():
+            told = words.toward.format(**texts)
+        case Number() | Operation() | Call():
+            told = words.along.format(vector=vector_words(vector, instance, words), **texts)
+        case _:
+            assert_never(end)
     if base is None or direction is None:
         return (Prose(told),)
     lines = length_lines(size, instance)
@@ -154,9 +171,15 @@ def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple
 
 def way(start: Expression, end: Expression, instance: Instance) -> Expression:
     """The vector from one point to another; what is added to the first is that vector itself."""
-    if isinstance(end, Operation) and end.sign in "+-" and end.left == start:
-        return end.right if end.sign == "+" else negated(end.right, instance)
-    return Operation("-", end, start)
+    match end:
+        case Operation(sign="+", left=same, right=added) if same == start:
+            return added
+        case Operation(sign="-", left=same, right=taken) if same == start:
+            return negated(taken, instance)
+        case Number() | Name() | Operation() | Call():
+            return Operation("-", end, start)
+        case _:
+            assert_never(end)
 
 
 def length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import TypeGuard
+from typing import Literal, TypeGuard, assert_never
 
 from kinegrade.expression import (
     Call,
@@ -55,11 +55,22 @@ def unnested(
     tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False
 ) -> Expression:
     """The tree with inner constructions replaced by the names of auxiliary points, which are added to `found`."""
-    if isinstance(tree, Operation):
-        left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
-        return Operation(tree.sign, left, right)
-    if not isinstance(tree, Call):
-        return tree
+    match tree:
+        case Operation(sign=sign):
+            left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
+            return Operation(sign, left, right)
+        case Number() | Name():
+            return tree
+        case Call():
+            return unnested_call(tree, found, before, taken, top)
+        case _:
+            assert_never(tree)
+
+
+def unnested_call(
+    tree: Call, found: list[Step], before: int, taken: set[str], top: bool
+) -> Expression:
+    """A call with inner constructions replaced likewise; itself a new point where it places one and is not `top`."""
     plain = Call(
         tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments)
     )
@@ -117,13 +128,17 @@ class Axes:
 
     def is_vector(self, tree: Expression) -> bool:
         """Whether an expression is a point or a vector, not a number."""
-        if isinstance(tree, Name):
-            return tree.name in self.points
-        if isinstance(tree, Call):
-            return tree.function in ("", "turned") or tree.function in PLACED
-        return isinstance(tree, Operation) and (
-            self.is_vector(tree.left) or self.is_vector(tree.right)
-        )
+        match tree:
+            case Name(name=name):
+                return name in self.points
+            case Call(function=function):
+                return function in ("", "turned") or function in PLACED
+            case Operation(left=left, right=right):
+                return self.is_vector(left) or self.is_vector(right)
+            case Number():
+                return False
+            case _:
+                assert_never(tree)
 
     def pair(self, tree: Expression) -> Pair | None:
         """The coordinates of a point or vector as formulas; None for what meets or stands at right angles."""
@@ -140,20 +155,28 @@ class Axes:
                 return divided(added("+", self.pair(first), self.pair(second)), TWO)
             case Operation():
                 return self.combined(tree)
-        return None
+            case Number() | Call():
+                return None
+            case _:
+                assert_never(tree)
 
     def combined(self, tree: Operation) -> Pair | None:
         """Sums and multiples of vectors."""
         if is_negated(tree):
             return added("-", (ZERO, ZERO), self.pair(tree.right))
-        if tree.sign in "+-":
-            return added(tree.sign, self.pair(tree.left), self.pair(tree.right))
-        if tree.sign == "/":
-            return divided(self.pair(tree.left), tree.right)
-        vector, factor = (
-            (tree.left, tree.right) if self.is_vector(tree.left) else (tree.right, tree.left)
-        )
-        return scaled(self.pair(vector), factor)
+        match tree.sign:
+            case "+" | "-":
+                return added(tree.sign, self.pair(tree.left), self.pair(tree.right))
+            case "/":
+                return divided(self.pair(tree.left), tree.right)
+            case "*":
+                ends = (tree.left, tree.right)
+                vector, factor = ends if self.is_vector(tree.left) else ends[::-1]
+                return scaled(self.pair(vector), factor)
+            case "**":
+                raise ValueError("a vector has no power")
+            case _:
+                assert_never(tree.sign)
 
 
 def axes_of(all_steps: tuple[Step, ...]) -> Axes:
@@ -216,11 +239,11 @@ def turned(pair: Pair | None) -> Pair | None:
     return None if pair is None else (minus(ZERO, pair[1]), pair[0])
 
 
-def added(sign: str, first: Pair | None, second: Pair | None) -> Pair | None:
+def added(sign: Literal["+", "-"], first: Pair | None, second: Pair | None) -> Pair | None:
     """The sum or difference of two vectors."""
     if first is None or second is None:
         return None
-    combine = plus if sign == "+" else minus
+    combine = {"+": plus, "-": minus}[sign]
     return combine(first[0], second[0]), combine(first[1], second[1])
 
 
@@ -254,9 +277,15 @@ def minus(left: Expression, right: Expression) -> Expression:
         return ZERO if left == right else left
     if is_negated(right):
         return plus(left, right.right)
-    if isinstance(left, Operation) and left.sign in "+-" and left.left == right:
-        return left.right if left.sign == "+" else minus(ZERO, left.right)
-    return Operation("-", left, right)
+    match left:
+        case Operation(sign="+", left=same, right=rest) if same == right:
+            return rest
+        case Operation(sign="-", left=same, right=rest) if same == right:
+            return minus(ZERO, rest)
+        case Number() | Name() | Operation() | Call():
+            return Operation("-", left, right)
+        case _:
+            assert_never(left)
 
 
 def times(left: Expression, right: Expression) -> Expression:
@@ -285,9 +314,13 @@ def square(base: Expression) -> Expression:
     """The square of an expression, whose sign is dropped."""
     if is_negated(base):
         base = base.right
-    if isinstance(base, Number):
-        return Number(base.value * base.value)
-    return Operation("**", base, TWO)
+    match base:
+        case Number(value=value):
+            return Number(value * value)
+        case Name() | Operation() | Call():
+            return Operation("**", base, TWO)
+        case _:
+            assert_never(base)
 
 
 def length_of(vector: Expression, axes: Axes) -> Expression:
@@ -299,6 +332,10 @@ def length_of(vector: Expression, axes: Axes) -> Expression:
             return Call("distance", (Name(end), Name(start)))
         case Operation(sign="-", right=inner) if is_negated(vector):
             return length_of(inner, axes)
+        case Number() | Name() | Operation() | Call():
+            pass
+        case _:
+            assert_never(vector)
     x, y = axes.pair(vector) or (ZERO, ZERO)
     return root(plus(square(x), square(y)))
 

@@ -108,11 +108,7 @@ def rate_symbol(term: Term, stage: Stage) -> str:
     if term.kind != "rotation":
         return ""
     body = term.rate.removeprefix("omega ")
-    return (
-        stage.case.naming.omega(body)
-        if stage.level == "velocity"
-        else stage.case.naming.alpha(body)
-    )
+    return stage.case.naming.turning(body, stage.level)
 
 
 def deduced(stage: Stage, deduction: Deduction, solved: Collection[str]) -> Iterator[Block]:
@@ -188,8 +184,8 @@ def results(stage: Stage, rate: str) -> Iterator[str]:
 def rotation_result(rate: str, case: Case, level: Level, how: str) -> str:
     """The value of an angular velocity or acceleration with its sense."""
     body = rate.removeprefix("omega ")
-    letters = case.naming.omega(body) if level == "velocity" else case.naming.alpha(body)
-    value = (case.motion.rates if level == "velocity" else case.motion.changes)[rate]
+    letters = case.naming.turning(body, level)
+    value = case.rates(level)[rate]
     return f"{letters} &= {how}{stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}"
 
 
@@ -214,6 +210,6 @@ def ends_of_path(part: Part, case: Case) -> tuple[str, str] | None:
 
 def along_direction(term: Term, case: Case, level: Level) -> Any:
     """A term's size along its positive direction, signed: exact where the field holds it."""
-    rate = (case.motion.rates if level == "velocity" else case.motion.changes)[term.rate]
+    rate = case.rates(level)[term.rate]
     size = length(term.vector, case.arithmetic)
     return float(rate) * size if isinstance(size, float) else rate * size

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, Number, Operation, parts
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.relations import Term, total
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, term_parts
 from kinegrade.problem.quantities import Quantities
-from kinegrade.worked.case import Case
+from kinegrade.worked.case import LETTERS, Case
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.numbers import absolute_value, bracketed, double, length, short, stated
 from kinegrade.worked.phrases import phrase
@@ -25,10 +25,10 @@ from kinegrade.worked.points import (
     key_of,
     part_symbol,
     point_symbol,
-    sum_line,
     way,
 )
 from kinegrade.worked.scalars import turning, turning_value
+from kinegrade.worked.summands import sum_line
 
 Found = Generator[Block, None, Fact]
 LEVELS: dict[str, Level] = {
@@ -65,10 +65,20 @@ class Facts:
 
     def found(self, tree: Expression) -> Found:
         """The vector of an expression, with the blocks that tell how it is found."""
-        if isinstance(tree, Operation):
-            return (yield from self.difference(tree))
-        names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]  # type: ignore[union-attr]
-        function = tree.function if isinstance(tree, Call) else ""
+        match tree:
+            case Operation():
+                return (yield from self.difference(tree))
+            case Call():
+                return (yield from self.called(tree))
+            case Number() | Name():
+                raise TypeError("a number or a name is no vector of the motion")
+            case _:
+                assert_never(tree)
+
+    def called(self, tree: Call) -> Found:
+        """The vector that a function of the motion gives."""
+        names = [argument.name for argument in tree.arguments if isinstance(argument, Name)]
+        function = tree.function
         if function in ("velocity", "acceleration"):
             return (yield from self.of_point(names, LEVELS[function]))
         if function in ("relative_velocity", "relative_acceleration"):
@@ -108,12 +118,11 @@ class Facts:
         """The relative velocity or acceleration: along its track, else what the absolute and the transport leave."""
         term = self.track(point, body, frame)
         number = self.findings.numbers.get(term.rate, "") if term else ""
-        name = rf"{'v' if level == 'velocity' else 'a'}_{{\mathrm{{r}}{number}}}"
+        name = rf"{LETTERS[level]}_{{\mathrm{{r}}{number}}}"
         if term is None:
             return (yield from self.left_over(point, body, frame, name, level))
         if level == "velocity" or term.kind == "sliding":
-            rates = self.case.motion.rates if level == "velocity" else self.case.motion.changes
-            value = term.coefficient() * rates[term.rate]
+            value = term.coefficient() * self.case.rates(level)[term.rate]
             return Fact(name, value, False, (Piece(name, term.coefficient(), value),))
         parts = [
             (part_symbol(part, "a", number), part.value)
@@ -185,15 +194,16 @@ class Facts:
         naming, motion = self.case.naming, self.case.motion
         arm = motion.points[point] - motion.points[base]
         letters = naming.point(base) + naming.point(point)
-        part = "n" if function.startswith("normal") else "t"
+        normal = function.startswith("normal")
+        part = "n" if normal else "t"
         name = rf"a_{{{naming.point(point)}{naming.point(base)}}}^{{\mathrm{{{part}}}}}"
         value = (
             arm * -(motion.omega(body) * motion.omega(body))
-            if part == "n"
+            if normal
             else arm.turned() * motion.alpha(body)
         )
         size = short(length(arm, self.case.arithmetic))
-        if part == "n":
+        if normal:
             formula = rf"{letters}\cdot {naming.omega(body)}^{{2}}"
             numbers = rf"{size}\cdot {bracketed(short(motion.omega(body)))}^{{2}}"
         else:
@@ -207,12 +217,17 @@ class Facts:
         """The sum or difference of two vectors, by components."""
         left = yield from self.find(tree.left)
         right = yield from self.find(tree.right)
-        sign = 1 if tree.sign == "+" else -1
-        level = LEVELS[tree.right.function] if isinstance(tree.right, Call) else "velocity"
+        match tree.sign:
+            case "+" | "-" as sign:
+                value = {"+": left.value + right.value, "-": left.value - right.value}[sign]
+            case "*" | "/" | "**":
+                raise TypeError("a vector of the motion is a sum or a difference of others")
+            case _:
+                assert_never(tree.sign)
+        level = level_of(tree.right)
         name = pair_symbol(left.symbol, right.symbol)
-        value = left.value + right.value * sign
         parts = [(left.symbol, left.value), (right.symbol, right.value)]
-        yield Display(tuple(sum_line(axis, name, parts, level, tree.sign) for axis in "xy"))
+        yield Display(tuple(sum_line(axis, name, parts, level, sign) for axis in "xy"))
         return Fact(name, value, True)
 
     def body(self, name: str) -> str:
@@ -220,6 +235,19 @@ class Facts:
         return (
             phrase("ground", self.case.language) if name == GROUND else self.case.naming.body(name)
         )
+
+
+def level_of(tree: Expression) -> Level:
+    """Whether a vector of the motion is a velocity or an acceleration; a sum is what its last summand is."""
+    match tree:
+        case Call(function=function):
+            return LEVELS[function]
+        case Operation(right=right):
+            return level_of(right)
+        case Number() | Name():
+            raise TypeError("a number or a name is no vector of the motion")
+        case _:
+            assert_never(tree)
 
 
 def pair_symbol(left: str, right: str) -> str:
@@ -237,9 +265,6 @@ def prerequisites(tree: Expression, facts: Facts) -> Iterator[Block]:
     """How every vector in an expression is found."""
     if is_vector_call(tree):
         yield from facts.find(tree)
-    elif isinstance(tree, Call):
-        for argument in tree.arguments:
-            yield from prerequisites(argument, facts)
-    elif isinstance(tree, Operation):
-        yield from prerequisites(tree.left, facts)
-        yield from prerequisites(tree.right, facts)
+        return
+    for part in parts(tree):
+        yield from prerequisites(part, facts)

@@ -11,8 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import pairwise
-from typing import Any, Literal
+from typing import Any, assert_never
 
 from kinegrade.exact.field import Field
 from kinegrade.exact.text import decimal_text
@@ -23,6 +22,7 @@ from kinegrade.expression import (
     Number,
     Operation,
     evaluate,
+    every_part,
     is_literal_zero,
     names,
     read,
@@ -30,37 +30,21 @@ from kinegrade.expression import (
 from kinegrade.problem.notation import point_symbol, symbol
 from kinegrade.problem.quantity import is_short_decimal
 from kinegrade.problem.template import Template
+from kinegrade.worked.pieces import (
+    INVERSE,
+    TRIGONOMETRY,
+    Piece,
+    applied,
+    bracketed,
+    following,
+    joined,
+    positive,
+    whole,
+)
 
-Kind = Literal["number", "symbol", "function", "closed", "fraction", "product", "sum"]
-TRIGONOMETRY = {"sin": r"\sin", "cos": r"\cos", "tan": r"\tan"}
-INVERSE = {"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan"}
 ONE = read("1")
-OPERATORS = (*TRIGONOMETRY.values(), *INVERSE.values())
 
 
-@dataclass(frozen=True)
-class Piece:
-    """A part of a formula: its text without the sign, and what kind of thing it is to its neighbours."""
-
-    text: str
-    kind: Kind
-    negative: bool = False
-
-    @property
-    def signed(self) -> str:
-        """The text as it stands alone or first; a number keeps its own minus."""
-        if self.negative and self.text.startswith("-"):
-            return "-" + bracketed(self.text)
-        return ("-" if self.negative else "") + self.text
-
-
-APART = (
-    "(",
-    "|",
-    r"\sqrt",
-    r"\cdot",
-    *OPERATORS,
-)  # marks of a product that needs brackets behind a sine
 Leaf = Callable[[Expression, bool], Piece | None]
 
 
@@ -104,11 +88,15 @@ def symbolic(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Pie
     """The leaves of a formula in symbols: names, coordinates and distances of points, angles of so many degrees."""
     if angular and (half_turns := constant_half_turns(tree)) is not None:
         return Piece(decimal_text(abs(half_turns * 180), 6) + r"^\circ", "number", half_turns < 0)
-    if isinstance(tree, Name):
-        return Piece(symbols.get(tree.name, named(tree.name)), "symbol")
-    if isinstance(tree, Call) and tree.function in ("x", "y", "distance", "direction"):
-        return measured(tree, symbols)
-    return None
+    match tree:
+        case Name(name=name):
+            return Piece(symbols.get(name, named(name)), "symbol")
+        case Call(function="x" | "y" | "distance" | "direction"):
+            return measured(tree, symbols)
+        case Number() | Operation() | Call():
+            return None
+        case _:
+            assert_never(tree)
 
 
 def named(name: str) -> str:
@@ -165,9 +153,7 @@ def constant_half_turns(tree: Expression) -> Any:
 
 def has_call(tree: Expression) -> bool:
     """Whether a function is called anywhere in an expression."""
-    return isinstance(tree, Call) or (
-        isinstance(tree, Operation) and (has_call(tree.left) or has_call(tree.right))
-    )
+    return any(isinstance(part, Call) for part in every_part(tree))
 
 
 @dataclass(frozen=True)
@@ -191,17 +177,28 @@ class Writer:
                 return Piece(named(tree.name), "symbol")
             case Call():
                 return self.call(tree)
-            case Operation(sign="**"):
+            case Operation():
+                return self.operation(tree, angular)
+            case _:
+                assert_never(tree)
+
+    def operation(self, tree: Operation, angular: bool) -> Piece:
+        """A power, a product or a quotient, a sum or a difference."""
+        match tree.sign:
+            case "**":
                 return self.power(tree)
-            case Operation(sign="*" | "/"):
+            case "*" | "/":
                 return self.product(tree, angular)
-        return self.sum(tree, angular)
+            case "+" | "-":
+                return self.sum(tree, angular)
+            case _:
+                assert_never(tree.sign)
 
     def sum(self, tree: Operation, angular: bool) -> Piece:
         """Terms with their signs; a lone minus belongs to what follows it."""
         terms = list(self.terms(tree, angular))
         if len(terms) == 1:
-            return closed(terms[0]) if terms[0].kind == "sum" else terms[0]
+            return whole(terms[0])
         return Piece(
             "".join(
                 following(piece) if place else piece.signed for place, piece in enumerate(terms)
@@ -211,17 +208,21 @@ class Writer:
 
     def terms(self, tree: Expression, angular: bool) -> Iterator[Piece]:
         """The terms of a sum; brackets after a plus are dropped."""
-        if self.leaf(tree, angular) is None and isinstance(tree, Operation) and tree.sign in "+-":
-            if not is_literal_zero(tree):
-                yield from self.terms(tree.left, angular)
-            if tree.sign == "+":
-                yield from self.terms(tree.right, angular)
-                return
-            piece = self.write(tree.right, angular)
-            piece = closed(piece) if piece.kind == "sum" else piece
-            yield replace(piece, negative=not piece.negative)
+        if self.leaf(tree, angular) is not None or not isinstance(tree, Operation):
+            yield self.write(tree, angular)
             return
-        yield self.write(tree, angular)
+        match tree.sign:
+            case "+":
+                yield from () if is_literal_zero(tree) else self.terms(tree.left, angular)
+                yield from self.terms(tree.right, angular)
+            case "-":
+                yield from () if is_literal_zero(tree) else self.terms(tree.left, angular)
+                piece = whole(self.write(tree.right, angular))
+                yield replace(piece, negative=not piece.negative)
+            case "*" | "/" | "**":
+                yield self.write(tree, angular)
+            case _:
+                assert_never(tree.sign)
 
     def product(self, tree: Operation, angular: bool) -> Piece:
         """Factors side by side, over the divisors where there are any; all signs before the whole."""
@@ -236,23 +237,25 @@ class Writer:
         """What stands above and below the line."""
         if self.leaf(tree, angular) is not None or not isinstance(tree, Operation):
             return [self.write(tree, angular)], []
-        if tree.sign == "-" and is_literal_zero(tree):
-            (first, *more), below = self.factors(tree.right, angular)
-            return [replace(first, negative=not first.negative), *more], below
-        if tree.sign not in ("*", "/"):
-            return [self.write(tree, angular)], []
-        if tree.sign == "*" and tree.left == ONE:
-            return self.factors(tree.right, angular)
-        above, below = self.factors(tree.left, angular)
-        if tree.sign == "*":
-            more, under = self.factors(tree.right, angular)
-            return above + more, below + under
-        more, under = self.factors(tree.right, angular)
-        return (
-            (above, below + more)
-            if not under
-            else (above, [*below, self.write(tree.right, angular)])
-        )
+        match tree.sign:
+            case "-" if is_literal_zero(tree):
+                (first, *more), below = self.factors(tree.right, angular)
+                return [replace(first, negative=not first.negative), *more], below
+            case "+" | "-" | "**":
+                return [self.write(tree, angular)], []
+            case "*":
+                if tree.left == ONE:
+                    return self.factors(tree.right, angular)
+                above, below = self.factors(tree.left, angular)
+                more, under = self.factors(tree.right, angular)
+                return above + more, below + under
+            case "/":
+                above, below = self.factors(tree.left, angular)
+                more, under = self.factors(tree.right, angular)
+                divisor = [self.write(tree.right, angular)] if under else more
+                return above, below + divisor
+            case _:
+                assert_never(tree.sign)
 
     def power(self, tree: Operation) -> Piece:
         """A power; that of a sine stands behind its name."""
@@ -297,92 +300,3 @@ def literal(tree: Number) -> Piece:
     if is_short_decimal(size):
         return Piece(decimal_text(size, 12), "number", negative)
     return Piece(rf"\frac{{{size.p}}}{{{size.q}}}", "fraction", negative)
-
-
-def numeral(text: str) -> Piece:
-    """A number already printed, in LaTeX math, that takes the place of a symbol and keeps its minus to itself."""
-    body = text.removeprefix("-")
-    if is_sum(text):
-        return Piece(text, "sum")
-    return Piece(
-        text,
-        "fraction" if body.startswith(r"\frac") else "number" if body[:1].isdigit() else "closed",
-    )
-
-
-def is_sum(text: str) -> bool:
-    """Whether a printed number consists of several terms."""
-    depth = 0
-    for place, letter in enumerate(text):
-        depth += (letter in "{(") - (letter in "})")
-        if letter in "+-" and place and not depth:
-            return True
-    return False
-
-
-def positive(piece: Piece) -> Piece:
-    """A factor whose own minus is handed to the product."""
-    if piece.kind == "sum" or not piece.text.startswith("-"):
-        return piece
-    return replace(piece, text=piece.text[1:], negative=not piece.negative)
-
-
-def following(piece: Piece) -> str:
-    """A term with the sign that joins it to those before; a negative number keeps its own, in brackets."""
-    if piece.text.startswith("-"):
-        return (" - " if piece.negative else " + ") + bracketed(piece.text)
-    return (" - " if piece.negative else " + ") + piece.text
-
-
-def joined(factors: list[Piece]) -> str:
-    """A product of sizes; the signs are left to the caller."""
-    if len(factors) == 1:
-        return factors[0].text
-    pieces = [
-        closed(replace(piece, negative=False)) if piece.kind == "sum" else piece
-        for piece in factors
-    ]
-    text = pieces[0].text
-    for before, piece in pairwise(pieces):
-        text += between(before, piece) + piece.text
-    return text
-
-
-def between(before: Piece, piece: Piece) -> str:
-    """The mark between two factors: a dot where they would run into one another, else a little room or none."""
-    operator = piece.text.startswith(OPERATORS)
-    if piece.kind == "number" or before.text == "1" or (before.kind == "function" and not operator):
-        return r" \cdot "
-    if before.kind in ("number", "fraction") and piece.kind == "fraction":
-        return r" \cdot "
-    if operator or (before.kind == "number" and piece.kind == "symbol"):
-        return " "
-    return r"\,"
-
-
-def applied(name: str, argument: Piece) -> Piece:
-    """A sine, cosine ... of its argument, in brackets unless that is simple."""
-    signed = argument.signed.startswith("-")
-    plain = argument.kind in ("number", "symbol", "fraction") and not signed
-    if plain or (
-        argument.kind == "product"
-        and not signed
-        and not any(mark in argument.text for mark in APART)
-    ):
-        return Piece(operated(name, argument.text), "function")
-    return Piece(name + bracketed(argument.signed), "closed")
-
-
-def operated(name: str, argument: str) -> str:
-    """A sine, cosine ... before an argument that needs no brackets."""
-    return name + ("" if argument.startswith("\\") else " ") + argument
-
-
-def closed(piece: Piece) -> Piece:
-    """A sum, or a negative number, in brackets."""
-    return Piece(bracketed(piece.signed), "closed")
-
-
-def bracketed(text: str) -> str:
-    """Text in brackets as high as it needs."""
-    return rf"\left({text}\right)" if r"\frac" in text else f"({text})"

@@ -19,16 +19,9 @@ from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.problem.solving import Solution
 from kinegrade.units import Unit, read_unit
 from kinegrade.worked.coordinates import Axes, Step, axes_of, steps
-from kinegrade.worked.formula_text import (
-    INVERSE,
-    TRIGONOMETRY,
-    Piece,
-    Writer,
-    numeral,
-    symbol_writer,
-    symbols_of,
-)
+from kinegrade.worked.formula_text import Writer, symbol_writer, symbols_of
 from kinegrade.worked.formula_width import chained
+from kinegrade.worked.pieces import INVERSE, TRIGONOMETRY, Piece, numeral
 
 DIGITS = 4  # significant, of every decimal that is rounded
 LONGEST_SUBSTITUTED = (
@@ -125,7 +118,8 @@ class Instance:
         """left, up to a factor, as the formula = the same with numbers = the value; a zero is one without a factor."""
         results = result(self.quantity(self.value(tree), unit))
         worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
-        (_, first), *others = told_once(() if isinstance(tree, Number) else worked, results)
+        literal = isinstance(tree, Number)
+        (_, first), *others = told_once(() if literal else worked, results)
         return chained(left, (("=" if first == "0" else r"\propto", first), *others))
 
     def equation(self, left: str, tree: Expression, unit: Unit = METRE) -> tuple[str, ...]:

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import assert_never
 
-from kinegrade.mechanics.joints import GROUND, Line, Parallel, Pin, Roll, Sleeve
+from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import omega_of
+from kinegrade.problem.template import Language
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.phrases import phrase
+
+STOPS: Mapping[Language, tuple[str, str]] = {"en": (".", "; "), "zh": ("。", "；")}
 
 
 def kinds(case: Case) -> Iterator[Block]:
     """A sentence that says how every body moves."""
     mechanism = case.motion.frames.mechanism
     sentences = [kind(body, mechanism, case) for body in mechanism.bodies]
-    end = "." if case.language == "en" else "。"
-    text = ("; " if case.language == "en" else "；").join(sentences)
+    end, between = STOPS[case.language]
+    text = between.join(sentences)
     yield Prose(text[0].upper() + text[1:] + end)
 
 
@@ -58,7 +62,13 @@ def track_of(roll: Roll, case: Case) -> str:
     """On what a body rolls, in prose."""
     if roll.of != GROUND:
         return case.naming.body(roll.of)
-    return phrase("ground" if isinstance(roll.on, Line) else "fixed_circle", case.language)
+    match roll.on:
+        case Line():
+            return phrase("ground", case.language)
+        case Circle():
+            return phrase("fixed_circle", case.language)
+        case _:
+            assert_never(roll.on)
 
 
 def translating(mechanism: Mechanism) -> set[str]:

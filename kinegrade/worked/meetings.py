@@ -6,7 +6,9 @@ circles are solved in the triangle of their centres and the point.
 
 from __future__ import annotations
 
-from kinegrade.expression import Call, Expression, Name, Operation
+from collections.abc import Mapping
+
+from kinegrade.expression import Call, Expression, Name, Operation, parts
 from kinegrade.problem.notation import symbol
 from kinegrade.problem.template import Language
 from kinegrade.worked.coordinates import (
@@ -34,11 +36,12 @@ from kinegrade.worked.vector_words import vector_words
 
 Line = tuple[Pair, Pair]  # a point and a direction
 NOTHING: Pair = (ZERO, ZERO)
+BETWEEN: Mapping[Language, str] = {"en": " ", "zh": ""}
 
 
 def meeting_blocks(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
     """The point in which two lines, a line and a circle, or two circles meet."""
-    first, second, *branch = step.tree.arguments if isinstance(step.tree, Call) else ()
+    first, second, *branch = parts(step.tree)
     side = branch[0].name if branch and isinstance(branch[0], Name) else ""
     if not (isinstance(first, Call) and isinstance(second, Call)):
         return ()
@@ -265,7 +268,7 @@ def circles_blocks(
 
 def between_sentences(language: Language) -> str:
     """What stands between two sentences."""
-    return " " if language == "en" else ""
+    return BETWEEN[language]
 
 
 def cosine_at(radius: Expression, opposite: Expression, axis: Expression) -> Expression:
@@ -319,7 +322,7 @@ def turns_left(point: str, first: Expression, second: Expression, instance: Inst
 def foot_blocks(step: Step, instance: Instance, language: Language) -> tuple[Block, ...]:
     """The foot of a perpendicular, by the projection on the line."""
     words = position_words(language)
-    source, line = step.tree.arguments if isinstance(step.tree, Call) else (ZERO, ZERO)
+    source, line = parts(step.tree)
     if not isinstance(line, Call):
         return ()
     base, along = unit_line(line_of(line, instance.axes), instance)

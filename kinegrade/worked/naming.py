@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import assert_never
 
 from kinegrade.expression import Call, Name
+from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.notation import point_symbol
-from kinegrade.problem.template import Language, Template
+from kinegrade.problem.template import LANGUAGES, Language, Template
 
 BODIES = {  # the words that templates use for bodies
     "crank": ("the crank", "曲柄"),
@@ -96,7 +98,7 @@ class Naming:
 
     def _word(self, name: str) -> str:
         words = BODIES.get(name)
-        return (words[0] if self.language == "en" else words[1]) if words else name
+        return words[LANGUAGES.index(self.language)] if words else name
 
     def omega(self, body: str) -> str:
         """The symbol of a body's angular velocity."""
@@ -105,6 +107,16 @@ class Naming:
     def alpha(self, body: str) -> str:
         """The symbol of a body's angular acceleration."""
         return self._turning[body][1]
+
+    def turning(self, body: str, level: Level) -> str:
+        """The symbol of a body's angular velocity or acceleration."""
+        match level:
+            case "velocity":
+                return self.omega(body)
+            case "acceleration":
+                return self.alpha(body)
+            case _:
+                assert_never(level)
 
     @cached_property
     def _turning(self) -> dict[str, tuple[str, str]]:

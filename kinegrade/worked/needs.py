@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from kinegrade.errors import MechanismError
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, every_part
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Step
@@ -35,13 +35,7 @@ NOTHING = Needs(frozenset(), frozenset())
 
 def calls(tree: Expression) -> Iterator[Call]:
     """All calls within an expression, outer ones first."""
-    if isinstance(tree, Call):
-        yield tree
-        for argument in tree.arguments:
-            yield from calls(argument)
-    elif isinstance(tree, Operation):
-        yield from calls(tree.left)
-        yield from calls(tree.right)
+    return (part for part in every_part(tree) if isinstance(part, Call))
 
 
 def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
@@ -54,7 +48,8 @@ def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[
             return [(names[1], names[0]), (names[2], names[0])]
         case "pole" | "circle_of_poles":
             return [(names[0], motion.frames.bases[names[0]].point)]
-    return []
+        case _:
+            return []  # a function of numbers, positions or rotations
 
 
 def body_of(names: list[str], quantities: Quantities, motion: Motion) -> str:
@@ -74,7 +69,8 @@ def turning_bodies(call: Call) -> list[str]:
             return names[2:3]
         case "pole" | "circle_of_poles":
             return names[:1]
-    return []
+        case _:
+            return []  # a function of numbers, positions or velocities
 
 
 def needs_of(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:

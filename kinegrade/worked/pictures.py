@@ -62,7 +62,7 @@ def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[
     """The mechanism with the rotations and the motions of points that are given; none where all of them are zero."""
     rates = [rate for step in steps for rate in step.unknowns]
     found = turnings(rates, case, level)
-    values = case.motion.rates if level == "velocity" else case.motion.changes
+    values = case.rates(level)
     arrows = []
     for rate in rates:
         if not rate.startswith("omega "):
@@ -165,12 +165,12 @@ def point_arrows(
 
 def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, ...]:
     """The rotations that a step gives, in their sense."""
-    values = case.motion.rates if level == "velocity" else case.motion.changes
+    values = case.rates(level)
     found = []
     for rate in rates:
         body = rate.removeprefix("omega ")
         if body != rate and float(values[rate]):
-            letters = case.naming.omega(body) if level == "velocity" else case.naming.alpha(body)
+            letters = case.naming.turning(body, level)
             found.append(Turning(letters, body, "ccw" if float(values[rate]) > 0 else "cw"))
     return tuple(turning for turning in found if r"\text" not in turning.symbol)
 

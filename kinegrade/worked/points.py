@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Generator, Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from dataclasses import dataclass, field
+from typing import Any, assert_never
 
 from kinegrade.expression import Expression
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Term, total
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_whole, term_parts
-from kinegrade.worked.case import Case
+from kinegrade.mechanics.vector_equation import (
+    Level,
+    Part,
+    VectorEquation,
+    is_whole,
+    term_parts,
+    term_value,
+)
+from kinegrade.worked.case import LETTERS, Case
 from kinegrade.worked.deduced import UNITS
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.numbers import (
@@ -29,10 +35,10 @@ from kinegrade.worked.numbers import (
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.scalars import turning_value
 from kinegrade.worked.senses import direction_words
+from kinegrade.worked.summands import NUMBER, Summand, component, sum_line, sum_of
 from kinegrade.worked.told import positive_sense, ways
 from kinegrade.worked.vectors import letter, letters_of, number_of, subscript
 
-NUMBER = re.compile(r"-?[0-9.]+")
 Key = tuple[Level, tuple[tuple[str, str, str], ...]]
 
 
@@ -106,11 +112,14 @@ def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact
         Piece(letters_of(equation, part, case), sense_of(part, case), part.value) for part in parts
     )
     transport = f"{letter(equation)}_{{{subscript(equation, parts[0], case)}}}"
-    symbol = (
-        transport
-        if parts[0].role == "transport"
-        else point_symbol(parts[0].point, equation.level, case)
-    )
+    first = parts[0]
+    match first.role:
+        case "transport":
+            symbol = transport
+        case "absolute" | "relative" | "rotation" | "coriolis":
+            symbol = point_symbol(first.point, equation.level, case)
+        case _:
+            assert_never(first.role)
     return Fact(symbol, total(part.value for part in parts), False, pieces)
 
 
@@ -130,14 +139,12 @@ def key_of(chain: Chain, level: Level) -> Key:
 
 def point_symbol(point: str, level: Level, case: Case) -> str:
     """The symbol of a point's velocity or acceleration."""
-    return f"{'v' if level == 'velocity' else 'a'}_{{{case.naming.point(point)}}}"
+    return f"{LETTERS[level]}_{{{case.naming.point(point)}}}"
 
 
 def vector_of(chain: Chain, motion: Motion, level: Level) -> Vector:
     """The vector of a chain."""
-    if level == "velocity":
-        return total(term.velocity(motion.rates) for term in chain)
-    return total(term.acceleration(motion.rates, motion.changes) for term in chain)
+    return total(term_value(term, motion, level) for term in chain)
 
 
 def find_point(
@@ -152,21 +159,37 @@ def find_point(
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif len(chain) == 1 and level == "velocity":
         yield from single(last, name, case)
-        fact = Fact(
-            name,
-            value,
-            False,
-            (Piece(name, value if last.kind == "rotation" else last.coefficient(), value),),
-        )
+        fact = Fact(name, value, False, (Piece(name, way_of_one(last, value), value),))
     elif len(chain) == 1 and last.kind == "arc":
         fact = yield from circling(last, name, case)
-    elif last.kind == "rotation":
-        yield from carried(chain, name, case, level, findings)
-        fact = Fact(name, value, True)
     else:
-        yield from composed(chain, name, case, level, findings)
+        yield from added_up(chain, name, case, level, findings)
         fact = Fact(name, value, True)
     findings.facts[key_of(chain, level)] = fact
+
+
+def way_of_one(term: Term, value: Vector) -> Vector:
+    """The direction in which the speed of a lone term counts positive."""
+    match term.kind:
+        case "rotation":
+            return value
+        case "sliding" | "arc":
+            return term.coefficient()
+        case _:
+            assert_never(term.kind)
+
+
+def added_up(
+    chain: Chain, name: str, case: Case, level: Level, findings: Findings
+) -> Iterator[Block]:
+    """The components of a point's vector, its last term added to those before."""
+    match chain[-1].kind:
+        case "rotation":
+            yield from carried(chain, name, case, level, findings)
+        case "sliding" | "arc":
+            yield from composed(chain, name, case, level, findings)
+        case _:
+            assert_never(chain[-1].kind)
 
 
 def single(term: Term, name: str, case: Case) -> Iterator[Block]:
@@ -268,11 +291,7 @@ def carried_component(
     along = 0 if axis == "x" else 1
     summands = [Summand("+", component(base_name, axis), short(base[along]))] if base_name else []
     summands += turning_summands(axis, term, case, level)
-    added = (
-        term.velocity(case.motion.rates)
-        if level == "velocity"
-        else term.acceleration(case.motion.rates, case.motion.changes)
-    )
+    added = term_value(term, case.motion, level)
     result = stated(base[along] + added[along], UNITS[level, False])
     texts = (sum_of(summands, "symbol"), sum_of([one for one in summands if one.counts], "number"))
     return " = ".join(
@@ -280,31 +299,13 @@ def carried_component(
     )
 
 
-@dataclass(frozen=True)
-class Summand:
-    """A summand with its sign, in symbols and in numbers."""
-
-    sign: str
-    symbol: str
-    number: str
-
-    @property
-    def counts(self) -> bool:
-        """Whether none of its factors is zero."""
-        return not any(factor.strip("(){}") == "0" for factor in self.number.split(r"\cdot "))
-
-
 def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
     """What the rotation about a base point adds to a component; nothing where the rotation is zero."""
     along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
     point, base = case.naming.point(term.point), case.naming.point(term.base)
     body = term.rate.removeprefix("omega ")
-    rate, change = case.motion.rates[term.rate], case.motion.changes[term.rate]
-    letters, value = (
-        (case.naming.omega(body), rate)
-        if level == "velocity"
-        else (case.naming.alpha(body), change)
-    )
+    rate = case.motion.rates[term.rate]
+    letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
     if double(value):
         yield Summand(
             sign,
@@ -319,28 +320,12 @@ def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterato
         )
 
 
-def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
-    """Summands written one after the other, the first without a plus sign; 0 where there are none."""
-    text = " ".join(f"{one.sign} {getattr(one, what)}" for one in summands)
-    return text[2:] if text.startswith("+") else "-" + text[2:] if text else "0"
-
-
-def component(name: str, axis: str) -> str:
-    """The symbol of a component: v_{B} becomes v_{B,x}; a superscript stays."""
-    head, _, rest = name.partition("_{")
-    depth, end = 1, 0
-    while depth:
-        depth += {"{": 1, "}": -1}.get(rest[end], 0)
-        end += 1
-    return f"{head}_{{{rest[: end - 1]},{axis}}}{rest[end:]}"
-
-
 def composed(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
     """The components of a point that moves within a moving body: transport, relative and Coriolis parts added."""
     last, before = chain[-1], chain[:-1]
-    head = "v" if level == "velocity" else "a"
+    head = LETTERS[level]
     number = findings.numbers.get(last.rate, "")
     transport = rf"{head}_{{\mathrm{{e}}{number}}}"
     yield from find_point(before, transport, case, level, findings)
@@ -365,26 +350,14 @@ def composed(
 def part_symbol(part: Part, head: str, number: str = "") -> str:
     """The symbol of a relative or Coriolis part."""
     upper = rf"^{{\mathrm{{{part.part}}}}}" if part.part else ""
-    return rf"{head}_{{\mathrm{{{'C' if part.role == 'coriolis' else 'r'}}}{number}}}{upper}"
-
-
-def sum_line(
-    axis: str, name: str, parts: list[tuple[str, Vector]], level: Level, sign: str = "+"
-) -> str:
-    """One component of a sum of vectors, or of what remains of the first without the others."""
-    along = 0 if axis == "x" else 1
-    summands = [
-        Summand(sign if place else "+", component(symbol, axis), short(value[along]))
-        for place, (symbol, value) in enumerate(parts)
-    ]
-    summands[1:] = [replace(one, number=bracketed(one.number)) for one in summands[1:]]
-    rest = total(value for _, value in parts[1:])[along]
-    result = stated(parts[0][1][along] + (rest if sign == "+" else -rest), UNITS[level, False])
-    numbers = sum_of([one for one in summands if one.counts], "number")
-    written = [] if NUMBER.fullmatch(numbers) else [numbers]
-    return f"{component(name, axis)} &= " + " = ".join(
-        [sum_of(summands, "symbol"), *written, result]
-    )
+    match part.role:
+        case "coriolis":
+            lower = "C"
+        case "relative" | "absolute" | "transport" | "rotation":
+            lower = "r"
+        case _:
+            assert_never(part.role)
+    return rf"{head}_{{\mathrm{{{lower}}}{number}}}{upper}"
 
 
 def relative_rotation(body: str, of: str, case: Case, level: Level) -> Any:

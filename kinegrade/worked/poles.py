@@ -12,7 +12,8 @@ from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.needs import calls
 from kinegrade.worked.numbers import double, short, stated
 from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import Findings, component, find_point, point_symbol, vector_of
+from kinegrade.worked.points import Findings, find_point, point_symbol, vector_of
+from kinegrade.worked.summands import component
 
 
 def pole_name(body: str, case: Case) -> str:

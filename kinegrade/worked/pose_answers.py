@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import assert_never
 
-from kinegrade.expression import ANGLES, Call, Expression, Name, Operation
+from kinegrade.expression import ANGLES, Call, Expression, Name, Number, Operation, every_part
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask, Language
@@ -30,7 +31,6 @@ from kinegrade.worked.coordinates import (
     unnested,
 )
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.formula_text import operated
 from kinegrade.worked.formula_width import chained
 from kinegrade.worked.instance import (
     AREA,
@@ -45,6 +45,7 @@ from kinegrade.worked.instance import (
     told_once,
     with_steps,
 )
+from kinegrade.worked.pieces import operated
 from kinegrade.worked.pose_words import PoseWords, pose_words
 
 MEASURES = frozenset({"distance", "magnitude", "along", "angle", "between", "direction"})
@@ -59,11 +60,7 @@ def is_positional(ask: Ask) -> bool:
 
 def functions(tree: Expression) -> frozenset[str]:
     """The functions that an expression calls."""
-    if isinstance(tree, Operation):
-        return functions(tree.left) | functions(tree.right)
-    if isinstance(tree, Call):
-        return frozenset({tree.function}).union(*(functions(part) for part in tree.arguments))
-    return frozenset()
+    return frozenset(part.function for part in every_part(tree) if isinstance(part, Call))
 
 
 def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[Block, ...]:
@@ -189,7 +186,10 @@ class Working:
                 return self.between(first, second)
             case Call():
                 return self.function(tree)
-        return tree, self
+            case Number() | Name():
+                return tree, self
+            case _:
+                assert_never(tree)
 
     def function(self, tree: Call) -> tuple[Expression, Working]:
         """An elementary function of what its arguments come to."""

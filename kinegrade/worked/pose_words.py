@@ -85,10 +85,13 @@ CHINESE = PoseWords(
 )
 
 
+WORDS: Mapping[Language, PoseWords] = {"en": ENGLISH, "zh": CHINESE}
+
+
 def pose_words(language: Language) -> PoseWords:
     """The sentences in one language.
 
     >>> pose_words("zh").quadrants[1, 0]
     '正弦为零，余弦为正，该角为零。'
     """
-    return ENGLISH if language == "en" else CHINESE
+    return WORDS[language]

@@ -152,13 +152,16 @@ SENSES: Mapping[Language, tuple[str, str]] = {
 }
 
 
+WORDS: Mapping[Language, PositionWords] = {"en": ENGLISH, "zh": CHINESE}
+
+
 def position_words(language: Language) -> PositionWords:
     """The sentences in one language.
 
     >>> position_words("zh").midpoint.format(point="C", first="A", second="B")
     '点 $C$ 为 $AB$ 的中点：'
     """
-    return ENGLISH if language == "en" else CHINESE
+    return WORDS[language]
 
 
 def sense(language: Language, counter_clockwise: bool) -> str:

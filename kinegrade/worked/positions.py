@@ -6,9 +6,10 @@ Everything is told from the constructions of the template, in its order, with th
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
+from typing import assert_never
 
 from kinegrade.exact.angle import Angle
-from kinegrade.expression import Call, Expression, Name, Operation
+from kinegrade.expression import Call, Expression, Name, Number, Operation
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Language
 from kinegrade.worked.constructions import chapter
@@ -85,7 +86,10 @@ def built_radius(centre: str, tree: Expression) -> Expression | None:
                 if is_circle(second, centre)
                 else None
             )
-    return None
+        case Number() | Name() | Operation() | Call():
+            return None
+        case _:
+            assert_never(tree)
 
 
 def is_circle(shape: Expression, centre: str) -> bool:

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.expression import Expression, Number
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
-from kinegrade.mechanics.joints import GROUND, Mesh, Parallel, Roll, Sleeve
+from kinegrade.mechanics.joints import (
+    GROUND,
+    Arc,
+    Contact,
+    Mesh,
+    Parallel,
+    Pin,
+    Roll,
+    Sleeve,
+    Slide,
+)
 from kinegrade.mechanics.relations import Relation, Term, omega_of
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.case import Case
+from kinegrade.worked.case import LETTERS, Case
 from kinegrade.worked.deduced import UNITS, along_direction, rotation_result
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_text import latex_of, symbols_of
@@ -34,20 +44,28 @@ class Statement:
 def stated_relation(relation: Relation, case: Case, level: Level) -> Statement:
     """What a scalar relation says of velocities or of accelerations."""
     source = relation.source
-    if isinstance(source, Roll):
-        return rolling(source, relation, case, level)
-    if isinstance(source, Mesh):
-        return meshing(source, case, level)
-    if isinstance(source, (Parallel, Sleeve)):
-        body, other = case.naming.body(source.body), body_or_ground(source.of, case)
-        reason = phrase(f"parallel_{level}", case.language, body=body, other=other)
-        title = phrase("title_parallel", case.language, body=body, other=other)
-        return Statement(
-            title,
-            reason,
-            f"{turning(source.body, case, level)} &= {turning(source.of, case, level)}",
-        )
-    return imposed(relation, case, level)
+    match source:
+        case Roll():
+            return rolling(source, relation, case, level)
+        case Mesh():
+            return meshing(source, case, level)
+        case Parallel() | Sleeve():
+            return turning_alike(source, case, level)
+        case Rotation() | Component() | Circulation():
+            return imposed(source, case, level)
+        case Pin() | Slide() | Arc() | Contact() | None:
+            raise TypeError("a pin or a guide states no relation of rates alone")
+        case _:
+            assert_never(source)
+
+
+def turning_alike(joint: Parallel | Sleeve, case: Case, level: Level) -> Statement:
+    """Two bodies that do not turn relative to each other."""
+    body, other = case.naming.body(joint.body), body_or_ground(joint.of, case)
+    reason = phrase(f"parallel_{level}", case.language, body=body, other=other)
+    title = phrase("title_parallel", case.language, body=body, other=other)
+    line = f"{turning(joint.body, case, level)} &= {turning(joint.of, case, level)}"
+    return Statement(title, reason, line)
 
 
 def scalar_step(relation: Relation, unknown: str, case: Case, level: Level) -> Iterator[Block]:
@@ -55,17 +73,18 @@ def scalar_step(relation: Relation, unknown: str, case: Case, level: Level) -> I
     statement = stated_relation(relation, case, level)
     yield Prose(statement.reason)
     result = rate_result(unknown, case, level)
-    if isinstance(relation.source, (Rotation, Component, Circulation)) and single_rate(relation):
-        yield Display((statement.line,))
-    elif isinstance(relation.source, (Parallel, Sleeve)):
-        value = (case.motion.rates if level == "velocity" else case.motion.changes)[unknown]
-        yield Display(
-            (
-                f"{statement.line} = {stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}",
-            )
-        )
-    else:
-        yield Display((statement.line, *solved_for(relation, unknown, case, level), result))
+    worked = (statement.line, *solved_for(relation, unknown, case, level), result)
+    match relation.source:
+        case Rotation() | Component() | Circulation():
+            yield Display((statement.line,) if single_rate(relation) else worked)
+        case Parallel() | Sleeve():
+            value = case.rates(level)[unknown]
+            known = f"{stated(value, UNITS[level, True])}{sense_of_rotation(value, case)}"
+            yield Display((f"{statement.line} = {known}",))
+        case Roll() | Mesh() | Pin() | Slide() | Arc() | Contact() | None:
+            yield Display(worked)
+        case _:
+            assert_never(relation.source)
 
 
 def single_rate(relation: Relation) -> bool:
@@ -79,12 +98,19 @@ def rate_result(rate: str, case: Case, level: Level) -> str:
         return rotation_result(rate, case, level, "")
     term = term_of(rate, case)
     value = along_direction(term, case, level) * sense_told(term, case)
-    sense = (
-        sense_of_rotation(value, case)
-        if term.kind == "arc"
-        else sense_along(double(value), positive_sense(term, case), None, case)
-    )
-    return f"{speed(term, case, level)} &= {stated(value, UNITS[level, False])}{sense}"
+    shown = f"{stated(value, UNITS[level, False])}{way_of_speed(value, term, case)}"
+    return f"{speed(term, case, level)} &= {shown}"
+
+
+def way_of_speed(value: Any, term: Term, case: Case) -> str:
+    """The sense of a guided point's speed: around its centre, or along its line."""
+    match term.kind:
+        case "arc":
+            return sense_of_rotation(value, case)
+        case "sliding" | "rotation":
+            return sense_along(double(value), positive_sense(term, case), None, case)
+        case _:
+            assert_never(term.kind)
 
 
 def term_of(rate: str, case: Case) -> Term:
@@ -97,7 +123,7 @@ def term_of(rate: str, case: Case) -> Term:
 
 def speed(term: Term, case: Case, level: Level) -> str:
     """The symbol of a guided point's algebraic speed, or of its change."""
-    head = "v" if level == "velocity" else "a"
+    head = LETTERS[level]
     lower = r"\mathrm{r}" if term.frame != GROUND else case.naming.point(term.point)
     return f"{head}_{{{lower}}}" + (r"^{\mathrm{t}}" if head == "a" and term.kind == "arc" else "")
 
@@ -106,12 +132,12 @@ def turning(body: str, case: Case, level: Level) -> str:
     """The symbol of a body's rotation; 0 for the ground."""
     if body == GROUND:
         return "0"
-    return case.naming.omega(body) if level == "velocity" else case.naming.alpha(body)
+    return case.naming.turning(body, level)
 
 
 def turning_value(body: str, case: Case, level: Level) -> Any:
     """The value of a body's rotation; 0 for the ground."""
-    rates = case.motion.rates if level == "velocity" else case.motion.changes
+    rates = case.rates(level)
     return 0 if body == GROUND else rates[omega_of(body)]
 
 
@@ -159,11 +185,13 @@ def positive_words(term: Term, case: Case, level: Level) -> str:
     if term.frame != GROUND:
         return ""
     centre = case.naming.point(term.base)
-    words = (
-        phrase("around", case.language, centre=centre)
-        if term.kind == "arc"
-        else direction_words(positive_sense(term, case), case)
-    )
+    match term.kind:
+        case "arc":
+            words = phrase("around", case.language, centre=centre)
+        case "sliding" | "rotation":
+            words = direction_words(positive_sense(term, case), case)
+        case _:
+            assert_never(term.kind)
     return phrase("positive_way", case.language, symbol=f"${speed(term, case, level)}$", way=words)
 
 
@@ -232,36 +260,41 @@ def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
     )
 
 
-def imposed(relation: Relation, case: Case, level: Level) -> Statement:
+def imposed(driver: Driver, case: Case, level: Level) -> Statement:
     """What a driver imposes."""
-    driver = relation.source
-    title = phrase("title_given", case.language)
-    if isinstance(driver, Rotation):
-        value = driver.velocity if level == "velocity" else driver.acceleration
-        left = turning(driver.body, case, level)
-        left += f" - {turning(driver.of, case, level)}" if driver.of != GROUND else ""
-        line = (
-            f"{left} &= {expressed(driver, left, case, level)}{stated(value, UNITS[level, True])}"
-        )
-        return Statement(title, given(driver, case, level), line + sense_of_rotation(value, case))
-    if isinstance(driver, (Component, Circulation)):
-        value = driver.velocity if level == "velocity" else driver.acceleration
-        speed_symbol = driven_speed(driver, case, level)
-        line = f"{speed_symbol} &= {expressed(driver, speed_symbol, case, level)}"
-        way = (
-            sense_of_rotation(value, case)
-            if isinstance(driver, Circulation)
-            else sense_along(double(value), driver.direction, None, case)
-        )
-        return Statement(
-            title, given(driver, case, level), f"{line}{stated(value, UNITS[level, False])}{way}"
-        )
-    raise TypeError("a relation of rates comes from a joint or a driver")
+    value = driven_value(driver, level)
+    match driver:
+        case Rotation(of=of):
+            left = turning(driver.body, case, level)
+            left += f" - {turning(of, case, level)}" if of != GROUND else ""
+            way = sense_of_rotation(value, case)
+        case Component(direction=along):
+            left = driven_speed(driver, case, level)
+            way = sense_along(double(value), along, None, case)
+        case Circulation():
+            left = driven_speed(driver, case, level)
+            way = sense_of_rotation(value, case)
+        case _:
+            assert_never(driver)
+    unit = UNITS[level, isinstance(driver, Rotation)]
+    line = f"{left} &= {expressed(driver, left, case, level)}{stated(value, unit)}{way}"
+    return Statement(phrase("title_given", case.language), given(driver, case, level), line)
+
+
+def driven_value(driver: Driver, level: Level) -> Any:
+    """The velocity or acceleration that a driver imposes."""
+    match level:
+        case "velocity":
+            return driver.velocity
+        case "acceleration":
+            return driver.acceleration
+        case _:
+            assert_never(level)
 
 
 def driven_speed(driver: Component | Circulation, case: Case, level: Level) -> str:
     """The symbol of what a driver imposes on a point."""
-    head = "v" if level == "velocity" else "a"
+    head = LETTERS[level]
     relative = isinstance(driver, Component) and driver.of != GROUND
     lower = r"\mathrm{r}" if relative else case.naming.point(driver.point)
     return f"{head}_{{{lower}}}" + (
@@ -275,7 +308,7 @@ def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
     Nothing either where the paper's parameter has the very letters of the algebraic value, `name`.
     """
     sentence = case.template.drivers[case.motion.frames.mechanism.drivers.index(driver)]
-    tree = sentence.velocity if level == "velocity" else sentence.acceleration
+    tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
     text = formula(tree, case)
     same = name.partition("^")[0] in text
     return "" if isinstance(tree, Number) or same else f"{text} = "
@@ -283,21 +316,19 @@ def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
 
 def given(driver: Driver, case: Case, level: Level) -> str:
     """What is given, in a sentence."""
-    body, other = case.naming.body(driver.body), body_or_ground(getattr(driver, "of", GROUND), case)
-    parts = {"body": body, "other": other}
-    relative = "" if getattr(driver, "of", GROUND) == GROUND else "_of"
-    if isinstance(driver, Rotation):
-        key = f"given_rotation{relative}"
-    elif isinstance(driver, Component):
-        key = f"given_point{relative}"
-        parts |= {
-            "point": case.naming.point(driver.point),
-            "way": direction_words(driver.direction, case),
-        }
-    else:
-        key = "given_circle"
-        parts |= {
-            "point": case.naming.point(driver.point),
-            "centre": case.naming.point(driver.centre),
-        }
-    return phrase(f"{key}_{level}", case.language, **parts)
+    body = case.naming.body(driver.body)
+    match driver:
+        case Rotation(of=of):
+            key = "given_rotation" if of == GROUND else "given_rotation_of"
+            parts = {"other": body_or_ground(of, case)}
+        case Component(of=of):
+            key = "given_point" if of == GROUND else "given_point_of"
+            point, way = case.naming.point(driver.point), direction_words(driver.direction, case)
+            parts = {"other": body_or_ground(of, case), "point": point, "way": way}
+        case Circulation():
+            key = "given_circle"
+            point, centre = case.naming.point(driver.point), case.naming.point(driver.centre)
+            parts = {"point": point, "centre": centre}
+        case _:
+            assert_never(driver)
+    return phrase(f"{key}_{level}", case.language, body=body, **parts)

@@ -7,6 +7,7 @@ answers need them; how each answer follows; the answers, whose values are the ke
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import assert_never
 
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Parallel, Sleeve
@@ -18,7 +19,16 @@ from kinegrade.problem.template import Ask, Language, Method
 from kinegrade.worked.answers import answer_blocks, result
 from kinegrade.worked.case import Case
 from kinegrade.worked.deduced import Stage
-from kinegrade.worked.document import Block, Heading, Pictures, Prose, Results, WorkedSolution
+from kinegrade.worked.document import (
+    Block,
+    Display,
+    Heading,
+    Pictures,
+    Prose,
+    Results,
+    TermTable,
+    WorkedSolution,
+)
 from kinegrade.worked.kinds import kinds
 from kinegrade.worked.methods import method_blocks, method_title
 from kinegrade.worked.needs import NOTHING, Needs, needs_of, steps_needed
@@ -44,12 +54,18 @@ def worked_solution(
     base point)."""
     case = Case(solution, language, method or solution.template.method)
     asked = tuple(solution.template.asks[name] for name in asks)
-    return WorkedSolution(
-        tuple(
-            Prose(capitalised(block.text)) if isinstance(block, Prose) else block
-            for block in blocks(case, asked)
-        )
-    )
+    return WorkedSolution(tuple(begun(block) for block in blocks(case, asked)))
+
+
+def begun(block: Block) -> Block:
+    """The block, prose with a capital letter."""
+    match block:
+        case Prose(text=text):
+            return Prose(capitalised(text))
+        case Heading() | Display() | TermTable() | Pictures() | Results():
+            return block
+        case _:
+            assert_never(block)
 
 
 def blocks(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:

@@ -19,9 +19,10 @@ from kinegrade.worked.document import Block, Display, Prose, Term, TermTable
 from kinegrade.worked.kinds import translating
 from kinegrade.worked.numbers import bracketed, double, length, short, stated
 from kinegrade.worked.phrases import phrase
-from kinegrade.worked.points import Fact, Findings, component, find_point, key_of, point_symbol, way
+from kinegrade.worked.points import Fact, Findings, find_point, key_of, point_symbol, way
 from kinegrade.worked.projection import deductions
 from kinegrade.worked.scalars import body_or_ground, scalar_step, stated_relation
+from kinegrade.worked.summands import component
 from kinegrade.worked.vectors import (
     direction,
     letters_of,

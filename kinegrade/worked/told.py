@@ -40,7 +40,7 @@ def positive_sense(term: Term, case: Case) -> Vector:
 
 def is_told_negative(term: Term, case: Case, level: Level) -> bool:
     """Whether an algebraic value below zero has been told for a term fixed to the ground: given, or solved for."""
-    rate = (case.motion.rates if level == "velocity" else case.motion.changes)[term.rate]
+    rate = case.rates(level)[term.rate]
     if term.frame != GROUND or double(rate) * sense_told(term, case) >= 0:
         return False
     return term.kind != "rotation" or is_vector_result(term.rate, case)

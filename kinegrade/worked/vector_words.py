@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from kinegrade.expression import Call, Expression, Name, Operation
+from typing import assert_never
+
+from kinegrade.expression import Call, Expression, Name, Number, Operation
 from kinegrade.worked.coordinates import ZERO, is_negated, minus
 from kinegrade.worked.instance import Instance
 from kinegrade.worked.position_words import PositionWords
@@ -49,4 +51,7 @@ def is_plain(vector: Expression, instance: Instance) -> bool:
                 and (vector.sign != "-" or is_negated(vector))
                 and is_plain(other, instance)
             )
-    return False
+        case Number() | Name() | Operation() | Call():
+            return False
+        case _:
+            assert_never(vector)

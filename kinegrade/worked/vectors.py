@@ -5,35 +5,43 @@ v_a, v_e, v_r and a_C in a composition of motions, v_BA and a_BA^n, a_BA^t about
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import assert_never
+
 from kinegrade.expression import Name
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.relations import Term, omega_of
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Part, VectorEquation
-from kinegrade.worked.case import Case
+from kinegrade.mechanics.vector_equation import Part, Role, VectorEquation
+from kinegrade.worked.case import LETTERS, Case
 from kinegrade.worked.numbers import NEGLIGIBLE, absolute_value, angle_text, bearing, length, short
 from kinegrade.worked.told import is_told_negative, path_of
 
-ROLES = {"transport": r"\mathrm{e}", "relative": r"\mathrm{r}", "coriolis": r"\mathrm{C}"}
+ROLES: Mapping[Role, str] = {
+    "transport": r"\mathrm{e}",
+    "relative": r"\mathrm{r}",
+    "coriolis": r"\mathrm{C}",
+}
 
 
 def letter(equation: VectorEquation) -> str:
     """v or a."""
-    return "v" if equation.level == "velocity" else "a"
+    return LETTERS[equation.level]
 
 
 def subscript(equation: VectorEquation, part: Part, case: Case) -> str:
     """The subscript of a part: a, e, r, C in a composition (numbered where there are two), else the points."""
-    if part.role in ROLES:
-        return ROLES[part.role] + number_of(equation, part)
-    if part.role == "absolute" and is_composed(equation, part):
-        return r"\mathrm{a}"
-    point = (
-        primed(case.naming.point(part.point)) if part.coincident else case.naming.point(part.point)
-    )
-    if part.role == "rotation":
-        return point + case.naming.point(part.base)
-    return point + axis_of(part)
+    plain = case.naming.point(part.point)
+    point = primed(plain) if part.coincident else plain
+    match part.role:
+        case "transport" | "relative" | "coriolis":
+            return ROLES[part.role] + number_of(equation, part)
+        case "absolute":
+            return r"\mathrm{a}" if is_composed(equation, part) else point + axis_of(part)
+        case "rotation":
+            return point + case.naming.point(part.base)
+        case _:
+            assert_never(part.role)
 
 
 def primed(point: str) -> str:
@@ -109,31 +117,57 @@ def magnitude_formula(equation: VectorEquation, part: Part, case: Case) -> str:
     term = part.term
     if term is None:
         return ""
-    if part.role == "coriolis":
-        relative = rf"v_{{\mathrm{{r}}{number_of(equation, part)}}}"
-        return (
-            "2"
-            + absolute(case.naming.omega(term.frame), omega_value(case, term.frame))
-            + absolute(relative, signed_speed(case, term))
-        )
-    if term.kind == "sliding":
-        return ""
-    if term.kind == "arc":
-        speed = relative_speed(equation, part, case)
-        return rf"\frac{{{speed}^{{2}}}}{{{arm(part, case)}}}" if part.part == "n" else ""
+    match part.role:
+        case "coriolis":
+            relative = rf"v_{{\mathrm{{r}}{number_of(equation, part)}}}"
+            return (
+                "2"
+                + absolute(case.naming.omega(term.frame), omega_value(case, term.frame))
+                + absolute(relative, signed_speed(case, term))
+            )
+        case "absolute" | "transport" | "relative" | "rotation":
+            return magnitude_of_term(equation, part, term, case)
+        case _:
+            assert_never(part.role)
+
+
+def magnitude_of_term(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
+    """The formula of the size of a term's velocity, or of a part of its acceleration; "" where it has none."""
+    match term.kind:
+        case "sliding":
+            return ""
+        case "arc":
+            speed = relative_speed(equation, part, case)
+            return rf"\frac{{{speed}^{{2}}}}{{{arm(part, case)}}}" if part.part == "n" else ""
+        case "rotation":
+            return magnitude_of_rotation(equation, part, term, case)
+        case _:
+            assert_never(term.kind)
+
+
+def magnitude_of_rotation(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
+    """The length times the angular velocity or acceleration, or times the square of the former."""
     body = term.rate.removeprefix("omega ")
-    if part.part == "n":
-        return rf"{arm(part, case)}\cdot {case.naming.omega(body)}^{{2}}"
-    rate = case.naming.omega(body) if equation.level == "velocity" else case.naming.alpha(body)
-    value = case.motion.rates if equation.level == "velocity" else case.motion.changes
-    return rf"{arm(part, case)}\cdot {rate if part.unknown else absolute(rate, float(value[term.rate]))}"
+    match part.part:
+        case "n":
+            return rf"{arm(part, case)}\cdot {case.naming.omega(body)}^{{2}}"
+        case "" | "t":
+            rate = case.naming.turning(body, equation.level)
+            value = float(case.rates(equation.level)[term.rate])
+            return rf"{arm(part, case)}\cdot {rate if part.unknown else absolute(rate, value)}"
+        case _:
+            assert_never(part.part)
 
 
 def relative_speed(equation: VectorEquation, part: Part, case: Case) -> str:
     """The speed on a circular path: v_r, or v_A on a fixed circle."""
-    if part.role == "relative":
-        return rf"v_{{\mathrm{{r}}{number_of(equation, part)}}}"
-    return f"v_{{{case.naming.point(part.point)}}}"
+    match part.role:
+        case "relative":
+            return rf"v_{{\mathrm{{r}}{number_of(equation, part)}}}"
+        case "absolute" | "transport" | "rotation" | "coriolis":
+            return f"v_{{{case.naming.point(part.point)}}}"
+        case _:
+            assert_never(part.role)
 
 
 def absolute(symbol_: str, value: float) -> str:
@@ -154,12 +188,19 @@ def signed_speed(case: Case, term: Term) -> float:
 def direction(equation: VectorEquation, part: Part, case: Case) -> str:
     """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its positive sense."""
     angle = angle_text(bearing(heading(part)))
-    how = (
-        rf"\perp v_{{\mathrm{{r}}{number_of(equation, part)}}}"
-        if part.role == "coriolis"
-        else lie(part, case)
-    )
+    how = way_of(equation, part, case)
     return f"${how}$, ${angle}$" if how else f"${angle}$"
+
+
+def way_of(equation: VectorEquation, part: Part, case: Case) -> str:
+    """How a part lies in LaTeX math, "" where nothing but its angle tells."""
+    match part.role:
+        case "coriolis":
+            return rf"\perp v_{{\mathrm{{r}}{number_of(equation, part)}}}"
+        case "absolute" | "transport" | "relative" | "rotation":
+            return lie(part, case)
+        case _:
+            assert_never(part.role)
 
 
 def heading(part: Part) -> Vector:
@@ -172,11 +213,24 @@ def lie(part: Part, case: Case) -> str:
     term = part.term
     if term is None:
         return ""
-    if part.part == "n":
-        return rf"{case.naming.point(part.point)}\to {case.naming.point(part.base)}"
-    if term.kind != "sliding":
-        return rf"\perp {arm(part, case)}"
-    return track(term, case)
+    match part.part:
+        case "n":
+            return rf"{case.naming.point(part.point)}\to {case.naming.point(part.base)}"
+        case "" | "t":
+            return across_or_along(part, term, case)
+        case _:
+            assert_never(part.part)
+
+
+def across_or_along(part: Part, term: Term, case: Case) -> str:
+    """The arm to which what turns is perpendicular, or the line of what slides."""
+    match term.kind:
+        case "rotation" | "arc":
+            return rf"\perp {arm(part, case)}"
+        case "sliding":
+            return track(term, case)
+        case _:
+            assert_never(term.kind)
 
 
 def track(term: Term, case: Case) -> str:

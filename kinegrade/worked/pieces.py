@@ -1,0 +1,126 @@
+"""Parts of a formula, and how they stand beside one another: signs, brackets, dots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Literal, assert_never
+
+Kind = Literal["number", "symbol", "function", "closed", "fraction", "product", "sum"]
+TRIGONOMETRY = {"sin": r"\sin", "cos": r"\cos", "tan": r"\tan"}
+INVERSE = {"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan"}
+OPERATORS = (*TRIGONOMETRY.values(), *INVERSE.values())
+APART = ("(", "|", r"\sqrt", r"\cdot", *OPERATORS)  # marks of a product that needs brackets
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of a formula: its text without the sign, and what kind of thing it is to its neighbours."""
+
+    text: str
+    kind: Kind
+    negative: bool = False
+
+    @property
+    def signed(self) -> str:
+        """The text as it stands alone or first; a number keeps its own minus."""
+        if self.negative and self.text.startswith("-"):
+            return "-" + bracketed(self.text)
+        return ("-" if self.negative else "") + self.text
+
+
+def numeral(text: str) -> Piece:
+    """A number already printed, in LaTeX math, that takes the place of a symbol and keeps its minus to itself."""
+    body = text.removeprefix("-")
+    if is_sum(text):
+        return Piece(text, "sum")
+    return Piece(
+        text,
+        "fraction" if body.startswith(r"\frac") else "number" if body[:1].isdigit() else "closed",
+    )
+
+
+def is_sum(text: str) -> bool:
+    """Whether a printed number consists of several terms."""
+    depth = 0
+    for place, letter in enumerate(text):
+        depth += (letter in "{(") - (letter in "})")
+        if letter in "+-" and place and not depth:
+            return True
+    return False
+
+
+def positive(piece: Piece) -> Piece:
+    """A factor whose own minus is handed to the product."""
+    if piece.kind == "sum" or not piece.text.startswith("-"):
+        return piece
+    return replace(piece, text=piece.text[1:], negative=not piece.negative)
+
+
+def following(piece: Piece) -> str:
+    """A term with the sign that joins it to those before; a negative number keeps its own, in brackets."""
+    if piece.text.startswith("-"):
+        return (" - " if piece.negative else " + ") + bracketed(piece.text)
+    return (" - " if piece.negative else " + ") + piece.text
+
+
+def joined(factors: list[Piece]) -> str:
+    """A product of sizes; the signs are left to the caller."""
+    if len(factors) == 1:
+        return factors[0].text
+    pieces = [whole(replace(piece, negative=False)) for piece in factors]
+    text = pieces[0].text
+    for before, piece in pairwise(pieces):
+        text += between(before, piece) + piece.text
+    return text
+
+
+def between(before: Piece, piece: Piece) -> str:
+    """The mark between two factors: a dot where they would run into one another, else a little room or none."""
+    operator = piece.text.startswith(OPERATORS)
+    if piece.kind == "number" or before.text == "1" or (before.kind == "function" and not operator):
+        return r" \cdot "
+    if before.kind in ("number", "fraction") and piece.kind == "fraction":
+        return r" \cdot "
+    if operator or (before.kind == "number" and piece.kind == "symbol"):
+        return " "
+    return r"\,"
+
+
+def applied(name: str, argument: Piece) -> Piece:
+    """A sine, cosine ... of its argument, in brackets unless that is simple."""
+    signed = argument.signed.startswith("-")
+    plain = argument.kind in ("number", "symbol", "fraction") and not signed
+    if plain or (
+        argument.kind == "product"
+        and not signed
+        and not any(mark in argument.text for mark in APART)
+    ):
+        return Piece(operated(name, argument.text), "function")
+    return Piece(name + bracketed(argument.signed), "closed")
+
+
+def operated(name: str, argument: str) -> str:
+    """A sine, cosine ... before an argument that needs no brackets."""
+    return name + ("" if argument.startswith("\\") else " ") + argument
+
+
+def whole(piece: Piece) -> Piece:
+    """A piece that holds together beside others: a sum in brackets, anything else as it is."""
+    match piece.kind:
+        case "sum":
+            return closed(piece)
+        case "number" | "symbol" | "function" | "closed" | "fraction" | "product":
+            return piece
+        case _:
+            assert_never(piece.kind)
+
+
+def closed(piece: Piece) -> Piece:
+    """A sum, or a negative number, in brackets."""
+    return Piece(bracketed(piece.signed), "closed")
+
+
+def bracketed(text: str) -> str:
+    """Text in brackets as high as it needs."""
+    return rf"\left({text}\right)" if r"\frac" in text else f"({text})"

@@ -1,0 +1,70 @@
+"""Components of vectors as sums: in symbols, in numbers, with their value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from kinegrade.mechanics.relations import total
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.deduced import UNITS
+from kinegrade.worked.numbers import bracketed, short, stated
+
+NUMBER = re.compile(r"-?[0-9.]+")
+
+
+@dataclass(frozen=True)
+class Summand:
+    """A summand with its sign, in symbols and in numbers."""
+
+    sign: str
+    symbol: str
+    number: str
+
+    @property
+    def counts(self) -> bool:
+        """Whether none of its factors is zero."""
+        return not any(factor.strip("(){}") == "0" for factor in self.number.split(r"\cdot "))
+
+
+def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
+    """Summands written one after the other, the first without a plus sign; 0 where there are none."""
+    text = " ".join(f"{one.sign} {getattr(one, what)}" for one in summands)
+    return text[2:] if text.startswith("+") else "-" + text[2:] if text else "0"
+
+
+def component(name: str, axis: str) -> str:
+    """The symbol of a component: v_{B} becomes v_{B,x}; a superscript stays."""
+    head, _, rest = name.partition("_{")
+    depth, end = 1, 0
+    while depth:
+        depth += {"{": 1, "}": -1}.get(rest[end], 0)
+        end += 1
+    return f"{head}_{{{rest[: end - 1]},{axis}}}{rest[end:]}"
+
+
+def sum_line(
+    axis: str,
+    name: str,
+    parts: list[tuple[str, Vector]],
+    level: Level,
+    sign: Literal["+", "-"] = "+",
+) -> str:
+    """One component of a sum of vectors, or of what remains of the first without the others."""
+    along = 0 if axis == "x" else 1
+    summands = [
+        Summand(sign if place else "+", component(symbol, axis), short(value[along]))
+        for place, (symbol, value) in enumerate(parts)
+    ]
+    summands[1:] = [replace(one, number=bracketed(one.number)) for one in summands[1:]]
+    rest = total(value for _, value in parts[1:])[along]
+    whole = {"+": parts[0][1][along] + rest, "-": parts[0][1][along] - rest}[sign]
+    result = stated(whole, UNITS[level, False])
+    numbers = sum_of([one for one in summands if one.counts], "number")
+    written = [] if NUMBER.fullmatch(numbers) else [numbers]
+    return f"{component(name, axis)} &= " + " = ".join(
+        [sum_of(summands, "symbol"), *written, result]
+    )
