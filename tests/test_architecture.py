@@ -18,6 +18,7 @@ ROOT = PACKAGE.parent
 FLOORS = {
     "errors": 0,
     "expression": 0,
+    "language": 0,
     "exact": 0,
     "units": 0,
     "toml_reading": 0,

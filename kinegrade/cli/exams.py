@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from kinegrade.exam.exam_secret import SecretWish
     from kinegrade.exam.generate import Generated
     from kinegrade.exam.press import Engine
-    from kinegrade.problem.template import Language, Method
+    from kinegrade.language import Language
+    from kinegrade.problem.template import Method
 
 COST = "--reproducible: whoever guesses these words can print every paper and its key; for tests and demonstrations only"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, assert_never, get_args
 
 import click
 
@@ -14,11 +14,12 @@ from kinegrade.cli.options import FILE, FORCE, finish, refusing
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from kinegrade.language import Language
     from kinegrade.lms.dialect import Dialect, ExportOptions, Field
     from kinegrade.lms.grades import ClassGrades
-    from kinegrade.problem.template import Language
 
-SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic", "xlsx")
+GradeSystem = Literal["moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic"]
+SYSTEMS = (*get_args(GradeSystem), "xlsx")
 
 
 @click.command()
@@ -85,7 +86,7 @@ SYSTEMS = ("moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "gen
 def export(
     *,
     marks: Path,
-    system: str,
+    system: GradeSystem | Literal["xlsx"],
     output: Path,
     into: Path | None,
     columns: tuple[str, ...],
@@ -175,24 +176,27 @@ def _write(
     finish(tuple(map(str, complaints)))
 
 
-def _dialect(system: str, language: Language) -> Dialect:
-    from kinegrade.lms.blackboard import BLACKBOARD
-    from kinegrade.lms.brightspace import BRIGHTSPACE
-    from kinegrade.lms.canvas import CANVAS
-    from kinegrade.lms.edx import EDX
-    from kinegrade.lms.generic import generic
-    from kinegrade.lms.moodle import MOODLE
-    from kinegrade.lms.sakai import SAKAI
+def _dialect(system: GradeSystem, language: Language) -> Dialect:
+    match system:
+        case "moodle":
+            from kinegrade.lms.moodle import MOODLE as dialect
+        case "canvas":
+            from kinegrade.lms.canvas import CANVAS as dialect
+        case "blackboard":
+            from kinegrade.lms.blackboard import BLACKBOARD as dialect
+        case "brightspace":
+            from kinegrade.lms.brightspace import BRIGHTSPACE as dialect
+        case "sakai":
+            from kinegrade.lms.sakai import SAKAI as dialect
+        case "edx":
+            from kinegrade.lms.edx import EDX as dialect
+        case "generic":
+            from kinegrade.lms.generic import generic
 
-    return {
-        "moodle": MOODLE,
-        "canvas": CANVAS,
-        "blackboard": BLACKBOARD,
-        "brightspace": BRIGHTSPACE,
-        "sakai": SAKAI,
-        "edx": EDX,
-        "generic": generic(language),
-    }[system]
+            dialect = generic(language)
+        case _:
+            assert_never(system)
+    return dialect
 
 
 def _columns(

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, assert_never
 
 import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
+from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
     from kinegrade.grading.decimal_style import Mark as DecimalMark
     from kinegrade.grading.feedback_folder import Press, Text
-    from kinegrade.problem.template import Language
+    from kinegrade.language import Language
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
 EXAM_LANGUAGE = click.option(
     "--lang",
     "language",
-    type=click.Choice(["en", "zh"]),
+    type=click.Choice(LANGUAGES),
     help="Language of the output.  [default: that of the papers]",
 )
 
@@ -238,7 +239,14 @@ def feedback(
     refuse_changed_totals(marks)
     wanted = read_exam_record(exam).solutions if solutions is None else solutions
     chosen = language or exam_language(exam)
-    printed: Text | Press = FeedbackPress().feedback if form == "pdf" else form
+    printed: Text | Press
+    match form:
+        case "pdf":
+            printed = FeedbackPress().feedback
+        case "html" | "md":
+            printed = form
+        case _:
+            assert_never(form)
     count = write_feedback(
         exam,
         marks,

@@ -11,13 +11,14 @@ from typing import Any
 import click
 
 from kinegrade.errors import KinegradeError
+from kinegrade.language import LANGUAGES
 
 COMPLAINTS = 1
 FAILURE = 2
 LANGUAGE = click.option(
     "--lang",
     "language",
-    type=click.Choice(["en", "zh"]),
+    type=click.Choice(LANGUAGES),
     default="en",
     show_default=True,
     help="Language of the output.",

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, assert_never, get_args
 
 import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, METHOD, finish, progress, refusing
+from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from kinegrade.language import Language
     from kinegrade.lms.quiz.moodle_xml_questions import Form
     from kinegrade.lms.quiz.writers import Writer
-    from kinegrade.problem.template import Language, Method
+    from kinegrade.problem.template import Method
 
-SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
+QuizSystem = Literal["moodle-xml", "qti12", "qti21", "blackboard"]
+SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
 
 
 @click.command()
@@ -75,7 +78,7 @@ SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
 @click.option(
     "--lang",
     "language",
-    type=click.Choice(["en", "zh"]),
+    type=click.Choice(LANGUAGES),
     help="Language of the quiz.  [default: that of the papers]",
 )
 @click.option(
@@ -89,7 +92,7 @@ SYSTEMS = ("moodle-xml", "qti12", "qti21", "blackboard")
 def quiz(
     *,
     exam: Path,
-    system: str,
+    system: QuizSystem,
     output: Path,
     variants: int | None,
     form: Form,
@@ -138,7 +141,7 @@ def quiz(
     finish(tuple(remarks))
 
 
-def writer_of(system: str, form: Form, megabytes: Fraction | None) -> Writer:
+def writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Writer:
     """What writes for a system as it is wished. Raises ExportError for parts of anything but Moodle's XML."""
     from functools import partial
 
@@ -146,13 +149,17 @@ def writer_of(system: str, form: Form, megabytes: Fraction | None) -> Writer:
     from kinegrade.lms.quiz import moodle_xml
     from kinegrade.lms.quiz.writers import WRITERS
 
-    if system != "moodle-xml":
-        if megabytes is not None:
-            raise ExportError(
-                f"--split: {system} is one package - expected moodle-xml, whose files are imported one after the "
-                "other - leave --split out, or write for fewer with --variants"
-            )
-        return WRITERS[system]
-    if megabytes is None:
-        return partial(moodle_xml.write, form=form)
-    return partial(moodle_xml.write_parts, megabytes=megabytes, form=form)
+    match system:
+        case "moodle-xml":
+            if megabytes is None:
+                return partial(moodle_xml.write, form=form)
+            return partial(moodle_xml.write_parts, megabytes=megabytes, form=form)
+        case "qti12" | "qti21" | "blackboard":
+            if megabytes is not None:
+                raise ExportError(
+                    f"--split: {system} is one package - expected moodle-xml, whose files are imported one after the "
+                    "other - leave --split out, or write for fewer with --variants"
+                )
+            return WRITERS[system]
+        case _:
+            assert_never(system)

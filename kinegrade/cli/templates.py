@@ -21,8 +21,9 @@ from kinegrade.cli.options import (
 from kinegrade.errors import TemplateError
 
 if TYPE_CHECKING:
+    from kinegrade.language import Language
     from kinegrade.problem.solving import Solution
-    from kinegrade.problem.template import Language, Method
+    from kinegrade.problem.template import Method
 
 
 @click.command("list")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import did_you_mean
+from kinegrade.language import LANGUAGES
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import Tolerance
 from kinegrade.problem.toml_text import short_line
@@ -43,7 +44,7 @@ class Values:
             return Translated(value, value)
         if (
             isinstance(value, dict)
-            and set(value) == {"en", "zh"}
+            and set(value) == set(LANGUAGES)
             and all(isinstance(text, str) and text.strip() for text in value.values())
         ):
             return Translated(value["en"], value["zh"])

@@ -17,9 +17,9 @@ from itertools import islice
 from typing import Literal
 
 from kinegrade.figure.scene import Scene
+from kinegrade.language import Language
 from kinegrade.worked.document import Block
 
-Language = Literal["en", "zh"]
 PaperSize = Literal["a4", "letter"]
 
 

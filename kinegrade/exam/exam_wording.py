@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.language import Language, exam_language_of
 from kinegrade.problem.library import kept_template
 from kinegrade.problem.mistake_kinds import sentences
-from kinegrade.problem.template import Language, Template
+from kinegrade.problem.template import Template
 
 
 @dataclass(frozen=True)
@@ -54,8 +55,9 @@ def exam_wording(exam: Path, language: Language) -> ExamWording:
 
 
 def exam_language(exam: Path) -> Language:
-    """The language of an exam's papers. Raises ExamError where exam.json cannot be read."""
-    return "zh" if _head(exam / "exam.json").get("language") == "zh" else "en"
+    """The language of an exam's papers. Raises ExamError where exam.json cannot be read or knows another one."""
+    path = exam / "exam.json"
+    return exam_language_of(_head(path), path)
 
 
 def _templates(exam: Path) -> dict[str, Template]:

@@ -14,6 +14,7 @@ from kinegrade.exam.join import joined
 from kinegrade.exam.layout_call import Sheet, each, gathered, layout_call
 from kinegrade.exam.markup import line
 from kinegrade.exam.typst import TypstPress, legible
+from kinegrade.language import Language
 
 ROW_TEXTS = ("typed", "read_as", "right", "verdict", "points", "reason")
 SHEET_TEXTS = ("course", "title", "date", "student", "name", "code", "total")
@@ -32,7 +33,7 @@ WORDS = (
     "kept",
     "about_hints",
 )
-LANGUAGES = {"zh-CN": "zh"}
+TYPESET: Mapping[str, Language] = {"en": "en", "zh-CN": "zh"}  # by the tag of the words
 
 
 class Row(Protocol):
@@ -132,7 +133,7 @@ def feedback_source(
 ) -> str:
     """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with all faults."""
     words = sheet.words
-    language = LANGUAGES.get(words.language, words.language)
+    language = TYPESET[words.language]
     parts = gathered(
         questions=lambda: each(
             lambda question: _question(question, words, missing), sheet.questions

@@ -13,12 +13,13 @@ from kinegrade.errors import KinegradeError, TemplateError, TypesetError
 from kinegrade.exam.document import Gallery, GalleryEntry, GalleryFigure
 from kinegrade.exam.typst import TypstPress, legible
 from kinegrade.figure.sketch import sketch
+from kinegrade.language import Language
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import Given, with_unit
-from kinegrade.problem.template import Language, Template
+from kinegrade.problem.template import Template
 
 
 @dataclass(frozen=True)

@@ -36,8 +36,8 @@ from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
 from kinegrade.exam.workshop import printed
 from kinegrade.files import Access, output_folder
+from kinegrade.language import Language
 from kinegrade.problem.shared_mechanism import FOLDER
-from kinegrade.problem.template import Language
 
 FORMAT = 1
 NOTICE = "INSTRUCTOR-ONLY.txt"

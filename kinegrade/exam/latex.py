@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar
 import pikepdf
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import KeyBook, Language, Paper, PaperSize, SolutionSheet
+from kinegrade.exam.document import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.exam.latex_faults import faults
 from kinegrade.exam.latex_key import key_body
 from kinegrade.exam.latex_run import FONTS, STYLE, Outcome, Program, font_folder, run, style
@@ -27,6 +27,7 @@ from kinegrade.exam.layout_call import each
 from kinegrade.exam.solution_words import solution_words_of
 from kinegrade.exam.typst import legible_owner, legible_owners
 from kinegrade.exam.words import words_of
+from kinegrade.language import Language
 
 START_SECONDS = 60.0
 SHEET_SECONDS = 5.0  # some fifty times what a sheet takes

@@ -6,7 +6,7 @@ lines that begin with two percent signs say which paper and question follows: fa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from itertools import groupby
 from typing import Any
@@ -15,7 +15,7 @@ from pylatex import Command, Document, NoEscape, Package
 from pylatex.base_classes import Arguments, Environment, Options
 
 from kinegrade.exam.code_mark import code_mark
-from kinegrade.exam.document import AnswerRow, Language, Paper, PaperSize, QuestionSheet
+from kinegrade.exam.document import AnswerRow, Paper, PaperSize, QuestionSheet
 from kinegrade.exam.latex_markup import line, prose
 from kinegrade.exam.latex_math import math
 from kinegrade.exam.latex_text import comment, plain, unit
@@ -24,10 +24,14 @@ from kinegrade.exam.typst_source import BESIDE, COLUMNS_OF_MARKS, points_text
 from kinegrade.exam.words import Words, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import to_tikz
+from kinegrade.language import Language
 
 BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
 )
+
+LANGUAGE_OPTIONS: Mapping[Language, tuple[str, ...]] = {"en": (), "zh": ("chinese",)}
+SIZE_OPTIONS: Mapping[PaperSize, tuple[str, ...]] = {"a4": (), "letter": ("letter",)}
 
 
 class Block(Environment):  # type: ignore[misc]  # pylatex has no types
@@ -62,11 +66,7 @@ def document(
         indent=True,
         microtype=False,
     )
-    chosen = [
-        name
-        for name, wanted in (("chinese", language == "zh"), ("letter", size == "letter"))
-        if wanted
-    ]
+    chosen = [*LANGUAGE_OPTIONS[language], *SIZE_OPTIONS[size]]
     whole.packages.append(Package("kinegrade", options=chosen or None))
     whole.preamble.extend(_word(name, text) for name, text in asdict(words).items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))

@@ -22,12 +22,13 @@ from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.exam.words import words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.sketch import sketch
+from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import statement
-from kinegrade.problem.template import Ask, Language
+from kinegrade.problem.template import Ask
 
 WARNING = {
     "en": "For the instructor only: this key shows every answer.",

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from markdown_it.token import Token
 from markdown_it.tree import SyntaxTreeNode
 
+from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import TEXT, checked, unit_text
 from kinegrade.exam.markup import between_wide, read_line, read_prose
 from kinegrade.exam.pandoc_tree import (
@@ -66,7 +67,10 @@ def _block(node: SyntaxTreeNode, where: str) -> list[Node]:
                     int(node.attrs.get("start", 1)),
                 )
             ]
-    return [paragraph([math_inline(node.content, where, display=True)])]
+        case "math_block":
+            return [paragraph([math_inline(node.content, where, display=True)])]
+        case _:
+            raise TypesetError(f"{where}: {node.type} cannot be shown in Word or HTML")
 
 
 def _inlines(parent: SyntaxTreeNode, where: str) -> list[Node]:
@@ -94,4 +98,9 @@ def _inline(node: SyntaxTreeNode, siblings: Sequence[Token], index: int, where: 
             return [strong(_inlines(node, where))]
         case "em":
             return [emphasis(_inlines(node, where))]
-    return [math_inline(node.content, where, display=node.type == "math_inline_double")]
+        case "math_inline":
+            return [math_inline(node.content, where)]
+        case "math_inline_double":
+            return [math_inline(node.content, where, display=True)]
+        case _:
+            raise TypesetError(f"{where}: {node.type} cannot be shown in Word or HTML")

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import assert_never
 
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import KeyPaper, Paper, PaperSize
@@ -18,7 +19,8 @@ from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.typst import TypstPress
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
-from kinegrade.problem.template import Language, Method
+from kinegrade.language import Language
+from kinegrade.problem.template import Method
 
 
 @dataclass(frozen=True)
@@ -31,11 +33,15 @@ class PressOrder:
 
     def press(self) -> Press:
         """A new press. Raises TypesetError where its typesetter is not installed."""
-        if self.engine == "typst":
-            return TypstPress(self.paper_size)
-        from kinegrade.exam.latex import LatexPress  # few exams need it, and it takes long
+        match self.engine:
+            case "typst":
+                return TypstPress(self.paper_size)
+            case "latex":
+                from kinegrade.exam.latex import LatexPress  # few exams need it, and it takes long
 
-        return LatexPress(self.paper_size, self.sources)
+                return LatexPress(self.paper_size, self.sources)
+            case _:
+                assert_never(self.engine)
 
 
 @dataclass(frozen=True)

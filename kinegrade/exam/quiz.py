@@ -18,9 +18,10 @@ from pathlib import Path
 from kinegrade.errors import ExamError
 from kinegrade.exam.attendance import attend
 from kinegrade.exam.pages import version_name
-from kinegrade.exam.quiz_document import Language, Quiz, QuizAsk, QuizPaper
+from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_quiz_source
+from kinegrade.language import Language
 
 CHUNK = 20  # papers in one task, few enough for all processes to end together
 AHEAD = 2  # tasks for each process that are under way or wait for it

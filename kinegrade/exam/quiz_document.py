@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
 
-Language = Literal["en", "zh"]
+from kinegrade.language import Language
 
 
 @dataclass(frozen=True)

@@ -11,19 +11,13 @@ from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam.pages import answer_row
-from kinegrade.exam.quiz_document import (
-    Language,
-    QuizAsk,
-    QuizFigure,
-    QuizMistake,
-    QuizPaper,
-    QuizQuestion,
-)
+from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_solution import solution_html
 from kinegrade.exam.quiz_source import BROKEN, MENDING, QuizSource, tolerance_of
 from kinegrade.exam.quiz_words import FIGURE, digits_to_type, marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
+from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.assemble import assemble

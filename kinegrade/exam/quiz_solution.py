@@ -6,18 +6,20 @@ It is the text of the printed solution with its equations and tables; the pictur
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import assert_never
 
 from kinegrade.exam.equation_line import equation_line
-from kinegrade.exam.quiz_document import Language
 from kinegrade.exam.quiz_prose import math_html, plain_html, prose_html, unit_html
 from kinegrade.exam.solution_blocks import has_exact_decimal
 from kinegrade.exam.solution_words import SolutionWords, solution_words_of
+from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Method, Template
 from kinegrade.worked.document import (
     Block,
     Display,
     Heading,
+    Pictures,
     Prose,
     Result,
     Results,
@@ -63,7 +65,10 @@ def _block(block: Block, words: SolutionWords) -> str:
             return _terms(block.terms, words)
         case Results():
             return f"<ul>\n{''.join(f'<li>{_result(result)}</li>{chr(10)}' for result in block.results)}</ul>\n"
-    return ""
+        case Pictures():
+            return ""
+        case _:
+            assert_never(block)
 
 
 def _aligned(lines: Sequence[str]) -> str:

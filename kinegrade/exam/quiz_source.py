@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExamError, TemplateError
-from kinegrade.exam.quiz_document import Language
+from kinegrade.language import Language, exam_language_of
 from kinegrade.problem.library import kept_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
@@ -53,11 +53,8 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
     Raises ExamError, with the faults of all templates.
     """
     head = _head(folder / "exam.json")
-    spoken: Language = "zh" if head.get("language") == "zh" else "en"
     bank = _text(folder / "bank.toml")
     title, course = (str(head.get(name, "")) for name in ("title", "course"))
-    if language and language != spoken:
-        title, course = _translated(bank, language, title, course)
     try:
         templates = _templates(folder, head)
         names = {str(student["student"]): str(student["name"]) for student in head["students"]}
@@ -71,6 +68,9 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         raise ExamError(
             f"{folder / 'exam.json'}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
         ) from fault
+    spoken = exam_language_of(head, folder / "exam.json")
+    if language and language != spoken:
+        title, course = _translated(bank, language, title, course)
     return QuizSource(
         folder,
         sha256(f"{first}\n{bank}".encode()).hexdigest()[:8],

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from kinegrade.exam.quiz_document import Language
 from kinegrade.exam.rules import EXCEPTION, FEWEST_DIGITS, marking_rule
+from kinegrade.language import Language
 from kinegrade.problem.tolerance import Tolerance
 
 FIGURE = {"en": "Figure to scale: {}", "zh": "附图（按比例绘制）：{}"}

@@ -9,7 +9,7 @@ from math import sqrt
 
 from kinegrade.exact.figures import figures_interval
 from kinegrade.exam.blueprint import Bank, BankQuestion
-from kinegrade.problem.template import Language
+from kinegrade.language import Language
 from kinegrade.problem.tolerance import Tolerance
 
 WRITING = {

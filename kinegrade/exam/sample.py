@@ -11,9 +11,10 @@ from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_exam
 from kinegrade.exam.typst import TypstPress
+from kinegrade.language import Language
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import statement
-from kinegrade.problem.template import Language, Method, Template, Translated
+from kinegrade.problem.template import Method, Template, Translated
 from kinegrade.problem.tolerance import ONE_PER_CENT
 from kinegrade.worked.solution import worked_solution
 

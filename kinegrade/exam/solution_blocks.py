@@ -24,7 +24,8 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
             return True
         case [TermTable(), Display(), _] | [TermTable(), Prose(), Display()]:
             return True
-    return False
+        case _:  # any other neighbours may be parted: what stays together is named, a new block stands alone
+            return False
 
 
 def has_exact_decimal(result: Result) -> bool:

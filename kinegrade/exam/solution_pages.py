@@ -6,8 +6,9 @@ from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.pages import paper_title
 from kinegrade.exam.setting import SetPaper, SetQuestion
+from kinegrade.language import Language
 from kinegrade.problem.statement import statement
-from kinegrade.problem.template import Language, Method
+from kinegrade.problem.template import Method
 from kinegrade.worked.solution import worked_solution
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import subprocess
 from base64 import b64encode
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from html import escape
 from importlib import import_module
@@ -30,13 +30,16 @@ from kinegrade.exam.word_reference import layout, word_reference
 from kinegrade.exam.words import words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst
+from kinegrade.language import Language
 
 Kind = Literal["docx", "html"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
+Picture = Literal["png", "svg"]
+MEDIA_TYPES: Mapping[Picture, str] = {"png": "image/png", "svg": "image/svg+xml"}
 MISSING = "pandoc not found; expected the optional extra; pip install 'kinegrade[word]'"
 PIXELS = 300  # to the inch, of a figure in Word
 SECONDS = 60  # a paper takes a fraction of one
-LANGUAGES = {"en": "en", "zh": "zh-CN"}
+TAGS: Mapping[Language, str] = {"en": "en", "zh": "zh-CN"}
 CSS_SIZES = {"a4": "A4", "letter": "letter"}
 _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 
@@ -58,9 +61,10 @@ class PandocPress:
                 return self.docx(paper)
             case "html":
                 return self.html(paper)
-        raise TypesetError(
-            f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}"
-        )
+            case _:
+                raise TypesetError(
+                    f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}"
+                )
 
     def docx(self, paper: Paper) -> bytes:
         """The paper for Word. Raises TypesetError with all faults of its texts, and where there is no pandoc."""
@@ -82,7 +86,7 @@ class PandocPress:
         owner = f"{words_of(paper.language).paper} {paper.code} · {paper.student}"
         style = layout("paper.css", size=CSS_SIZES[self._size])
         return page.substitute(
-            language=LANGUAGES[paper.language],
+            language=TAGS[paper.language],
             title=escape(f"{paper.title} {paper.code}"),
             style=style,
             body=body,
@@ -93,7 +97,7 @@ class PandocPress:
     def _default_reference(self) -> bytes:
         return _run("docx", ["--print-default-data-file", "reference.docx"], b"")
 
-    def _figures(self, paper: Paper, kind: Literal["png", "svg"]) -> dict[int, str]:
+    def _figures(self, paper: Paper, kind: Picture) -> dict[int, str]:
         """The figure of each question as a data URI."""
         return {
             question.number: self._picture(question.figure, kind)
@@ -101,11 +105,11 @@ class PandocPress:
             if question.figure
         }
 
-    def _picture(self, scene: Scene, kind: Literal["png", "svg"]) -> str:
+    def _picture(self, scene: Scene, kind: Picture) -> str:
         source = f'#import "/figure.typ": figure-alone\n#show: figure-alone\n{to_typst(scene)}\n'
         image = self._compiler.compile(source.encode(), format=kind, ppi=PIXELS)
         data = b64encode(image if isinstance(image, bytes) else b"").decode()
-        return f"data:image/{'svg+xml' if kind == 'svg' else kind};base64,{data}"
+        return f"data:{MEDIA_TYPES[kind]};base64,{data}"
 
 
 def require_pandoc(kinds: Iterable[str]) -> None:

@@ -74,4 +74,5 @@ def _with_footer(name: str, part: bytes) -> bytes:
             return part.replace(b"</Relationships>", f"{RELATION}</Relationships>".encode())
         case "[Content_Types].xml":
             return part.replace(b"</Types>", f"{KIND}</Types>".encode())
-    return part
+        case _:
+            return part

@@ -122,10 +122,14 @@ def _ring(rim: Rim) -> tuple[Primitive, ...]:
 def _round(rim: Rim) -> tuple[Primitive, ...]:
     """A wheel, a gear, or a ring-shaped slot."""
     pen = PENCILS[rim.kind]
-    if rim.kind != "slot":
-        return (Disc(rim.at, rim.radius, pen, "grey"),)
-    half = symbols.SLOT_WIDTH / 2
-    return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
+    match rim.kind:
+        case "slot":
+            half = symbols.SLOT_WIDTH / 2
+            return (Disc(rim.at, rim.radius + half, pen), Disc(rim.at, rim.radius - half, pen))
+        case "wheel" | "gear" | "cam" | "edge":
+            return (Disc(rim.at, rim.radius, pen, "grey"),)
+        case _:
+            assert_never(rim.kind)
 
 
 def _cam(mechanism: Mechanism, rim: Rim) -> tuple[Primitive, ...]:

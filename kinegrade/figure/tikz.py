@@ -58,18 +58,20 @@ def _commands(primitives: tuple[Primitive, ...]) -> list[list[str]]:
     pen: Pen | None = None
     fill: Fill = "none"
     for primitive in primitives:
-        if isinstance(primitive, Label):
-            lines.append([_label(primitive)])
-            continue
-        chosen = []
-        if primitive.pen and primitive.pen != pen:
-            chosen.append(_pen(primitive.pen, pen))
-            pen = primitive.pen
-        inside = fill_of(primitive)
-        if inside not in ("none", fill):
-            chosen.append(rf"\pgfsetfillcolor{{{_FILLS[inside]}}}")
-            fill = inside
-        lines.append([*chosen, _path(primitive) + _use(primitive.pen, inside)])
+        match primitive:
+            case Label():
+                lines.append([_label(primitive)])
+            case Strokes() | Outline() | Disc() | Bow():
+                chosen, inside = [], fill_of(primitive)
+                if primitive.pen and primitive.pen != pen:
+                    chosen.append(_pen(primitive.pen, pen))
+                    pen = primitive.pen
+                if inside not in ("none", fill):
+                    chosen.append(rf"\pgfsetfillcolor{{{_FILLS[inside]}}}")
+                    fill = inside
+                lines.append([*chosen, _path(primitive) + _use(primitive.pen, inside)])
+            case _:
+                assert_never(primitive)
     return lines
 
 

@@ -12,7 +12,7 @@ import re
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.grading.number_text import (
     BLANKS,
@@ -151,11 +151,19 @@ def _as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Readi
 def _worked(
     typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: str
 ) -> Reading:
-    amount: Amount = (
-        rational_amount(found.value) if isinstance(found, TypedNumber) else worked_out(found)
-    )
+    amount = _amount(found)
     value, error = converted(amount, -factor.factor if minus else factor.factor, factor.pi)
     return Reading("number", typed, value, decimal_text(value), remark=remark, error=error)
+
+
+def _amount(found: TypedNumber | Formula) -> Amount:
+    match found:
+        case TypedNumber(value=value):
+            return rational_amount(value)
+        case Formula():
+            return worked_out(found)
+        case _:
+            assert_never(found)
 
 
 def decimal_text(value: Fraction) -> str:

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from math import isnan
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from markupsafe import Markup
 
@@ -37,6 +37,7 @@ from kinegrade.grading.math_html import symbol_html
 from kinegrade.grading.plots import bar, box_plot, histogram_plot, stacked_bar
 from kinegrade.grading.report_words import ReportWords, report_words_of
 from kinegrade.grading.wording import Wording
+from kinegrade.language import Language
 
 Page = dict[str, Any]  # what a layout reads
 HARD, EASY, FLAT = 0.3, 0.9, 0.1
@@ -57,7 +58,7 @@ LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that 
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
 
-def class_report(marks: Path, exam: Path, wording: Wording, language: Literal["en", "zh"]) -> str:
+def class_report(marks: Path, exam: Path, wording: Wording, language: Language) -> str:
     """The page of a marks folder, by the exam folder it was made from. Raises TableError, ExamError."""
     record = read_exam_record(exam)
     counts, words = tally(marks, exam, record), report_words_of(language)

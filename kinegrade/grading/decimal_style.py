@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.grading.number_text import DecimalStyle, MarkUse, folded, mantissa
 
@@ -115,11 +115,7 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
     """The style of a file from all its rows of answers, or as declared: the name of its decimal mark."""
     if declared is not None:
         reason = f"the decimal mark was declared to be the {declared}"
-        point_groups = DecimalStyle("decimal", "groups", reason, reason)
-        return FileStyle(
-            point_groups if declared == "comma" else DecimalStyle("groups", "decimal", reason),
-            declared=True,
-        )
+        return FileStyle(_declared_style(declared, reason), declared=True)
     found = [evidence(row) for row in rows if any(row)]
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
@@ -129,6 +125,16 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
         DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""),
         commas=commas > 0,
     )
+
+
+def _declared_style(mark: Mark, reason: str) -> DecimalStyle:
+    match mark:
+        case "comma":
+            return DecimalStyle("decimal", "groups", reason, reason)
+        case "point":
+            return DecimalStyle("groups", "decimal", reason)
+        case _:
+            assert_never(mark)
 
 
 def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import assert_never
 
 from kinegrade.grading.accepted import Alternative
 from kinegrade.grading.answers import Reading
@@ -37,10 +38,15 @@ def decide(
     verdict = judge(reading, now)
     if verdict.kind == "right":
         return _said(verdict, ruling), _FULL
-    if reading.kind == "number":
-        found = [*_accepted(reading, now, ruling, others), *_mistaken(reading, now, ruling)]
-    else:
-        found = list(_bare_number(reading, now, ruling, reread))
+    match reading.kind:
+        case "number":
+            found = [*_accepted(reading, now, ruling, others), *_mistaken(reading, now, ruling)]
+        case "wrong unit":
+            found = list(_bare_number(reading, now, ruling, reread))
+        case "blank" | "unreadable":
+            found = []
+        case _:
+            assert_never(reading.kind)
     return max(found, key=lambda decision: decision[1], default=(_said(verdict, ruling), _NONE))
 
 
@@ -48,11 +54,16 @@ def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
     """What becomes of a decision where the ask is void: full points to whoever handed in, or nothing of nothing."""
     verdict, _ = decision
     by_key = f"; by the key: {verdict.kind}" + (f" ({verdict.reason})" if verdict.reason else "")
-    if ruling.void == "drop":
-        return Verdict("void", f"no part of the total{by_key}"), _NONE
-    if handed_in:
-        return Verdict("void", f"full points to everybody who handed in{by_key}"), _FULL
-    return Verdict("void", "full points to everybody who handed in; nothing was handed in"), _NONE
+    match ruling.void:
+        case "drop":
+            return Verdict("void", f"no part of the total{by_key}"), _NONE
+        case "full" | None:
+            full = "full points to everybody who handed in"
+            if handed_in:
+                return Verdict("void", f"{full}{by_key}"), _FULL
+            return Verdict("void", f"{full}; nothing was handed in"), _NONE
+        case _:
+            assert_never(ruling.void)
 
 
 def _said(verdict: Verdict, ruling: Ruling) -> Verdict:

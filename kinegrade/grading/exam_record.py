@@ -17,6 +17,7 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.roster import file_names
 from kinegrade.grading.key import rule
 from kinegrade.grading.key_lines import KeyLines
+from kinegrade.language import Language, exam_language_of
 
 _MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 _BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
@@ -44,7 +45,7 @@ class ExamRecord:
     title: str
     course: str
     date: str
-    language: str
+    language: Language
     questions: tuple[str, ...]
     versions: tuple[str, ...]
     students: Mapping[str, Sitter]
@@ -86,9 +87,10 @@ def read_exam_record(folder: Path) -> ExamRecord:
         raise ExamError(
             f"{path}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
         ) from fault
-    texts = {name: str(exam.get(name, "")) for name in ("title", "course", "date", "language")}
+    texts = {name: str(exam.get(name, "")) for name in ("title", "course", "date")}
     return ExamRecord(
         **texts,
+        language=exam_language_of(exam, path),
         questions=questions,
         versions=tuple(exam.get("versions", ())),
         students=students,

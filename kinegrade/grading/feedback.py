@@ -14,7 +14,7 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from itertools import groupby
 from pathlib import Path
-from typing import Literal
+from typing import assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.amounts import PLACES, amount_text
@@ -31,6 +31,7 @@ from kinegrade.grading.hints import Hint
 from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
 from kinegrade.grading.math_html import unit_text
 from kinegrade.grading.wording import Wording
+from kinegrade.language import Language
 
 LONGEST_TYPED = 80  # characters: more of a cell says nothing more
 LONGEST_EXACT = 32
@@ -87,7 +88,7 @@ class FeedbackSheet:
 
 
 def feedback_sheets(
-    marks: Path, exam: Path, wording: Wording, language: Literal["en", "zh"]
+    marks: Path, exam: Path, wording: Wording, language: Language
 ) -> Iterator[tuple[Sitter, FeedbackSheet]]:
     """The sheets in the order of the roster, each with whose it is. Raises TableError, ExamError."""
     record, papers, totals = read_exam_record(exam), PaperRecords(exam), student_totals(marks)
@@ -210,8 +211,18 @@ def hint_text(
                 else percent_text(right.allowed / abs(right.value))
             )
             text = words.close.format(percent_text(difference), allowed)
-        case _:
+        case (
+            "opposite"
+            | "degrees for radians"
+            | "radians for degrees"
+            | "revolutions per second"
+            | "revolutions per minute"
+            | "twice"
+            | "half"
+        ):
             text = words.hints[found.kind]
+        case _:
+            assert_never(found.kind)
     return f"{text} {words.turned}" if found.reversed_sign and text else text
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.csv_writing import neutralised, write_csv
 from kinegrade.errors import ExamError
@@ -18,6 +18,7 @@ from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
 from kinegrade.grading.wording import Wording
+from kinegrade.language import Language
 
 Text = Literal["html", "md"]
 Press = Callable[
@@ -33,7 +34,7 @@ def write_feedback(
     wording: Wording,
     form: Text | Press,
     *,
-    language: Literal["en", "zh"],
+    language: Language,
     solutions: bool = False,
     force: bool = False,
 ) -> int:
@@ -71,10 +72,20 @@ def _files(
         return
     beside = f"{sitter.stem}-solution.pdf" if solution is not None else ""
     sheet = replace(sheet, solution=beside)
-    text = feedback_markdown(sheet) if form == "md" else feedback_html(sheet)
+    text = _text(sheet, form)
     yield f"{sitter.stem}.{form}", text.encode("utf-8", "backslashreplace")
     if solution is not None:
         yield beside, solution
+
+
+def _text(sheet: FeedbackSheet, form: Text) -> str:
+    match form:
+        case "md":
+            return feedback_markdown(sheet)
+        case "html":
+            return feedback_html(sheet)
+        case _:
+            assert_never(form)
 
 
 def _solution(exam: Path, sitter: Sitter) -> bytes:

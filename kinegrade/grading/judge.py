@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.key import Key
@@ -43,11 +43,20 @@ def judge(reading: Reading, key: Key) -> Verdict:
     >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
     'key 1, difference 0.01, allowed 0.01'
     """
-    if reading.kind == "blank":
-        return Verdict("blank", "")
-    if reading.kind == "wrong unit":
-        return Verdict("wrong unit", reading.reason)
-    if reading.kind == "unreadable" or reading.value is None:
+    match reading.kind:
+        case "blank":
+            return Verdict("blank", "")
+        case "wrong unit" | "unreadable":
+            return Verdict(reading.kind, reading.reason)
+        case "number":
+            return _compared(reading, key)
+        case _:
+            assert_never(reading.kind)
+
+
+def _compared(reading: Reading, key: Key) -> Verdict:
+    """Right or wrong; a number without a value, of which the reason tells, is unreadable."""
+    if reading.value is None:
         return Verdict("unreadable", reading.reason)
     difference = reading.value - key.value
     if key.period:

@@ -9,7 +9,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, assert_never
 
 from kinegrade.exact.figures import figures_interval
 
@@ -144,13 +144,16 @@ class Paper(NamedTuple):
     def key(self, ask: int, names: Container[str] | None = None) -> Key:
         """The exact key of an ask; of the mistakes with those of these names, or with all."""
         key = self.keys[ask]
-        if isinstance(key, StatedKey):
-            return key.key(key.mistakes if names is None else names)
-        if names is None or len(key.mistakes) == 0:
-            return key
-        return replace(
-            key, mistakes={name: wrong for name, wrong in key.mistakes.items() if name in names}
-        )
+        match key:
+            case StatedKey():
+                return key.key(key.mistakes if names is None else names)
+            case Key(mistakes=mistakes):
+                if names is None or len(mistakes) == 0:
+                    return key
+                kept = {name: wrong for name, wrong in mistakes.items() if name in names}
+                return replace(key, mistakes=kept)
+            case _:
+                assert_never(key)
 
 
 @dataclass(frozen=True, slots=True)

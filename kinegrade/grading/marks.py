@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from math import lcm
 from types import MappingProxyType
+from typing import assert_never
 
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import Reading
@@ -206,10 +207,18 @@ class _Marker:
 
     def _counted(self, papers: Sequence[Paper]) -> list[Row]:
         """The row of each student that counts, as a whole; of the best ones the last."""
-        attempts = self.judge.policy.attempts
-        rows = [(paper, self._entries(paper)[0 if attempts == "first" else -1]) for paper in papers]
-        if attempts != "best":
-            return rows
+        match self.judge.policy.attempts:
+            case "first":
+                return [(paper, self._entries(paper)[0]) for paper in papers]
+            case "last":
+                return [(paper, self._entries(paper)[-1]) for paper in papers]
+            case "best":
+                return self._best(papers)
+            case _:
+                assert_never(self.judge.policy.attempts)
+
+    def _best(self, papers: Sequence[Paper]) -> list[Row]:
+        rows = [(paper, self._entries(paper)[-1]) for paper in papers]
         tried = [
             (paper, entry)
             for paper in papers

@@ -144,9 +144,10 @@ class _Reader:
             case "^":
                 inner = self.piece(upright)
                 return inner if inner in ("°", "′") else f"<sup>{inner}</sup>"
-        return (
-            self.command(token[1:], upright) if token.startswith("\\") else _letters(token, upright)
-        )
+            case _ if token.startswith("\\"):
+                return self.command(token[1:], upright)
+            case _:
+                return _letters(token, upright)
 
     def command(self, name: str, upright: bool) -> str:
         """A command without its backslash."""

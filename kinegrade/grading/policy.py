@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.expression import Expression
 from kinegrade.grading.key import Ask, Key, rule
@@ -72,9 +72,13 @@ class Ruling:
 
     def ask(self, ask: Ask) -> Ask:
         """The ask with the points it has now; a dropped one has none."""
-        if self.void == "drop":
-            return replace(ask, points=Fraction(0))
-        return ask if self.points is None else replace(ask, points=self.points)
+        match self.void:
+            case "drop":
+                return replace(ask, points=Fraction(0))
+            case "full" | None:
+                return ask if self.points is None else replace(ask, points=self.points)
+            case _:
+                assert_never(self.void)
 
     def key(self, key: Key) -> Key:
         """A key with the tolerance it has now."""

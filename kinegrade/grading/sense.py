@@ -15,7 +15,10 @@ Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
 _OPPOSITE: dict[Sense, Sense] = {
     "ccw": "cw", "cw": "ccw", "right": "left", "left": "right", "up": "down", "down": "up",
 }  # fmt: skip
-_NAMES: dict[Sense, str] = {"ccw": "counter-clockwise", "cw": "clockwise"}
+_NAMES: dict[Sense, str] = {
+    "ccw": "counter-clockwise", "cw": "clockwise",
+    "right": "right", "left": "left", "up": "up", "down": "down",
+}  # fmt: skip
 _TURNING = r"(?:方向|转动|旋转|转)?"
 _WORDS: dict[Sense, str] = {
     "ccw": rf"(?:counter|anti)[- ]?clockwise|c\.?c\.?w|acw|逆[时時][针針]{_TURNING}|[↺⟲]",
@@ -62,7 +65,7 @@ def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     words that say nothing about this ask's sign.
     """
     positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
-    name = _NAMES.get(sense, sense)
+    name = _NAMES[sense]
     if sign == "-" or (sign == "+" and sense != positive):
         raise Unreadable(
             f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of the two'

@@ -10,15 +10,23 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
+from typing import assert_never
 
 from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.errors import TableError, one_line
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
-from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, decimal_text, feedback_text
+from kinegrade.lms.grades import (
+    TOTAL,
+    ClassGrades,
+    StudentGrade,
+    decimal_text,
+    feedback_text,
+    known_as,
+)
 from kinegrade.lms.item_columns import item_title, items_of, number
 from kinegrade.lms.maximum import maximum_faults, scaled, target_maximum
-from kinegrade.tables import Complaint, trimmed
+from kinegrade.tables import Complaint
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +56,7 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
     students = grades.exported(ungraded=options.ungraded)
     plan = _plan(dialect, layout, grades, students, options)
     _refuse_unknown_addresses(plan.key, students)
-    known = [each for each in students if _key_text(plan.key, each)]
+    known = [each for each in students if known_as(each, plan.key)]
     header = [header for _, header, _ in plan.columns]
     rows = [[_cell(plan, column, item, each) for column, _, item in plan.columns] for each in known]
     text = _quoted(header, rows) if layout.quotes_all else csv_text(header, rows)
@@ -123,18 +131,19 @@ def _plan(
     if faults:
         raise TableError(*dict.fromkeys(faults))
     kept = [column for column in layout.columns if _is_kept(column, layout, key, options)]
-    columns = tuple(
-        (
-            column,
-            headers.get(item) or _header(column, item_title(title, item), maxima.get(item, set())),
-            item,
-        )
-        if column.role == "grade"
-        else (column, _header(column, title, set()), TOTAL)
-        for column in kept
-        for item in (items if column.role == "grade" else (TOTAL,))
-    )
-    return _Plan(dialect, layout, columns, targets, key, grades.questions)
+    columns: list[tuple[Column, str, str]] = []
+    for column in kept:
+        graded = items if column.role == "grade" else ()
+        columns += [
+            (column, headers.get(item) or _graded(column, title, item, maxima), item)
+            for item in graded
+        ]
+        columns += [] if graded else [(column, _header(column, title, set()), TOTAL)]
+    return _Plan(dialect, layout, tuple(columns), targets, key, grades.questions)
+
+
+def _graded(column: Column, title: str, item: str, maxima: Mapping[str, set[Fraction]]) -> str:
+    return _header(column, item_title(title, item), maxima.get(item, set()))
 
 
 def _header(column: Column, title: str, maxima: set[Fraction]) -> str:
@@ -182,17 +191,21 @@ def _states(layout: NewFile) -> bool:
 
 
 def _is_kept(column: Column, layout: NewFile, key: Field, options: ExportOptions) -> bool:
-    if column.role in FIELDS:
-        return column.holds(key) or layout.keeps_keys
-    if column.role in ("feedback", "feedback format"):
-        return options.feedback is not False and not options.per_question
-    return True
+    match column.role:
+        case "id" | "login" | "email":
+            return column.holds(key) or layout.keeps_keys
+        case "feedback" | "feedback format":
+            return options.feedback is not False and not options.per_question
+        case "name" | "name and id" | "grade" | "fixed":
+            return True
+        case _:
+            assert_never(column.role)
 
 
 def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
     match column.role:
         case "id" | "login" | "email":
-            return column.text + _key_text(plan.key, grade) if column.holds(plan.key) else ""
+            return column.text + known_as(grade, plan.key) if column.holds(plan.key) else ""
         case "name":
             return grade.name
         case "name and id":
@@ -202,17 +215,15 @@ def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
         case "feedback":
             text = feedback_text(grade, plan.questions)
             return escape(text, quote=False) if column.text == "html" else text
-        case _:
+        case "feedback format" | "fixed":
             return column.text
-
-
-def _key_text(key: Field, grade: StudentGrade) -> str:
-    return trimmed(grade.email) if key == "email" else grade.student
+        case _:
+            assert_never(column.role)
 
 
 def _keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint]:
     for each in students:
-        if not _key_text(key, each):
+        if not known_as(each, key):
             problem = f'student "{one_line(each.student)}" has no e-mail'
             done = "not exported; give it in the roster, or match by id"
             yield Complaint("exam.json", None, "", each.student, problem, done)

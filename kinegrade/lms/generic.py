@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from kinegrade.language import Language
 from kinegrade.lms.dialect import Column, Dialect, NewFile
-from kinegrade.problem.template import Language
 
 GENERIC_ENGLISH = Dialect(
     name="the generic sheet",

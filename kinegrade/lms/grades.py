@@ -16,11 +16,12 @@ from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.problem.template import LANGUAGES, Language
+from kinegrade.language import LANGUAGES, Language
+from kinegrade.lms.dialect import Field
 from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 
 Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
@@ -62,6 +63,17 @@ class ClassGrades:
     def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
         """Who gets a grade: those who handed in something, or everybody."""
         return tuple(each for each in self.students if ungraded or each.handed_in)
+
+
+def known_as(grade: StudentGrade, field: Field) -> str:
+    """What a system that goes by a key knows a student by: the address, or the id, which may be the login there."""
+    match field:
+        case "id" | "login":
+            return grade.student
+        case "email":
+            return trimmed(grade.email)
+        case _:
+            assert_never(field)
 
 
 def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:

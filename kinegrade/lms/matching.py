@@ -16,7 +16,7 @@ from unicodedata import normalize
 from kinegrade.errors import one_line
 from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Key
-from kinegrade.lms.grades import StudentGrade
+from kinegrade.lms.grades import StudentGrade, known_as
 from kinegrade.tables import Complaint, trimmed
 
 _CUT_NUMBER = re.compile(r"([0-9])(?:[.,]([0-9]{1,15}))?E\+?([0-9]{1,2})", re.IGNORECASE)
@@ -38,7 +38,7 @@ class KeyColumn:
 
     def wanted(self, grade: StudentGrade) -> str:
         """What a student's row has to hold there; empty where that is not known."""
-        return self.compared(trimmed(grade.email if self.key.field == "email" else grade.student))
+        return self.compared(known_as(grade, self.key.field))
 
     def compared(self, text: str) -> str:
         """A value as the system compares it."""

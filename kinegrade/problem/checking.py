@@ -13,6 +13,7 @@ from typing import Any
 from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
+from kinegrade.language import LANGUAGES
 from kinegrade.problem.answerable import answerable, stated
 from kinegrade.problem.drawing import Deck, Refused, address, examine
 from kinegrade.problem.foresight import Foresight
@@ -20,7 +21,7 @@ from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.spread import Spread
 from kinegrade.problem.statement import statement_faults
-from kinegrade.problem.template import LANGUAGES, Ask, Published, Template
+from kinegrade.problem.template import Ask, Published, Template
 
 FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 SEARCHED = 300  # instances that the search for breaking values tries

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, statement
-from kinegrade.problem.template import Language, Parameter, Template
+from kinegrade.problem.template import Parameter, Template
 
 
 def describe(template: Template, language: Language) -> str:

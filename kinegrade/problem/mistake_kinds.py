@@ -17,9 +17,10 @@ from flint import arb, fmpq
 
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import Call, Expression, Name, every_part
+from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.signs import CONVENTIONS
-from kinegrade.problem.template import Ask, Language, Template
+from kinegrade.problem.template import Ask, Template
 
 Givens = Mapping[str, Any]  # parameters in SI
 

@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean
 from kinegrade.expression import Expression, read
+from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
@@ -193,7 +194,7 @@ class Reader:
         value = table.get(key)
         if (
             not isinstance(value, dict)
-            or set(value) != {"en", "zh"}
+            or set(value) != set(LANGUAGES)
             or not all(isinstance(text, str) and text.strip() for text in value.values())
         ):
             if key in table or path:

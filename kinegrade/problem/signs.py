@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from kinegrade.errors import ExpressionError, did_you_mean
+from kinegrade.language import LANGUAGES
 
 CONVENTIONS = {
     "magnitude": ("magnitude, not negative", "大小，取非负值"),
@@ -24,7 +25,7 @@ def read_sign(sign: Any) -> tuple[str, str]:
     """
     if isinstance(sign, str) and sign in CONVENTIONS:
         return CONVENTIONS[sign]
-    if isinstance(sign, dict) and set(sign) == {"en", "zh"}:
+    if isinstance(sign, dict) and set(sign) == set(LANGUAGES):
         return str(sign["en"]), str(sign["zh"])
     if isinstance(sign, str):
         raise ExpressionError(

@@ -18,8 +18,9 @@ from jinja2.sandbox import SandboxedEnvironment
 from kinegrade.errors import TemplateError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.text import LATEX, angle_text
+from kinegrade.language import LANGUAGES, Language
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.template import LANGUAGES, Language, Template
+from kinegrade.problem.template import Template
 
 ALLOWED = (nodes.Template, nodes.Output, nodes.TemplateData, nodes.Name, nodes.Getattr)
 ENVIRONMENT = SandboxedEnvironment(

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 from typing import Literal, assert_never
 
 from kinegrade.expression import Expression
+from kinegrade.language import Language
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.hints import FigureHints
 from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.units import Unit
 
-Language = Literal["en", "zh"]
-LANGUAGES: tuple[Language, ...] = ("en", "zh")
 Method = Literal["base-point", "projection", "pole"]
 METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
 

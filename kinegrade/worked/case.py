@@ -8,12 +8,13 @@ from functools import cached_property
 from typing import Any, assert_never
 
 from kinegrade.expression import Call, Name
+from kinegrade.language import Language
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.sentences import JointSentence
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Language, Method, Template
+from kinegrade.problem.template import Method, Template
 from kinegrade.worked.naming import Naming
 
 LETTERS: Mapping[Level, str] = {"velocity": "v", "acceleration": "a"}

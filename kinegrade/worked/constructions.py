@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation, parts
-from kinegrade.problem.template import Language
+from kinegrade.language import Language
 from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scaled
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
 from kinegrade.worked.formula_text import quarter_turns

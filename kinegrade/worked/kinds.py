@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
+from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import omega_of
-from kinegrade.problem.template import Language
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.phrases import phrase

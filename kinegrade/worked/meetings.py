@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kinegrade.expression import Call, Expression, Name, Operation, parts
+from kinegrade.language import Language
 from kinegrade.problem.notation import symbol
-from kinegrade.problem.template import Language
 from kinegrade.worked.coordinates import (
     ONE,
     TWO,

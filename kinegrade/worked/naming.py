@@ -8,9 +8,10 @@ from functools import cached_property
 from typing import assert_never
 
 from kinegrade.expression import Call, Name
+from kinegrade.language import LANGUAGES, Language
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.notation import point_symbol
-from kinegrade.problem.template import LANGUAGES, Language, Template
+from kinegrade.problem.template import Template
 
 BODIES = {  # the words that templates use for bodies
     "crank": ("the crank", "曲柄"),

@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from kinegrade.problem.template import Language
+from kinegrade.language import Language
 
 _PLACE = re.compile(r"<(\w+)>")
 

@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.expression import ANGLES, Call, Expression, Name, Number, Operation, every_part
+from kinegrade.language import Language
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Ask, Language
+from kinegrade.problem.template import Ask
 from kinegrade.units import Unit
 from kinegrade.worked.constructions import chapter, length_lines
 from kinegrade.worked.coordinates import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.problem.template import Language
+from kinegrade.language import Language
 
 Signs = tuple[int, int]  # of the cosine and of the sine
 

@@ -10,8 +10,8 @@ from typing import assert_never
 
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import Call, Expression, Name, Number, Operation
+from kinegrade.language import Language
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Language
 from kinegrade.worked.constructions import chapter
 from kinegrade.worked.coordinates import ZERO, length_of, needed
 from kinegrade.worked.document import Block, Display, Prose

@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import assert_never
 
+from kinegrade.language import Language
 from kinegrade.mechanics.drivers import Circulation, Component, Rotation
 from kinegrade.mechanics.joints import Parallel, Sleeve
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
-from kinegrade.problem.template import Ask, Language, Method
+from kinegrade.problem.template import Ask, Method
 from kinegrade.worked.answers import answer_blocks, result
 from kinegrade.worked.case import Case
 from kinegrade.worked.deduced import Stage

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kinegrade.exam.formula import unit_text
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.exam.quiz_words import BETWEEN
+from kinegrade.language import Language
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import PLACES
 from kinegrade.lms.quiz.intervals import RightInterval, within_half_a_turn

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizFigure
+from kinegrade.exam.quiz_document import QuizAsk, QuizFigure
 from kinegrade.exam.quiz_prose import math_html, plain_html, prose_html, unit_html
 from kinegrade.exam.rules import plain
 from kinegrade.exam.words import words_of
+from kinegrade.language import Language
 
 PIXELS = 5.0  # for a millimetre on paper: symbols then are as large as the text around the figure
 PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}

@@ -17,7 +17,8 @@ from fractions import Fraction
 from math import lcm
 from typing import Literal, assert_never
 
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.exam.quiz_document import QuizAsk, QuizPaper, QuizQuestion
+from kinegrade.language import Language
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import ask_html, figure_html, plain_html, prose_html
 from kinegrade.lms.quiz.moodle_xml_answers import MoodleAnswer, cloze_field, moodle_answers

@@ -157,7 +157,8 @@ def _part(token: str, tokens: Iterator[str]) -> str:
             return f"{_bracketed(_argument(tokens))}/{_bracketed(_argument(tokens))}"
         case r"\sqrt":
             return f"√{_bracketed(_argument(tokens))}"
-    return _command(token[1:]) if token.startswith("\\") else token
+        case _:
+            return _command(token[1:]) if token.startswith("\\") else token
 
 
 def _argument(tokens: Iterator[str]) -> str:

@@ -48,4 +48,5 @@ def _written(leaves: Sequence[Token], index: int, where: str) -> str:
             return " - "
         case "paragraph_close" | "hardbreak":
             return " "
-    return ""
+        case _:
+            return ""  # an opening or closing mark, which has no text

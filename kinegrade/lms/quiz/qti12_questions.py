@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.language import Language
 from kinegrade.lms.quiz.canvas_units import ClassUnits, edges_kept
 from kinegrade.lms.quiz.decimals import decimal_text
 from kinegrade.lms.quiz.html import PLACES, ask_html

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.language import Language
 from kinegrade.lms.quiz.html import ask_html, plain_html
 from kinegrade.lms.quiz.packaging import stable_name
 from kinegrade.lms.quiz.plain_prose import plain_prose

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from kinegrade.exam.quiz_document import Language, QuizAsk, QuizQuestion
+from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
+from kinegrade.language import Language
 from kinegrade.lms.quiz.html import figure_html, prose_html, unit_html
 from kinegrade.lms.quiz.question_words import QuestionWords
 from kinegrade.lms.quiz.typing_words import Typing, rules

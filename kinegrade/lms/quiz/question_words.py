@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kinegrade.exam.quiz_document import Language
+from kinegrade.language import Language
 
 
 @dataclass(frozen=True)

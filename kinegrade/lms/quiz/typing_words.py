@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinegrade.exam.quiz_document import Language, QuizQuestion
+from kinegrade.exam.quiz_document import QuizQuestion
 from kinegrade.exam.quiz_words import BETWEEN
 from kinegrade.exam.rules import FEWEST_DIGITS, NUMERALS
+from kinegrade.language import Language
 
 Typing = Mapping[Language, str]  # `{}` takes the number of significant digits
 

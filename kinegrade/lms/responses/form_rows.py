@@ -44,7 +44,7 @@ def form_rows(
     columns = columns_of_asks(table, [place for place in questions if place not in personal], asks)
     named: dict[Kind, Sequence[int]] = {
         "id": about["id"],
-        "email": [*known.get("email", ()), *about["email"]],
+        "email": [*known["email"], *about["email"]] if "email" in known else about["email"],
     }
     rest = [place for place in questions if place not in {*columns.values(), *about["name"]}]
     rows = tuple(TypedRow(row, tuple(map(row.cell, columns.values()))) for row in table.rows)

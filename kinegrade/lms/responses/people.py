@@ -79,8 +79,8 @@ class People:
         """Which of the candidates hold ids and addresses: those whose names say so, else those with most known ones."""
         named = named or {}
         return Columns(
-            self._best(rows, named.get("id", ()), candidates, self.by_id),
-            self._best(rows, named.get("email", ()), candidates, self.by_email),
+            self._best(rows, named.get("id") or (), candidates, self.by_id),
+            self._best(rows, named.get("email") or (), candidates, self.by_email),
         )
 
     def _best(

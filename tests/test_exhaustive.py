@@ -1,0 +1,219 @@
+"""No choice over our own types, literals and languages ends in a default that takes a new thing for an old one."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+import kinegrade
+from tests.defaults import Vocabulary, defaults, vocabulary
+
+PACKAGE = Path(kinegrade.__file__).parent
+EXCEPTIONS = {
+    "cli/export.py: if system == 'xlsx'": "the rest goes on to `_dialect`, which names every system",
+    "exam/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
+    "a new block may be parted from its neighbours, which costs looks and nothing else",
+    "grading/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
+    "at for credit, by what was read, which is a choice of its own",
+    "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
+    "arithmetic are taken, what is known to be no number is refused",
+}
+
+OWN = """
+Joint = Pin | Slide | Belt
+Driver = Spin | Push
+Language = Literal["en", "zh", "fr"]
+Level = Literal["velocity", "acceleration"]
+WORDS: Mapping[Language, str] = {"en": "a", "zh": "b", "fr": "c"}
+LETTERS = {"velocity": "v", "acceleration": "a"}
+class Pin: ...
+class Slide: ...
+class Belt: ...
+class Spin: ...
+class Push: ...
+class Stage:
+    level: Level
+def told(level: Level, language: Language, joint: Joint): ...
+"""
+FOUND = {
+    "a last case that takes everything": """
+match joint:
+    case Pin():
+        x = 1
+    case _:
+        x = 2
+""",
+    "a name as the last case": """
+match stage.level:
+    case "velocity":
+        x = 1
+    case other:
+        x = 2
+""",
+    "a positional pattern of a joint": """
+match joint:
+    case Pin(point, bodies):
+        x = 1
+""",
+    "an else after isinstance": """
+if isinstance(joint, Pin):
+    x = 1
+else:
+    x = 2
+""",
+    "an else after several": """
+if isinstance(joint, Pin):
+    x = 1
+elif isinstance(joint, Slide):
+    x = 2
+else:
+    x = 3
+""",
+    "a fall-through": """
+def f():
+    if isinstance(joint, Pin | Slide):
+        return 1
+    return 2
+""",
+    "a fall-through to nothing after several": """
+def f():
+    if isinstance(joint, Pin):
+        return 1
+    if isinstance(joint, Slide):
+        return 2
+    return None
+""",
+    "a fall-through before a negation": """
+def f():
+    if not isinstance(joint, Pin):
+        return 2
+    return 1
+""",
+    "a conditional on a type": "x = 1 if isinstance(joint, Pin) else 2",
+    "a conditional on a literal": 'x = "v" if stage.level == "velocity" else "a"',
+    "a conditional the other way round": 'x = "v" if stage.level != "velocity" else "a"',
+    "an else after ==": """
+if level == "velocity":
+    x = 1
+else:
+    x = 2
+""",
+    "an else after in": """
+if level in ("velocity", "speed"):
+    x = 1
+else:
+    x = 2
+""",
+    "a conditional on the language": 'x = "zh" if head.get("language") == "zh" else "en"',
+    "a language compared with anything": 'x = 1 if whatever == "en" else 2',
+    "a default of a named table": 'x = WORDS.get(language, "a")',
+    "a default of a table without annotation": 'x = LETTERS.get(level, "v")',
+    "a default of a table written there": 'x = {"en": 1, "zh": 2}.get(language, 1)',
+}
+PASSED = {
+    "all named": """
+match joint:
+    case Pin(point=point) | Slide():
+        x = 1
+    case Belt():
+        x = 2
+    case _:
+        assert_never(joint)
+""",
+    "a refusal": """
+match joint:
+    case Pin():
+        x = 1
+    case _:
+        raise TypeError("no such joint")
+""",
+    "a chain that ends in assert_never": """
+def f():
+    if isinstance(joint, Pin):
+        return 1
+    if isinstance(joint, Slide):
+        return 2
+    assert_never(joint)
+""",
+    "a filter": """
+def f():
+    if not isinstance(joint, Pin):
+        return None
+    return joint.point
+""",
+    "a filter in a loop": """
+for joint in joints:
+    if not isinstance(joint, Pin):
+        continue
+    x = 1
+""",
+    "a filter in a conditional": 'x = joint.point if isinstance(joint, Pin) else ""',
+    "something more for one kind": """
+if isinstance(joint, Pin):
+    x = 1
+""",
+    "a table indexed": "x = WORDS[language]",
+    "foreign types": "x = 1 if isinstance(joint, str) else 2",
+    "foreign texts": 'x = 1 if token == "{" else 2',
+    "foreign tables": "x = names.get(name, name)",
+    "a match over foreign texts": """
+match token:
+    case "{":
+        x = 1
+    case _:
+        x = 2
+""",
+}
+
+
+def words_of_package() -> tuple[Mapping[str, ast.Module], Vocabulary]:
+    """The syntax trees of the package by file, and what they define."""
+    trees = {
+        str(file.relative_to(PACKAGE)): ast.parse(file.read_text(encoding="utf-8"))
+        for file in sorted(PACKAGE.rglob("*.py"))
+    }
+    return trees, vocabulary(list(trees.values()))
+
+
+@pytest.mark.parametrize("form", FOUND)
+def test_a_default_is_found_in_every_form_that_it_takes(form: str) -> None:
+    tree = ast.parse(FOUND[form])
+    assert len(list(defaults(tree, vocabulary([ast.parse(OWN)])))) == 1
+
+
+@pytest.mark.parametrize("form", PASSED)
+def test_what_names_all_refuses_or_only_filters_is_no_default(form: str) -> None:
+    tree = ast.parse(PASSED[form])
+    assert list(defaults(tree, vocabulary([ast.parse(OWN)]))) == []
+
+
+def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
+    _, words = words_of_package()
+    assert {"Pin", "Belt", "Rotation", "Label", "Heading", "Operation", "Line"} - words.classes == {
+        "Belt"
+    }
+    assert {"Pin", "Slide", "Mesh", "Rotation", "Circulation"} <= words.unpositional
+    assert words.languages == {"en", "zh"}
+    assert words.values["level"] == {"velocity", "acceleration"}
+    assert {"moodle", "canvas", "edx"} <= words.values["system"]
+    assert {"pin", "slide", "rotation", "sliding"} <= words.values["kind"]
+    assert {"WORDS", "ROLES", "_FILLS"} <= words.tables
+
+
+def test_a_new_joint_word_or_language_never_takes_the_place_of_an_old_one() -> None:
+    trees, words = words_of_package()
+    found = {
+        f"{file}: {text}": f"{file}:{line}"
+        for file, tree in trees.items()
+        for line, text in defaults(tree, words)
+    }
+    assert {text: found[text] for text in found.keys() - EXCEPTIONS} == {}
+
+
+def test_every_exception_is_still_there() -> None:
+    trees, words = words_of_package()
+    found = {f"{file}: {text}" for file, tree in trees.items() for _, text in defaults(tree, words)}
+    assert EXCEPTIONS.keys() - found == set()
