@@ -31,7 +31,6 @@ TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,2})?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),]))",
     re.ASCII,
 )
-ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
 DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
 # What is expected in place of a character that our grammar does not have.
 SLIPS: Mapping[str, str] = {
@@ -241,44 +240,6 @@ def rational(digits: str) -> Any:
 def names(tree: Expression) -> Iterator[str]:
     """The names (not the functions) that occur, in order."""
     return (part.name for part in every_part(tree) if isinstance(part, Name))
-
-
-def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
-    """Whether the expression has the dimension of an angle, given the names that have it; `pi` has."""
-    return angular_degree(tree, angles) == 1
-
-
-def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
-    """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
-    match tree:
-        case Number():
-            return 0
-        case Name(name):
-            return int(name == "pi" or name in angles)
-        case Call("abs", (argument, *_)):
-            return angular_degree(argument, angles)
-        case Call(function):
-            return int(function in ANGLES)
-        case Operation(sign, left, right):
-            degrees = angular_degree(left, angles), angular_degree(right, angles)
-            return _degree_of(sign, *degrees)
-        case _:
-            assert_never(tree)
-
-
-def _degree_of(sign: Operator, left: int, right: int) -> int:
-    """The power of "angle" in a combination of two expressions with theirs."""
-    match sign:
-        case "+" | "-":
-            return max(left, right)
-        case "*":
-            return left + right
-        case "/":
-            return left - right
-        case "**":
-            return 0
-        case _:
-            assert_never(sign)
 
 
 def evaluate(

@@ -19,6 +19,7 @@ FLOORS = {
     "errors": 0,
     "expression": 0,
     "language": 0,
+    "angular": 0,
     "exact": 0,
     "units": 0,
     "toml_reading": 0,

@@ -217,3 +217,18 @@ def test_every_exception_is_still_there() -> None:
     trees, words = words_of_package()
     found = {f"{file}: {text}" for file, tree in trees.items() for _, text in defaults(tree, words)}
     assert EXCEPTIONS.keys() - found == set()
+
+
+def test_every_table_by_language_has_all_languages() -> None:
+    trees, words = words_of_package()
+    tables = {
+        f"{file}:{node.lineno}": {ast.literal_eval(key) for key in node.keys if key}
+        for file, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Dict)
+        and node.keys
+        and all(isinstance(key, ast.Constant) for key in node.keys)
+    }
+    lacking = {place: keys for place, keys in tables.items() if keys < words.languages}
+    assert len([keys for keys in tables.values() if keys == words.languages]) > 20
+    assert lacking == {}

@@ -12,6 +12,7 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kinegrade.angular import angular_degree, is_angle
 from kinegrade.errors import ExpressionError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
@@ -25,10 +26,8 @@ from kinegrade.expression import (
     Name,
     Number,
     Operation,
-    angular_degree,
     elementary,
     evaluate,
-    is_angle,
     names,
     rational,
     read,

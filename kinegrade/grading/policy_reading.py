@@ -32,8 +32,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, PolicyError, TomlError, did_you_mean, one_line
-from kinegrade.expression import Expression, is_angle, names, read
+from kinegrade.expression import Expression, names, read
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.key import Ask, Sitting, questions
 from kinegrade.grading.number_text import Unreadable

@@ -11,10 +11,11 @@ from typing import Any, assert_never
 
 from flint import fmpq
 
+from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, KinegradeError, MechanismError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.surd import MAX_HEIGHT, Surd, height
-from kinegrade.expression import Call, Expression, Name, elementary, evaluate, is_angle
+from kinegrade.expression import Call, Expression, Name, elementary, evaluate
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
 from kinegrade.mechanics.geometry import BRANCHES, Constructions, Round, constructions
 from kinegrade.mechanics.joints import (

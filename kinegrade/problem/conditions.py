@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 
+from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError
-from kinegrade.expression import Number, is_angle, read
+from kinegrade.expression import Number, read
 from kinegrade.problem.template import Condition
 
 

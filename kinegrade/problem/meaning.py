@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import assert_never
 
+from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, did_you_mean
-from kinegrade.expression import Call, Expression, Name, Number, Operation, is_angle, whole_power
+from kinegrade.expression import Call, Expression, Name, Number, Operation, whole_power
 from kinegrade.problem.dimension import NUMBER
 from kinegrade.problem.kinds import (
     Arrow,

@@ -9,7 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from kinegrade.expression import ANGLES, Call, Expression, Name, Number, Operation, every_part
+from kinegrade.angular import ANGLES
+from kinegrade.expression import Call, Expression, Name, Number, Operation, every_part
 from kinegrade.language import Language
 from kinegrade.problem.quantity import LONGEST_CLOSED_FORM, Quantity
 from kinegrade.problem.solving import Solution

@@ -1,0 +1,47 @@
+"""Which expressions are angles: the power of "angle" in a tree, by the names that have it."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from kinegrade.expression import Call, Expression, Name, Number, Operation, Operator
+
+ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
+
+
+def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
+    """Whether the expression has the dimension of an angle, given the names that have it; `pi` has."""
+    return angular_degree(tree, angles) == 1
+
+
+def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
+    """The power of "angle" in the expression: phi/2 has 1, 180*phi/pi has 0."""
+    match tree:
+        case Number():
+            return 0
+        case Name(name):
+            return int(name == "pi" or name in angles)
+        case Call("abs", (argument, *_)):
+            return angular_degree(argument, angles)
+        case Call(function):
+            return int(function in ANGLES)
+        case Operation(sign, left, right):
+            degrees = angular_degree(left, angles), angular_degree(right, angles)
+            return _degree_of(sign, *degrees)
+        case _:
+            assert_never(tree)
+
+
+def _degree_of(sign: Operator, left: int, right: int) -> int:
+    """The power of "angle" in a combination of two expressions with theirs."""
+    match sign:
+        case "+" | "-":
+            return max(left, right)
+        case "*":
+            return left + right
+        case "/":
+            return left - right
+        case "**":
+            return 0
+        case _:
+            assert_never(sign)

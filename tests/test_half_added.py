@@ -1,0 +1,220 @@
+"""What was added in one place alone - a language, a system, an engine, a file format - is refused by its name."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, cast
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+
+import kinegrade
+from kinegrade.cli import main
+from kinegrade.cli.export import SYSTEMS, export
+from kinegrade.cli.marks import feedback, grade
+from kinegrade.cli.quiz import quiz
+from kinegrade.errors import TypesetError
+from kinegrade.exam import press
+from kinegrade.exam.printing import PressOrder
+from kinegrade.exam.word import PandocPress
+from kinegrade.exam.words import words_of
+from kinegrade.language import LANGUAGES
+from kinegrade.lms.quiz.writers import WRITERS
+from kinegrade.lms.responses.detection import DIALECTS
+from kinegrade.problem.template import Translated
+
+PACKAGE = Path(kinegrade.__file__).parent
+FRENCH = (
+    'exam.json: language: "fr" - expected one of en, zh - restore the exam folder, or use the '
+    "version of kinegrade that made it"
+)
+
+
+def run(*arguments: object) -> Result:
+    return CliRunner().invoke(main, list(map(str, arguments)))
+
+
+def choices(command: click.Command, name: str) -> click.Choice[str]:
+    """The choices of an option of a command."""
+    found = next(parameter for parameter in command.params if parameter.name == name)
+    return cast("click.Choice[str]", found.type)
+
+
+def offered(monkeypatch: pytest.MonkeyPatch, command: click.Command, name: str, new: str) -> None:
+    """Offer one choice more, which nothing behind the command line knows."""
+    option = choices(command, name)
+    monkeypatch.setattr(option, "choices", (*option.choices, new))
+
+
+@pytest.fixture
+def marked(small_class: Path, tmp_path: Path) -> Path:
+    """A folder with the class's EXAM and its MARKS."""
+    folder = tmp_path / "class"
+    shutil.copytree(small_class / "EXAM", folder / "EXAM")
+    result = run("grade", folder / "EXAM", folder / "EXAM" / "answers.csv", "-o", folder / "MARKS")
+    assert (folder / "MARKS").is_dir(), result.output
+    return folder
+
+
+def with_language(marked: Path, language: str | None) -> Path:
+    """The class, with papers that are in another language, or in none that is said."""
+    file = marked / "EXAM" / "exam.json"
+    head = json.loads(file.read_text(encoding="utf-8"))
+    del head["language"]
+    if language is not None:
+        head["language"] = language
+    file.write_text(json.dumps(head), encoding="utf-8")
+    return marked
+
+
+def commands(folder: Path, output: Path) -> list[tuple[object, ...]]:
+    """Every command that speaks the language of the papers."""
+    exam, marks = folder / "EXAM", folder / "MARKS"
+    return [
+        ("report", exam, marks, "-o", output),
+        ("feedback", exam, marks, "-o", output, "--format", "md"),
+        ("quiz", exam, "--to", "moodle-xml", "-o", output),
+    ]
+
+
+def test_an_exam_in_an_unknown_language_is_not_taken_for_an_english_one(
+    marked: Path, tmp_path: Path
+) -> None:
+    output = tmp_path / "out"
+    for command in commands(with_language(marked, "fr"), output):
+        result = run(*command)
+        assert (result.exit_code, FRENCH in result.output) == (2, True), result.output
+        assert not output.exists()
+
+
+def test_an_exam_that_says_no_language_is_refused_as_well(marked: Path, tmp_path: Path) -> None:
+    folder = with_language(marked, None)
+    result = run("quiz", folder / "EXAM", "--to", "qti12", "-o", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "exam.json: language: no language - expected one of en, zh" in result.output
+
+
+@pytest.mark.parametrize(
+    "told", [words_of, Translated("a crank", "曲柄").in_language], ids=["words", "texts"]
+)
+def test_no_text_of_another_language_stands_in_for_a_missing_one(told: Any) -> None:
+    with pytest.raises((AssertionError, KeyError), match="fr"):
+        told("fr")
+
+
+def test_every_language_is_offered_and_no_other() -> None:
+    for command in (quiz, feedback):
+        assert tuple(choices(command, "language").choices) == LANGUAGES
+
+
+def test_grades_for_a_system_that_only_the_command_line_knows_are_not_written(
+    marked: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    offered(monkeypatch, export, "system", "ilias")
+    output = tmp_path / "grades.csv"
+    result = run("export", marked / "MARKS", "--to", "ilias", "-o", output)
+    assert "'ilias'" in repr(result.exception)
+    assert not output.exists()
+
+
+def test_a_quiz_for_a_system_that_only_the_command_line_knows_is_not_written(
+    small_class: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    offered(monkeypatch, quiz, "system", "qti30")
+    output = tmp_path / "quiz.zip"
+    result = run("quiz", small_class / "EXAM", "--to", "qti30", "-o", output)
+    assert "'qti30'" in repr(result.exception)
+    assert not output.exists()
+
+
+def test_feedback_in_a_form_that_only_the_command_line_knows_is_not_written(
+    marked: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    offered(monkeypatch, feedback, "form", "epub")
+    output = tmp_path / "out"
+    named = (marked / "EXAM", marked / "MARKS", "-o", output)
+    assert "'epub'" in repr(run("feedback", *named, "--format", "epub").exception)
+    assert not output.exists()
+
+
+def test_a_typesetter_that_only_the_banks_know_prints_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(press, "ENGINES", (*press.ENGINES, "luatex"))
+    order = PressOrder(cast("press.Engine", "luatex"), "a4", tmp_path)
+    with pytest.raises(AssertionError, match="luatex"):
+        order.press()
+
+
+def test_a_kind_of_file_that_no_press_writes_is_refused() -> None:
+    with pytest.raises(TypesetError, match="odt: not a kind of file that papers are written in"):
+        PandocPress().also(cast("Any", None), "odt")
+
+
+def test_what_the_command_line_offers_is_what_there_is() -> None:
+    assert set(choices(quiz, "system").choices) == set(WRITERS)
+    assert set(choices(grade, "source").choices) == set(DIALECTS)
+    assert tuple(choices(export, "system").choices) == SYSTEMS
+
+
+def sentence(text: str) -> str:
+    return text.replace('"mesh", "parallel"]', '"mesh", "parallel", "belt"]')
+
+
+def joint(text: str) -> str:
+    new = "@dataclass(frozen=True)\nclass Belt:\n    body: str\n    of: str\n\n\nJoint = Belt | "
+    return text.replace("Joint = ", new)
+
+
+def driver(text: str) -> str:
+    new = (
+        "@dataclass(frozen=True)\nclass Spin:\n    body: str\n    velocity: Any\n"
+        "    acceleration: Any\n\n\nDriver = Spin | "
+    )
+    return text.replace("Driver = ", new)
+
+
+def language(text: str) -> str:
+    return text.replace('Literal["en", "zh"]', 'Literal["en", "zh", "fr"]')
+
+
+ADDED: dict[str, Callable[[str], str]] = {
+    "problem/sentences.py": sentence,
+    "mechanics/joints.py": joint,
+    "mechanics/drivers.py": driver,
+    "language.py": language,
+}
+REPORTED = (
+    ("problem/assemble.py", "Literal['belt']"),
+    ("mechanics/frames.py", "Belt"),
+    ("mechanics/configuration.py", "Belt"),
+    ("figure/paper.py", "Belt"),
+    ("mechanics/frames.py", "Spin"),
+    ("figure/alike.py", "Spin"),
+    ("problem/template.py", "Literal['fr']"),
+)
+
+
+def test_the_type_checker_names_every_place_that_does_not_know_what_was_added(
+    tmp_path: Path,
+) -> None:
+    copy = tmp_path / "kinegrade"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    for name, changed in ADDED.items():
+        text = (copy / name).read_text(encoding="utf-8")
+        assert changed(text) != text
+        (copy / name).write_text(changed(text), encoding="utf-8")
+    shutil.copy(PACKAGE.parent / "pyproject.toml", tmp_path)
+    files = [f"kinegrade/{name}" for name in dict(REPORTED)]
+    arguments = [sys.executable, "-m", "mypy", *files]
+    result = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True, check=False)
+    lines = result.stdout.splitlines()
+    for name, thing in REPORTED:
+        expected = f"kinegrade/{name}:"
+        assert [line for line in lines if line.startswith(expected) and thing in line], name
