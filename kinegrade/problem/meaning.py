@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import assert_never
+from typing import Literal, assert_never
 
 from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, did_you_mean
 from kinegrade.expression import Call, Expression, Name, Number, Operation, whole_power
-from kinegrade.problem.dimension import NUMBER
+from kinegrade.problem.dimension import NUMBER, Dimension
 from kinegrade.problem.kinds import (
     Arrow,
     BodyKind,
@@ -76,10 +76,14 @@ class Scope:
         right = self.kind(tree.right)
         if Unknown() in (left, right):
             return Unknown()
-        if tree.sign in "+-":
-            self.require_angles(tree)
-            return added(tree, left, right)
-        return scaled(tree.sign, left, right)
+        match tree.sign:
+            case "+" | "-":
+                self.require_angles(tree)
+                return added(tree, left, right)
+            case "*" | "/":
+                return scaled(tree.sign, left, right)
+            case _:
+                assert_never(tree.sign)
 
     def require_angles(self, tree: Operation) -> None:
         """Raises ExpressionError where a plain number is added to an angle, as 90 in `phi + 90`."""
@@ -165,8 +169,11 @@ def power(base: Kind, exponent: int) -> Kind:
 
 def added(tree: Operation, left: Kind, right: Kind) -> Kind:
     """The sum or difference of two numbers, or of two vectors; a sign before either is a difference from zero."""
-    if tree.sign == "-" and tree.left == Number(0) and isinstance(right, Scalar | Arrow):
-        return Arrow(right.dimension) if isinstance(right, Arrow) else right
+    signed = tree.sign == "-" and tree.left == Number(0)
+    if signed and isinstance(right, Scalar):
+        return right
+    if signed and isinstance(right, Arrow):
+        return Arrow(right.dimension)
     if isinstance(left, Scalar) and isinstance(right, Scalar):
         return Scalar(united(f'"{tree.sign}"', left, right))
     if isinstance(left, Arrow) and isinstance(right, Arrow):
@@ -174,21 +181,29 @@ def added(tree: Operation, left: Kind, right: Kind) -> Kind:
     raise misfit(tree.sign, left, right)
 
 
-def scaled(sign: str, left: Kind, right: Kind) -> Kind:
+def scaled(sign: Literal["*", "/"], left: Kind, right: Kind) -> Kind:
     """A product or a quotient; a vector may be multiplied and divided by a number."""
     if not isinstance(left, Scalar | Arrow) or not isinstance(right, Scalar | Arrow):
         raise misfit(sign, left, right)
     if isinstance(right, Arrow) and (sign == "/" or isinstance(left, Arrow)):
         raise misfit(sign, left, right)
     own, other = left.dimension, right.dimension
-    if own is None and other is None:
-        found = None
-    elif sign == "*":
-        found = (own or NUMBER) * (other or NUMBER)
-    else:
-        found = (own or NUMBER) / (other or NUMBER)
+    found = None
+    if own is not None or other is not None:
+        found = multiplied(sign, own or NUMBER, other or NUMBER)
     vectorial = isinstance(left, Arrow) or isinstance(right, Arrow)
     return Arrow(found) if vectorial else Scalar(found)
+
+
+def multiplied(sign: Literal["*", "/"], own: Dimension, other: Dimension) -> Dimension:
+    """The dimension of a product or a quotient."""
+    match sign:
+        case "*":
+            return own * other
+        case "/":
+            return own / other
+        case _:
+            assert_never(sign)
 
 
 def misfit(sign: str, left: Kind, right: Kind) -> ExpressionError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expression import Call, Expression, Name, Number, Operation
+from kinegrade.expression import Call, Expression, Name, Number, Operation, Operator
 
 
 def radians_slip(tree: Expression) -> None:
@@ -35,17 +35,23 @@ def plain_number(tree: Expression) -> Any:
             assert_never(tree)
 
 
-def worked_out(sign: str, left: Any, right: Any) -> Any:
+def worked_out(sign: Operator, left: Any, right: Any) -> Any:
     """left sign right of two rationals; None where one is missing or the sign is no such operation."""
     if left is None or right is None or (sign == "/" and right == 0):
         return None
-    if sign == "+":
-        return left + right
-    if sign == "-":
-        return left - right
-    if sign == "*":
-        return left * right
-    return left / right if sign == "/" else None
+    match sign:
+        case "+":
+            return left + right
+        case "-":
+            return left - right
+        case "*":
+            return left * right
+        case "/":
+            return left / right
+        case "**":
+            return None
+        case _:
+            assert_never(sign)
 
 
 def parts_of_pi(degrees: Any) -> str:

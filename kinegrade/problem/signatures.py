@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, assert_never
 
 from kinegrade.problem.dimension import (
     ACCELERATION,
@@ -20,7 +20,17 @@ from kinegrade.problem.dimension import (
     SPEED,
     Dimension,
 )
-from kinegrade.problem.kinds import Arrow, Kind, Ring, Scalar, Straight, Unknown, united
+from kinegrade.problem.kinds import (
+    Arrow,
+    BodyKind,
+    Kind,
+    Ring,
+    Scalar,
+    Side,
+    Straight,
+    Unknown,
+    united,
+)
 
 # A POINT is named, as its motion is meant; a PLACE may be worked out, and is written POINT to people as well.
 PlainSlot = Literal[
@@ -89,13 +99,25 @@ def line(name: str, kinds: Sequence[Kind]) -> Kind:
 def first(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of the first argument's dimension."""
     own = kinds[0]
-    return Scalar(own.dimension) if isinstance(own, Scalar | Arrow) else Unknown()
+    match own:
+        case Scalar(dimension) | Arrow(dimension):
+            return Scalar(dimension)
+        case Straight() | Ring() | BodyKind() | Side() | Unknown():
+            return Unknown()
+        case _:
+            assert_never(own)
 
 
 def same(name: str, kinds: Sequence[Kind]) -> Kind:
     """A vector of the first argument's dimension."""
     own = kinds[0]
-    return Arrow(own.dimension) if isinstance(own, Arrow) else Unknown()
+    match own:
+        case Arrow(dimension):
+            return Arrow(dimension)
+        case Scalar() | Straight() | Ring() | BodyKind() | Side() | Unknown():
+            return Unknown()
+        case _:
+            assert_never(own)
 
 
 def root(name: str, kinds: Sequence[Kind]) -> Kind:
