@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 LANGUAGE = "Language"
 POSITIONAL_REFUSED = ("Joint", "Driver")
@@ -24,6 +24,7 @@ class Vocabulary:
     `classes`: the members of unions of our own classes. `values`: of each name (of a parameter, a field, a variable, a
     function) the literals that its annotation allows. `tables`: the names of mappings keyed by such literals.
     `languages`: the literals of the type Language. `unpositional`: the classes whose patterns name their fields.
+    `answers`: in one module the names to which the outcome of a test is given, as `turns = kind == "rotation"`.
     """
 
     classes: frozenset[str]
@@ -31,6 +32,7 @@ class Vocabulary:
     tables: frozenset[str]
     languages: frozenset[str]
     unpositional: frozenset[str]
+    answers: Mapping[str, Question] = field(default_factory=dict)
 
     @property
     def literals(self) -> frozenset[str]:
@@ -187,7 +189,7 @@ def _question(test: ast.expr, words: Vocabulary) -> Question | None:
         return Question(ast.unparse(test.args[0]), frozenset(asked), False) if asked else None
     if isinstance(test, ast.Compare) and len(test.ops) == 1:
         return _comparison(test, words)
-    return None
+    return words.answers.get(test.id) if isinstance(test, ast.Name) else None
 
 
 def _comparison(test: ast.Compare, words: Vocabulary) -> Question | None:
@@ -265,15 +267,18 @@ def _here(tree: ast.AST, words: Vocabulary) -> Vocabulary:
         for name, value in _assigned(nodes)
         if not (isinstance(value, ast.Dict) and _is_table(value, words.literals))
     }
-    return replace(words, tables=words.tables - others)
+    answers = {
+        name: question for name, value in _assigned(nodes) if (question := _question(value, words))
+    }
+    return replace(words, tables=words.tables - others, answers=answers)
 
 
 def _blocks(node: ast.AST) -> Iterator[list[ast.stmt]]:
-    for field in ("body", "orelse", "finalbody"):
-        block = getattr(node, field, None)
+    for part in ("body", "orelse", "finalbody"):
+        block = getattr(node, part, None)
         if not isinstance(block, list) or not block or not isinstance(block[0], ast.stmt):
             continue
-        further = isinstance(node, ast.If) and field == "orelse" and isinstance(block[0], ast.If)
+        further = isinstance(node, ast.If) and part == "orelse" and isinstance(block[0], ast.If)
         if not further:
             yield block
 

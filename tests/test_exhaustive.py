@@ -22,6 +22,10 @@ EXCEPTIONS = {
     "below",
     "problem/meaning.py: if isinstance(kind, Unknown)": "what is not known fits anywhere; the slots are "
     "matched below",
+    "grading/typed_value.py: Operation('-', Number(rational('0')), tree) if sign == '-' else tree": "a "
+    "character that was typed before a bracket: a minus, a plus, or none",
+    "worked/instance.py: () if isinstance(tree, Number) else worked": "a literal has no working; "
+    "anything else is told as it was worked out",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }
@@ -113,6 +117,10 @@ else:
 """,
     "a conditional on the language": 'x = "zh" if head.get("language") == "zh" else "en"',
     "a language compared with anything": 'x = 1 if whatever == "en" else 2',
+    "a conditional on the outcome of a test": """
+turns = joint.level == "velocity"
+x = 1 if turns else 2
+""",
     "a default of a named table": 'x = WORDS.get(language, "a")',
     "a default of a table without annotation": 'x = LETTERS.get(level, "v")',
     "a default of a table written there": 'x = {"en": 1, "zh": 2}.get(language, 1)',

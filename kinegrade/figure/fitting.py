@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import assert_never
 
 from kinegrade.figure.layers import cam_outline
 from kinegrade.figure.rims import rims
@@ -57,12 +58,13 @@ def span_of(
     """Width and height in metres of what scales: points, circles, profiles of cams, and points `beside` them."""
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
     for rim in rims(mechanism, hints.shapes, hints.circles):
-        cam = rim.kind == "cam"
-        boxes += (
-            [(point, 0.0) for point in cam_outline(mechanism, rim)]
-            if cam
-            else [(rim.at, rim.radius)]
-        )
+        match rim.kind:
+            case "cam":
+                boxes += [(point, 0.0) for point in cam_outline(mechanism, rim)]
+            case "wheel" | "gear" | "slot" | "edge":
+                boxes.append((rim.at, rim.radius))
+            case _:
+                assert_never(rim.kind)
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
     upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
     return max(across) - min(across), max(upward) - min(upward)

@@ -229,8 +229,7 @@ class _Reader:
                 f'"{shown(self.text)}": a bracket is not closed, or holds more than a number'
             )
         self.place += 1
-        negative = sign == "-"
-        return Operation("-", Number(rational("0")), tree) if negative else tree
+        return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
 
     def number(self, *, power_of_ten: bool = True) -> Expression:
         """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a hundredth of √3."""

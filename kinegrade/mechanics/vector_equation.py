@@ -192,11 +192,16 @@ def acceleration_parts(
     term: Term, motion: Motion, role: Role, unknown: Vector | None
 ) -> Iterator[Part]:
     """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies what is sought."""
-    curved = term.kind != "sliding"
-    if curved:
-        yield Part(role, term.point, term.normal(motion.rates), term, part="n", frame=term.frame)
-    tangential = term.coefficient() * motion.changes[term.rate]
-    yield Part(role, term.point, tangential, term, unknown, "t" if curved else "", term.frame)
+    along = term.coefficient() * motion.changes[term.rate]
+    match term.kind:
+        case "sliding":
+            yield Part(role, term.point, along, term, unknown, frame=term.frame)
+        case "rotation" | "arc":
+            normal = term.normal(motion.rates)
+            yield Part(role, term.point, normal, term, part="n", frame=term.frame)
+            yield Part(role, term.point, along, term, unknown, "t", term.frame)
+        case _:
+            assert_never(term.kind)
     if term.frame != GROUND:
         yield Part("coriolis", term.point, term.coriolis(motion.rates), term, frame=term.frame)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expression import Expression, names
@@ -148,8 +148,13 @@ class Consistency:
 
     def driver(self, scope: Scope, sentence: DriverSentence) -> None:
         """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
-        turns = sentence.kind == "rotation"
-        velocity, acceleration = (RATE, CHANGE) if turns else (SPEED, ACCELERATION)
+        match sentence.kind:
+            case "rotation":
+                velocity, acceleration = RATE, CHANGE
+            case "component" | "circulation":
+                velocity, acceleration = SPEED, ACCELERATION
+            case _:
+                assert_never(sentence.kind)
         require(number(scope.kind(sentence.velocity)), velocity, "its velocity is")
         require(number(scope.kind(sentence.acceleration)), acceleration, "its acceleration is")
         if sentence.along is None:

@@ -118,8 +118,7 @@ class Instance:
         """left, up to a factor, as the formula = the same with numbers = the value; a zero is one without a factor."""
         results = result(self.quantity(self.value(tree), unit))
         worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
-        literal = isinstance(tree, Number)
-        (_, first), *others = told_once(() if literal else worked, results)
+        (_, first), *others = told_once(() if isinstance(tree, Number) else worked, results)
         return chained(left, (("=" if first == "0" else r"\propto", first), *others))
 
     def equation(self, left: str, tree: Expression, unit: Unit = METRE) -> tuple[str, ...]:

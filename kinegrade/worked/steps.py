@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import assert_never
 
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import (
@@ -71,17 +72,23 @@ def step_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]
         solved |= set(deduction.unknowns)
 
 
+def letters_together(equation: VectorEquation, part: Part, case: Case) -> str:
+    """The symbol of several known terms as one vector: of the transport, or of the point itself."""
+    match part.role:
+        case "transport":
+            return letters_of(equation, part, case)
+        case "absolute" | "relative" | "rotation" | "coriolis":
+            return point_symbol(part.point, equation.level, case)
+        case _:
+            assert_never(part.role)
+
+
 def found_before(equation: VectorEquation, case: Case, findings: Findings) -> Iterator[Block]:
     """How the vectors are found that the equation takes as known and that no earlier step has given as one."""
     for part in equation.parts:
         if not part.together:
             continue
-        carried = part.role == "transport"
-        letters = (
-            letters_of(equation, part, case)
-            if carried
-            else point_symbol(part.point, equation.level, case)
-        )
+        letters = letters_together(equation, part, case)
         yield from find_point(part.together, letters, case, equation.level, findings)
         fact = findings.facts[key_of(part.together, equation.level)]
         if fact.by_components and all(map(double, fact.value)):
