@@ -15,10 +15,10 @@ from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.words import words_of
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.tikz import to_tikz
+from kinegrade.language import Language
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Language
 from tests.exam.papers import key_book
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION
 from tests.golden_files import Hold, papers

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from kinegrade.language import Language
 from kinegrade.problem.library import load_template
 from kinegrade.problem.starter import starter_text
-from kinegrade.problem.template import Language
 from tests.small_class import kinegrade
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve")

@@ -21,8 +21,8 @@ from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
 from kinegrade.exam.setting import set_exam
 from kinegrade.figure.scene import Scene
+from kinegrade.language import Language
 from kinegrade.problem.library import load_template, template_names
-from kinegrade.problem.template import Language
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
 from tests.tex import needs_tex

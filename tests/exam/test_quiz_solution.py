@@ -6,9 +6,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from kinegrade.exam.quiz_document import Language
 from kinegrade.exam.quiz_paper import QuizWishes
 from kinegrade.exam.quiz_solution import blocks_html, solution_html
+from kinegrade.language import Language
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.worked.document import Display, Heading, Prose, Result, Results, Term, TermTable

@@ -12,8 +12,8 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.exam.versions import version_letters, version_of
+from kinegrade.language import Language
 from kinegrade.problem.library import load_template
-from kinegrade.problem.template import Language
 from tests.small_class import contents, generate, key_lines, kinegrade, table
 
 BANK = """title = { en = "Midterm", zh = "期中测验" }

@@ -9,11 +9,11 @@ import pytest
 
 from kinegrade.exam.formula import formula
 from kinegrade.exam.markup import prose
+from kinegrade.language import LANGUAGES, Language
 from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import LANGUAGES, Language
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_width import WIDEST, width
 from kinegrade.worked.pose_answers import is_positional, pose_answer, pose_answers

@@ -14,6 +14,7 @@ import pytest
 from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.exam.formula import formula
 from kinegrade.exam.markup import prose
+from kinegrade.language import Language
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, total
 from kinegrade.mechanics.vector_equation import Level
@@ -21,7 +22,7 @@ from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
-from kinegrade.problem.template import METHODS, Language, Method
+from kinegrade.problem.template import METHODS, Method
 from kinegrade.worked.case import Case
 from kinegrade.worked.deduced import Stage, along_direction
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
