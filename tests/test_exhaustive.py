@@ -26,6 +26,8 @@ EXCEPTIONS = {
     "character that was typed before a bracket: a minus, a plus, or none",
     "worked/instance.py: () if isinstance(tree, Number) else worked": "a literal has no working; "
     "anything else is told as it was worked out",
+    "lms/item_groups.py: 'feedback' if known == 'feedback' else 'percentage'": "the cells decide; a known "
+    "word may only say that they are feedback",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }
