@@ -21,11 +21,11 @@ from kinegrade.exam.key_record import key_record
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
 from kinegrade.exam.setting import SetPaper, Setting, set_exam
+from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.key import Exam
 from kinegrade.grading.marks import Mark, mark
-from kinegrade.grading.sheet import read_sheet
 from kinegrade.problem.honest import nearest_turn, turn_of
 from kinegrade.problem.separation import Separation
 from kinegrade.problem.template import Template

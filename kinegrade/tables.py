@@ -174,6 +174,22 @@ def header_key(text: str) -> str:
     return " ".join(trimmed(unicodedata.normalize("NFKC", text)).casefold().split())
 
 
+def without_headers(table: Table) -> tuple[Row, ...]:
+    """The rows that are not the header once more, as they stand in files that were put together of several.
+
+    >>> [row.line for row in without_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
+    [2, 4]
+    """
+    first = table.header[0] if table.header else ""
+    return tuple(
+        [row for row in table.rows if row.cell(0) != first or not _is_header(row, table.header)]
+    )
+
+
+def _is_header(row: Row, header: Sequence[str]) -> bool:
+    return [trimmed(cell) for cell in row.cells] == [trimmed(cell) for cell in header]
+
+
 def shortened(text: str) -> str:
     """A cell fit for a report: what is longer than SHOWN_CHARACTERS is cut and says so."""
     if len(text) <= SHOWN_CHARACTERS:

@@ -16,6 +16,7 @@ from kinegrade.problem.library import load_template, template_names
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
 FLOORS = {
+    "answer_file": 0,
     "errors": 0,
     "expression": 0,
     "language": 0,
@@ -39,7 +40,7 @@ FLOORS = {
 }
 SIBLINGS = ("figure", "grading", "lms")
 LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
-GRADING_MAY_USE = {"kinegrade.exam.roster"}
+GRADING_MAY_USE = {"kinegrade.exam.roster", "kinegrade.exam.student_ids"}
 FLINT = {"exact", "expression", "units", "problem"}
 DIRECT_TEXT = (".py", ".toml", ".typ", ".md", ".csv", ".json", ".jsonl", ".yml", ".txt")
 CHINESE = re.compile(r"[\u4e00-\u9fff]")
@@ -126,7 +127,7 @@ def test_figure_grading_and_lms_do_not_know_each_other() -> None:
     ]
 
 
-def test_grading_uses_of_setting_nothing_but_the_roster() -> None:
+def test_grading_uses_of_setting_nothing_but_the_roster_and_its_ids() -> None:
     below = {
         target
         for module, target in edges()

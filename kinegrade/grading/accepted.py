@@ -6,9 +6,10 @@ them, else known to 38 digits. A name in them is a parameter of the question or 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 from kinegrade.errors import ExpressionError, PolicyError
@@ -36,22 +37,30 @@ class Alternative:
 
 
 Number = tuple[str | Fraction, str]  # a given's text or a right answer, and its unit
-Alternatives = Mapping[tuple[str, str], tuple[Alternative, ...]]  # by student and answer column
+Which = tuple[str, str, str]  # student, on whose line of the key the ask stands, answer column
+Alternatives = Mapping[Which, tuple[Alternative, ...]]
 
 
-def alternatives(exam: Sitting, policy: Policy, givens: Givens) -> Alternatives:
-    """All accepted answers of all papers. Raises PolicyError where one has no value."""
+def alternatives(
+    exam: Sitting, policy: Policy, givens: Givens, pooled: Iterable[Paper] = ()
+) -> Alternatives:
+    """All accepted answers of all papers, and of those put together from a pool.
+
+    Raises PolicyError where one has no value.
+    """
     wanted = [
         (ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted
     ]
-    found: dict[tuple[str, str], tuple[Alternative, ...]] = {}
+    found: dict[Which, tuple[Alternative, ...]] = {}
     failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
     constant: dict[tuple[str, int], Alternative] = {}
-    for paper in exam.papers() if wanted else ():
+    numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
+    for paper in chain(exam.papers(), pooled) if wanted else ():
         for ask, accepted in wanted:
             if accepted.students is not None and paper.student not in accepted.students:
                 continue
-            which, place = (ask.column, accepted.number), (paper.student, ask.column)
+            which = ask.column, accepted.number
+            place = paper.student, paper.source(numbers[ask.column]), ask.column
             try:
                 alternative = constant.get(which) or _on_paper(exam, ask, accepted, paper, givens)
             except (ExpressionError, Unreadable, ArithmeticError) as fault:
@@ -100,9 +109,15 @@ def _numbers(
         if other.question == ask.question and other.ask in used:
             found[other.ask] = paper.key(number, ()).value, other.unit
     if used - found.keys():
-        drawn = givens.of(paper.student, ask.question)
+        drawn = givens.of(_source(exam, ask, paper), ask.question)
         found |= {name: given for name, given in drawn.items() if name in used}
     return found
+
+
+def _source(exam: Sitting, ask: Ask, paper: Paper) -> str:
+    return next(
+        paper.source(number) for number, other in enumerate(exam.asks) if other.column == ask.column
+    )
 
 
 def _alternative(accepted: Accepted, numbers: Mapping[str, Number]) -> Alternative:

@@ -198,7 +198,9 @@ class BlockJudge:
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))
-        return self.alternatives.get((block.rows[row][0].student, self.asks[number].column), ())
+        paper = block.rows[row][0]
+        which = paper.student, paper.source(number), self.asks[number].column
+        return self.alternatives.get(which, ())
 
     def _decided(self, block: JudgedBlock, place: int, names: Collection[str] | None) -> Decision:
         """One answer, decided exactly; of the mistakes by those of these names, or by all."""
@@ -220,6 +222,9 @@ class BlockJudge:
         self, block: JudgedBlock, row: int, question: range, follows: Follows
     ) -> None:
         paper, first = block.rows[row][0], row * len(self.asks)
+        sources = {paper.source(number) for number in question}
+        if len(sources) > 1:  # drawn apart: nothing follows from one mechanism for another
+            return
         answers = [
             Decided(
                 self.asks[number],
@@ -230,7 +235,7 @@ class BlockJudge:
             )
             for number in question
         ]
-        better = follow_through(paper.student, answers, follows)
+        better = follow_through(sources.pop(), answers, follows)
         for number in question:
             if self.asks[number].ask in better:
                 block.put(first + number, better[self.asks[number].ask])

@@ -7,7 +7,7 @@ few; `read_exam` gives them all.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
@@ -66,6 +66,32 @@ class ExamFolder:
                 yield from _Papers(self, stream).in_roster_order()
         except (OSError, UnicodeDecodeError) as fault:
             raise _unreadable(self.folder / "key.jsonl", fault) from fault
+
+    def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
+        """The papers on these students' lines of the key, or of variants.jsonl. Raises ExamError where one is missing."""
+        if not students:
+            return {}
+        found = {paper.student: paper for paper in self.papers() if paper.student in students}
+        missing = set(students) - found.keys()
+        return {**found, **self._variants(missing)} if missing else found
+
+    def _variants(self, students: Collection[str]) -> Mapping[str, Paper]:
+        path, decoder = self.folder / "variants.jsonl", PaperDecoder(self.asks, self.names)
+        try:
+            lines = [line for line in path.read_bytes().splitlines() if line.strip()]
+            papers = [
+                decoder.paper(line, f"{path}: line {number}")
+                for number, line in enumerate(lines, 1)
+            ]
+        except (OSError, UnicodeDecodeError) as fault:
+            raise _unreadable(path, fault) from fault
+        except FieldError as fault:
+            raise _broken(self.folder, [f"variants.jsonl: {fault}"]) from fault
+        found = {paper.student: paper for paper in papers if paper.student in students}
+        missing = sorted(set(students) - found.keys())
+        if missing:
+            raise _broken(self.folder, [f'key.jsonl: no line for student "{missing[0]}"'])
+        return found
 
 
 def read_exam(folder: Path) -> Exam:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
+from typing import assert_never
 
+from kinegrade.answer_file import AnswerFile
 from kinegrade.collection import seldom_collected
 from kinegrade.files import output_folder
 from kinegrade.grading.accepted import alternatives
+from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.exam_folder import ExamFolder, open_exam
 from kinegrade.grading.follow import Follows
@@ -19,19 +22,19 @@ from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.never_lower import never_lower as with_kept_totals
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
+from kinegrade.grading.pool import VARIANTS, pool_of
 from kinegrade.grading.report import POLICY, write_grades, write_marks
-from kinegrade.grading.sheet import read_sheet
 from kinegrade.tables import Table, read_table
 
 MARKER = "complaints.csv"
-FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT)
+FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT, VARIANTS)
 Export = Callable[[Path], str]  # a folder with these files -> the text of one more
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 
 def grade(
     exam: Path,
-    answers: Path | Table,
+    answers: Path | Table | Sequence[AnswerFile],
     output: Path,
     *,
     force: bool = False,
@@ -43,7 +46,8 @@ def grade(
 ) -> ClassGrades:
     """Writes the folder `output`, whole or not at all, and gives everybody's grade and all complaints.
 
-    `answers` is an answer sheet, as a file or as what was read of a download (`kinegrade.lms.responses`).
+    `answers` is an answer sheet, as a file or a table, or the files of one class as they were read of downloads
+    (`kinegrade.lms.responses`).
 
     `exports` names the files for other systems that go into the folder too, such as
     `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
@@ -57,10 +61,10 @@ def grade(
         output_folder(output, marker=MARKER, contents=contents, force=force) as folder,
     ):
         known, givens = open_exam(exam), Givens(exam)
-        sheet = read_sheet(read_table(answers) if isinstance(answers, Path) else answers, known)
-        rules = policy_for(known, givens, policy)
-        accepted = alternatives(known, rules, givens)
-        blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows)
+        sheet = class_sheet(_files(answers), known)
+        rules, pool = policy_for(known, givens, policy), pool_of(known, sheet)
+        accepted = alternatives(known, rules, givens, pool.put_together(known, sheet))
+        blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows, pool=pool)
         grades = class_grades(known, sheet, write_marks(folder, blocks))
         kept: tuple[Kept, ...] | None = None
         if never_lower:
@@ -69,6 +73,18 @@ def grade(
         for name, export in exports.items():
             (folder / name).write_text(export(folder), encoding="utf-8", newline="")
     return grades
+
+
+def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]:
+    match answers:
+        case Path():
+            return [AnswerFile(read_table(answers))]
+        case Table():
+            return [AnswerFile(answers)]
+        case Sequence():
+            return answers
+        case _:
+            assert_never(answers)
 
 
 def policy_for(known: ExamFolder, givens: Givens, policy: Path | None) -> Policy:

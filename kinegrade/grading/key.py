@@ -135,11 +135,20 @@ class Keys(Protocol):
 
 
 class Paper(NamedTuple):
-    """Whose paper it is, and its keys in the order of the asks."""
+    """Whose paper it is, and its keys in the order of the asks.
+
+    `put` says for each ask whose line of the key it comes from, "" for the student's own; empty where that holds for
+    all of them.
+    """
 
     student: str
     name: str
     keys: Keys
+    put: tuple[str, ...] = ()
+
+    def source(self, ask: int) -> str:
+        """The student on whose line of the key this ask stands as it was put."""
+        return (self.put[ask] if self.put else "") or self.student
 
     def key(self, ask: int, names: Container[str] | None = None) -> Key:
         """The exact key of an ask; of the mistakes with those of these names, or with all."""

@@ -17,6 +17,7 @@ from typing import assert_never
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.block_judge import BlockJudge
+from kinegrade.grading.class_sheet import is_answered
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.decimal_style import file_style
 from kinegrade.grading.follow import Follows
@@ -24,11 +25,13 @@ from kinegrade.grading.judge import Verdict
 from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.key import Ask, Paper, Sitting, questions
 from kinegrade.grading.policy import AS_PRINTED, Policy
+from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, repeated
 from kinegrade.tables import Complaint, shortened
 
 BLOCK = 250  # papers that are marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})
+_NO_POOL = Pool()
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +49,8 @@ class Mark:
 class Grade:
     """One student's points for each question, in the order of the paper, and in all.
 
-    `kept` is the total that stands instead of the sum, where an earlier one was higher and nobody is to lose.
+    `kept` is the total that stands instead of the sum, where an earlier one was higher and nobody is to lose. Who is
+    `absent` answered nothing at all.
     """
 
     student: str
@@ -54,6 +58,7 @@ class Grade:
     points: tuple[Fraction, ...]
     out_of: Fraction
     kept: Fraction | None = None
+    absent: bool = False
 
     @property
     def total(self) -> Fraction:
@@ -118,13 +123,17 @@ def mark(
     alternatives: Alternatives = _NO_ALTERNATIVES,
     *,
     follows: Follows | None = None,
+    pool: Pool = _NO_POOL,
 ) -> Marks:
     """Marks a class. Raises nothing of its own: what cannot be read gets no points, and a complaint.
 
     `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell what 1,234 means.
-    `alternatives` are the policy's accepted answers, worked out; `follows` works out what follows from own answers.
+    `alternatives` are the policy's accepted answers, worked out; `follows` works out what follows from own answers;
+    `pool` has the papers whose questions were put to others.
     """
-    blocks = list(marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows))
+    blocks = list(
+        marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows, pool=pool)
+    )
     found, marks = (
         class_grades(exam, sheet, blocks),
         chain.from_iterable(block.marks() for block in blocks),
@@ -140,12 +149,13 @@ def marked_blocks(
     alternatives: Alternatives = _NO_ALTERNATIVES,
     *,
     follows: Follows | None = None,
+    pool: Pool = _NO_POOL,
 ) -> Iterator[MarkedBlock]:
     """The same in blocks, in the order of the roster. Raises what reading the papers raises: ExamError."""
     styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
     judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
-    marker = _Marker(sheet, judge, asks, added(ask.points for ask in asks))
+    marker = _Marker(sheet, judge, asks, added(ask.points for ask in asks), pool)
     papers = exam.papers()
     while block := list(islice(papers, BLOCK)):
         yield marker.block(block)
@@ -184,6 +194,7 @@ class _Marker:
     judge: BlockJudge
     asks: tuple[Ask, ...]
     out_of: Fraction
+    pool: Pool
     known: dict[tuple[int, ...], tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
@@ -191,36 +202,43 @@ class _Marker:
         rows = self._counted(papers)
         judged = self.judge.judged(rows)
         grades = [
-            Grade(paper.student, paper.name, points, self.out_of)
+            Grade(paper.student, paper.name, points, self.out_of, None, self._is_absent(paper))
             for (paper, _), points in zip(rows, self._points(judged), strict=True)
         ]
         complaints = [
             complaint
             for paper, entry in rows
             if len(self._entries(paper)) > 1
-            for complaint in repeated(self.sheet.file, self._entries(paper), entry)
+            for complaint in repeated(self._entries(paper), entry)
         ]
         return MarkedBlock(self.asks, judged, grades, [*complaints, *self._doubts(judged)])
 
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
 
+    def _is_absent(self, paper: Paper) -> bool:
+        responses = chain.from_iterable(entry.responses for entry in self._entries(paper))
+        return not any(map(is_answered, responses))
+
+    def _row(self, paper: Paper, entry: Entry) -> Row:
+        return self.pool.paper(paper, entry), entry
+
     def _counted(self, papers: Sequence[Paper]) -> list[Row]:
         """The row of each student that counts, as a whole; of the best ones the last."""
         match self.judge.policy.attempts:
             case "first":
-                return [(paper, self._entries(paper)[0]) for paper in papers]
+                return [self._row(paper, self._entries(paper)[0]) for paper in papers]
             case "last":
-                return [(paper, self._entries(paper)[-1]) for paper in papers]
+                return [self._row(paper, self._entries(paper)[-1]) for paper in papers]
             case "best":
                 return self._best(papers)
             case _:
                 assert_never(self.judge.policy.attempts)
 
     def _best(self, papers: Sequence[Paper]) -> list[Row]:
-        rows = [(paper, self._entries(paper)[-1]) for paper in papers]
+        rows = [self._row(paper, self._entries(paper)[-1]) for paper in papers]
         tried = [
-            (paper, entry)
+            self._row(paper, entry)
             for paper in papers
             if len(self._entries(paper)) > 1
             for entry in self._entries(paper)
@@ -259,13 +277,12 @@ class _Marker:
     def _doubts(self, judged: JudgedBlock) -> Iterator[Complaint]:
         for place, reading in judged.cells.odd.items():
             row, number = divmod(place, len(self.asks))
-            line, column = judged.rows[row][1].line, self.sheet.columns[number]
+            file, line = judged.rows[row][1].place(number)
+            column = self.sheet.columns[number]
             content, verdict = shortened(reading.typed), judged.kinds[place]
             if reading.kind in ("unreadable", "wrong unit"):
                 points = judged.credits[judged.shares[place]] * self.asks[number].points
                 done = f"{verdict}, {'some' if points else 'no'} points"
-                yield Complaint(self.sheet.file, line, column, content, reading.reason, done)
+                yield Complaint(file, line, column, content, reading.reason, done)
             if reading.remark:
-                yield Complaint(
-                    self.sheet.file, line, column, content, reading.remark, f"judged {verdict}"
-                )
+                yield Complaint(file, line, column, content, reading.remark, f"judged {verdict}")

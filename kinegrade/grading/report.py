@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
+from typing import Literal
 
 from kinegrade.csv_writing import csv_cell, csv_text, encoded, neutralised, write_csv
 from kinegrade.grading.amounts import amount_text
@@ -19,6 +20,7 @@ from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
 from kinegrade.grading.marks_folder import KEPT
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.policy import Policy
+from kinegrade.grading.pool import HEADER, VARIANTS, put_rows
 from kinegrade.grading.typed_cells import TypedCells
 from kinegrade.tables import Complaint, shortened
 
@@ -34,6 +36,7 @@ _MARKS = (
     "out_of",
     "reason",
 )
+Status = Literal["marked", "absent"]  # who is absent answered nothing at all
 POLICY = "policy.toml"
 _NO_POLICY = "# No policy: marked as the papers say.\n"
 _KEPT = (
@@ -50,19 +53,27 @@ _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
 
 
 def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-    """Writes marks.csv into an existing folder, block by block, and hands each block on when it is written."""
+    """Writes marks.csv into an existing folder, block by block, and hands each block on when it is written.
+
+    variants.csv is written where answers were marked by other lines of the key than the student's own.
+    """
+    put: list[tuple[str, ...]] = []
     with (folder / "marks.csv").open("wb") as stream:
         stream.write(encoded(csv_text(_MARKS, [])))
         for block in blocks:
             stream.write(encoded(_mark_lines(block)))
+            for paper, _ in block.judged.rows:
+                put += put_rows(block.asks, paper)
             yield block
+    if put:
+        write_csv(folder / VARIANTS, HEADER, put)
 
 
 def write_grades(
     folder: Path, grades: ClassGrades, policy: Policy, kept: Iterable[Kept] | None
 ) -> None:
     """Writes the other files; `kept` is None where totals may fall."""
-    header = ("student", "name", *grades.questions, "total", "out_of", "percent")
+    header = ("student", "name", *grades.questions, "total", "out_of", "percent", "status")
     write_csv(folder / "grades.csv", header, _grade_rows(grades.grades))
     write_csv(folder / "complaints.csv", _COMPLAINTS, _complaint_rows(grades.complaints))
     (folder / POLICY).write_bytes((policy.text or _NO_POLICY).encode("utf-8"))
@@ -116,9 +127,10 @@ def _grade_rows(grades: Sequence[Grade]) -> Iterator[tuple[str, ...]]:
     known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
     for grade in grades:
         which = id(grade.points), id(grade.out_of), grade.kept
+        status: Status = "absent" if grade.absent else "marked"
         if which not in known:
             known[which] = _amounts(grade)
-        yield (grade.student, neutralised(grade.name), *known[which])
+        yield (grade.student, neutralised(grade.name), *known[which], status)
 
 
 def _amounts(grade: Grade) -> tuple[str, ...]:

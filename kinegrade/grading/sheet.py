@@ -1,24 +1,34 @@
 """The answer sheet: which cell is whose answer to what.
 
-`read_sheet` is called by `grade`. Nothing that stands in the file is lost: what does not become an answer
-becomes a complaint that carries it.
+`read_part` reads one file; `class_sheet` makes one sheet of several and is called by `grade`. Nothing that stands in a
+file is lost: what does not become an answer becomes a complaint that carries it.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from operator import itemgetter
 from typing import NamedTuple
 from unicodedata import normalize
 
+from kinegrade.answer_file import AnswerFile, Sources
 from kinegrade.csv_writing import csv_text
 from kinegrade.errors import TableError
 from kinegrade.exam.roster import COLUMN_NAMES, student_key
+from kinegrade.exam.student_ids import StudentIds, restoration
 from kinegrade.grading.key import Ask, Sitting
-from kinegrade.tables import Complaint, Row, Table, header_key, shortened, trimmed
+from kinegrade.tables import (
+    Complaint,
+    Row,
+    Table,
+    header_key,
+    shortened,
+    trimmed,
+    without_headers,
+)
 
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 
@@ -26,23 +36,48 @@ _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 _ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate heads the answer sheet
 
 
+class Place(NamedTuple):
+    """Where something stands; `line` is None where no line is to blame."""
+
+    file: str
+    line: int | None
+
+
 class Entry(NamedTuple):
     """One row of a student: the responses in the order of the asks; `line` is None where the student has no row.
 
-    `whole` is the row as it came, where the student has several.
+    `whole` is the row as it came, where the student has several. `put` says for each ask whose line of the key it is
+    marked by, "" for the student's own; empty where that holds for all. `places` are those of the single responses,
+    where they come from several files.
     """
 
     line: int | None
     responses: tuple[str, ...]
     whole: str = ""
+    file: str = ""
+    put: Sources = ()
+    places: tuple[Place, ...] = ()
+
+    def place(self, number: int) -> Place:
+        """Where the response to an ask stands."""
+        return self.places[number] if self.places else Place(self.file, self.line)
 
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """Each student's entries by id, one or more in the order of the file; `columns` are those of the asks, as named.
+    """Each student's entries by id, one or more in the order of the files; `columns` are those of the asks, as named.
 
     `complaints` are those that stand before it is decided which of several entries counts: see `repeated`.
     """
+
+    columns: tuple[str, ...]
+    entries: Mapping[str, tuple[Entry, ...]]
+    complaints: tuple[Complaint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """What one file says: entries of those students only who have a row, columns "" where an ask has none."""
 
     file: str
     columns: tuple[str, ...]
@@ -73,31 +108,27 @@ class _Columns:
         all_at_once, width = itemgetter(*places), max(places) + 1
         return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
 
+    def sources(self, answers: AnswerFile) -> Mapping[int, Sources]:
+        """By line whose line of the key each ask is marked by, in the order of the asks."""
+        return {
+            line: tuple(["" if index is None else sources[index - 1] for index in self.asks])
+            for line, sources in answers.put.items()
+        }
 
-def read_sheet(table: Table, exam: Sitting) -> Sheet:
-    """Finds everybody's responses.
+
+def read_part(answers: AnswerFile, exam: Sitting) -> Part:
+    """Finds the responses in one file.
 
     Raises TableError if there is no student column, no answer column, or the sheet is that of another exam.
     """
+    table = answers.table
     columns = _columns(table, exam.asks)
-    rows, unknown = _rows_by_student(table, columns, exam)
-    responses, nothing = columns.responses(), (Entry(None, ("",) * len(exam.asks)),)
-    entries = {
-        student: _entries(rows[student], responses) if student in rows else nothing
-        for student in exam.students
-    }
-    complaints = [
-        *table.complaints,
-        *_missing_columns(table, columns, exam.asks),
-        *_extra_columns(table, columns),
-        *_missing_students(table, entries),
-        *unknown,
-    ]
-    names = (
-        ask.column if index is None else table.header[index]
-        for ask, index in zip(exam.asks, columns.asks, strict=True)
-    )
-    return Sheet(table.file, tuple(names), entries, tuple(complaints))
+    rows, complaints = _rows_by_student(table, columns, exam)
+    responses, put = columns.responses(), columns.sources(answers)
+    entries = {student: _entries(rows[student], table.file, responses, put) for student in rows}
+    names = ("" if index is None else table.header[index] for index in columns.asks)
+    said = (*table.complaints, *_extra_columns(table, columns), *complaints)
+    return Part(table.file, tuple(names), entries, said)
 
 
 def _columns(table: Table, asks: Sequence[Ask]) -> _Columns:
@@ -156,37 +187,33 @@ def _exact_key(column: str) -> str:
 def _rows_by_student(
     table: Table, columns: _Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
-    known = {student_key(student): student for student in exam.students}
+    ids = StudentIds(exam.students)
+    found = [(row, ids.exact(row.cell(columns.student))) for row in without_headers(table)]
+    strange = [row.cell(columns.student) for row, student in found if student is None]
+    taken = {student for _, student in found if student is not None} if strange else set()
+    restored = ids.restored(strange, taken)
     rows: dict[str, list[Row]] = defaultdict(list)
-    strangers = []
-    for row in table.rows:
-        cell = row.cell(columns.student)
-        key = cell if cell in known else student_key(cell)
-        if key in known:
-            rows[known[key]].append(row)
+    complaints = [_restored(table, columns, restored)] if restored else []
+    for row, exact in found:
+        student = exact or restored.get(row.cell(columns.student))
+        if student is None:
+            complaints.append(_unknown(table, row, columns, ids))
         else:
-            strangers.append((row, key))
-    near = _near_ids(known.values()) if strangers else {}
-    return rows, [
-        _unknown(table, row, columns, key, near.get(_bare(key))) for row, key in strangers
-    ]
+            rows[student].append(row)
+    return rows, complaints
 
 
-def _near_ids(students: Iterable[str]) -> dict[str, str]:
-    """Ids without leading zeros and case, where that still means one student."""
-    near: dict[str, list[str]] = defaultdict(list)
-    for student in students:
-        near[_bare(student_key(student))].append(student)
-    return {bare: found[0] for bare, found in near.items() if len(found) == 1}
+def _restored(table: Table, columns: _Columns, restored: Mapping[str, str]) -> Complaint:
+    problem, done = restoration(restored)
+    return Complaint(table.file, None, table.header[columns.student], "", problem, done)
 
 
-def _bare(key: str) -> str:
-    return key.casefold().lstrip("0")
-
-
-def _unknown(table: Table, row: Row, columns: _Columns, key: str, likely: str | None) -> Complaint:
+def _unknown(table: Table, row: Row, columns: _Columns, ids: StudentIds) -> Complaint:
+    cell = row.cell(columns.student)
+    key, likely = student_key(cell), ids.near(cell)
     problem = f'no student "{shortened(key)}" in the exam' if key else "no student id"
-    hint = f'; probably "{likely}": correct the id and grade again' if key and likely else ""
+    meant = " or ".join(f'"{student}"' for student in likely)
+    hint = f"; probably {meant}: correct the id and grade again" if meant else ""
     return Complaint(
         table.file,
         row.line,
@@ -202,20 +229,20 @@ def _whole(row: Row) -> str:
 
 
 def _entries(
-    rows: Sequence[Row], responses: Callable[[tuple[str, ...]], tuple[str, ...]]
+    rows: Sequence[Row],
+    file: str,
+    responses: Callable[[tuple[str, ...]], tuple[str, ...]],
+    put: Mapping[int, Sources],
 ) -> tuple[Entry, ...]:
     if len(rows) == 1:
         (row,) = rows
-        return (Entry(row.line, responses(row.cells)),)
-    return tuple([Entry(row.line, responses(row.cells), _whole(row)) for row in rows])
-
-
-def _missing_columns(table: Table, columns: _Columns, asks: Sequence[Ask]) -> Iterator[Complaint]:
-    for ask, index in zip(asks, columns.asks, strict=True):
-        if index is None:
-            yield Complaint(
-                table.file, None, ask.column, "", "no such column", "all its answers count as blank"
-            )
+        return (Entry(row.line, responses(row.cells), "", file, put.get(row.line, ())),)
+    return tuple(
+        [
+            Entry(row.line, responses(row.cells), _whole(row), file, put.get(row.line, ()))
+            for row in rows
+        ]
+    )
 
 
 def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
@@ -244,32 +271,18 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
             )
 
 
-def _missing_students(
-    table: Table, entries: Mapping[str, tuple[Entry, ...]]
-) -> Iterator[Complaint]:
-    for student, (entry, *_) in entries.items():
-        if entry.line is None:
-            yield Complaint(
-                table.file,
-                None,
-                "",
-                student,
-                f'no row for student "{student}"',
-                "all answers count as blank",
-            )
-
-
-def repeated(file: str, entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
+def repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
     """A complaint for each entry of a student that does not count; it carries the row."""
     answers = list(map(trimmed, counted.responses))
     for entry in entries:
         if entry is counted:
             continue
-        problem = f"another row for this student stands on line {counted.line}"
+        where = "" if entry.file == counted.file else f" of {counted.file}"
+        problem = f"another row for this student stands on line {counted.line}{where}"
         same = list(map(trimmed, entry.responses)) == answers
         done = (
             "ignored, the answers are the same"
             if same
-            else f"line {counted.line} counts; this row is kept here only"
+            else f"line {counted.line}{where} counts; this row is kept here only"
         )
-        yield Complaint(file, entry.line, "", entry.whole, problem, done)
+        yield Complaint(entry.file, entry.line, "", entry.whole, problem, done)

@@ -55,7 +55,10 @@ def _row(
             partial(read, unit=ask.unit, style=style, convention=ask.sign),
             examinee.keys[ask.column],
         )
-        others, ruling = accepted.get((examinee.student, ask.column), ()), policy.ruling(ask.column)
+        others, ruling = (
+            accepted.get((examinee.student,) * 2 + (ask.column,), ()),
+            policy.ruling(ask.column),
+        )
         decision = decide(reader(typed), key, ruling, others, reader)
         decided.append(Decided(ask, reader(typed), key, ruling, decision))
     better: Mapping[str, object] = {}

@@ -16,13 +16,13 @@ from hypothesis import strategies as st
 
 from kinegrade.grading import marks as marking
 from kinegrade.grading.accepted import alternatives
+from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.exam_folder import open_exam, read_exam
 from kinegrade.grading.follow import Follows, Own
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import mark
 from kinegrade.grading.policy_reading import read_policy
-from kinegrade.grading.sheet import read_sheet
 from kinegrade.tables import parse_table
 from tests.grading.one_by_one import marks_one_by_one
 

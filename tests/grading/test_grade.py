@@ -56,11 +56,11 @@ def test_a_class_is_marked(exam_folder: Path) -> None:
         "complaints.csv", "grades.csv", "marks.csv", "moodle.csv", "policy.toml",
     ]  # fmt: skip
     assert rows(exam_folder, "grades.csv") == [
-        ["student", "name", "q1", "q2", "total", "out_of", "percent"],
-        ["007", "王伟", "7", "2.5", "9.5", "9.5", "100"],
-        ["0012", "O'Neil, Zoë", "4", "0", "4", "9.5", "42.11"],
-        ["S9", "'=HYPERLINK(1)", "0", "2.5", "2.5", "9.5", "26.32"],
-        ["12", "Ann", "0", "0", "0", "9.5", "0"],
+        ["student", "name", "q1", "q2", "total", "out_of", "percent", "status"],
+        ["007", "王伟", "7", "2.5", "9.5", "9.5", "100", "marked"],
+        ["0012", "O'Neil, Zoë", "4", "0", "4", "9.5", "42.11", "marked"],
+        ["S9", "'=HYPERLINK(1)", "0", "2.5", "2.5", "9.5", "26.32", "marked"],
+        ["12", "Ann", "0", "0", "0", "9.5", "0", "absent"],
     ]
     assert marks.grades[1] == Grade(
         "0012", "O'Neil, Zoë", (Fraction(4), Fraction(0)), Fraction(19, 2)
@@ -127,17 +127,39 @@ def test_a_student_who_is_not_in_the_exam_is_kept_whole(exam_folder: Path) -> No
     ]
 
 
-def test_an_id_without_its_zeros_is_not_matched_but_the_student_is_suggested(
+def test_ids_without_zeros_or_in_another_case_keep_their_points_where_one_student_is_meant(
     exam_folder: Path,
 ) -> None:
-    marks = marked(exam_folder, HEADER + "7,王伟,1,1,1\ns9,x,1,1,1\n00012,x,1,1,1\n")
-    assert verdicts(exam_folder, "007") == ["blank"] * 3
-    done = [complaint.done for complaint in marks.complaints if complaint.line]
-    assert done == [
-        'not graded; probably "007": correct the id and grade again',
-        'not graded; probably "S9": correct the id and grade again',
-        "not graded",  # 0012 and 12 are both in the class
+    marks = marked(exam_folder, HEADER + f"7,王伟,{RIGHT},0,-0.125\ns9,x,1,1,1\n00012,x,1,1,1\n")
+    assert verdicts(exam_folder, "007") == ["right"] * 3
+    restored, *others = [each for each in marks.complaints if each.column == "student"]
+    assert (restored.line, restored.problem) == (
+        None,
+        '2 student ids are not as in the exam, such as "7" for "007"',
+    )
+    assert restored.done.startswith("zeros and case restored, as each can mean one student only")
+    assert [(each.line, each.done) for each in others] == [
+        (4, 'not graded; probably "0012" or "12": correct the id and grade again')
     ]
+
+
+def test_an_id_is_not_restored_for_somebody_who_has_a_row(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + f"007,王伟,{RIGHT},0,-0.125\n7,x,1,1,1\n")
+    assert verdicts(exam_folder, "007") == ["right"] * 3
+    assert [each.done for each in marks.complaints if each.line == 3] == [
+        'not graded; probably "007": correct the id and grade again'
+    ]
+
+
+def test_two_ids_that_would_mean_one_student_are_both_refused(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + "7,x,1,1,1\n07,y,2,2,2\n")
+    assert verdicts(exam_folder, "007") == ["blank"] * 3
+    assert [each.line for each in marks.complaints if each.line] == [2, 3]
+
+
+def test_the_header_once_more_is_no_student(exam_folder: Path) -> None:
+    marks = marked(exam_folder, HEADER + ROWS + HEADER)
+    assert not [each for each in marks.complaints if each.line == 7]
 
 
 def test_a_missing_student_is_listed_with_blank_answers(exam_folder: Path) -> None:

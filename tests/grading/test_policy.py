@@ -180,7 +180,7 @@ def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path) ->
     """
     regraded(exam, "MARKS", policy)
     lines = (tmp_path / "MARKS" / "grades.csv").read_text(encoding="utf-8").splitlines()
-    assert [line.split(",")[-5:-3] for line in lines[1:]] == [
+    assert [line.split(",")[-6:-4] for line in lines[1:]] == [
         ["7", "0"],
         ["4", "0"],
         ["7", "0"],

@@ -10,11 +10,11 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.accepted import alternatives
+from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.marks import Marks, mark
 from kinegrade.grading.policy import AS_PRINTED
-from kinegrade.grading.sheet import read_sheet
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.other_paper import right_answers
 from kinegrade.tables import Table, read_table

@@ -1,0 +1,154 @@
+"""One answer sheet of one file or several: versions' quizzes, or parts of the exam that several assistants typed.
+
+`class_sheet` is called by `grade`. Cells of one student that stand in different files are put together; where two files
+give different answers for one cell, the first file counts and a complaint names both.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+
+from kinegrade.answer_file import AnswerFile, LeftOut
+from kinegrade.grading.key import Sitting
+from kinegrade.grading.sheet import Entry, Part, Place, Sheet, read_part
+from kinegrade.tables import Complaint, Table, shortened, trimmed
+
+_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
+Entries = Mapping[str, tuple[Entry, ...]]
+
+
+def read_sheet(table: Table, exam: Sitting) -> Sheet:
+    """The sheet of a single file; raises TableError as `class_sheet` does."""
+    return class_sheet([AnswerFile(table)], exam)
+
+
+def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
+    """Finds everybody's responses in these files, which are one class.
+
+    Raises TableError if one has no student column, no answer column, or is the sheet of another exam.
+    """
+    parts = [read_part(answers, exam) for answers in files]
+    names = ", ".join(part.file for part in parts)
+    columns = tuple(
+        next((part.columns[number] for part in parts if part.columns[number]), "")
+        for number in range(len(exam.asks))
+    )
+    entries, conflicts = _together(parts)
+    left_out = [each for answers in files for each in answers.left_out]
+    complaints = [
+        *(complaint for part in parts for complaint in part.complaints),
+        *_missing_columns(names, columns, exam),
+        *conflicts,
+        *_left_out(left_out, entries),
+        *_missing_students(names, exam, entries, {each.student for each in left_out}),
+    ]
+    nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
+    return Sheet(
+        tuple(name or ask.column for name, ask in zip(columns, exam.asks, strict=True)),
+        {student: entries.get(student, nothing) for student in exam.students},
+        tuple(complaints),
+    )
+
+
+def is_answered(cell: str) -> bool:
+    """Whether anything but blanks and dashes was typed.
+
+    >>> is_answered("0"), is_answered(" - ")
+    (True, False)
+    """
+    return bool(cell) and bool(trimmed(cell).strip(_DASHES))
+
+
+def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
+    if len(parts) == 1:
+        return parts[0].entries, []
+    found: dict[str, list[tuple[Entry, ...]]] = defaultdict(list)
+    for part in parts:
+        for student, entries in part.entries.items():
+            found[student].append(entries)
+    together: dict[str, tuple[Entry, ...]] = {}
+    conflicts: list[Complaint] = []
+    for student, several in found.items():
+        if any(len(entries) > 1 for entries in several):  # several attempts: the policy chooses
+            together[student] = tuple(entry for entries in several for entry in entries)
+            continue
+        first, *others = (entries[0] for entries in several)
+        for other in others:
+            conflicts += _conflicts(student, first, other, parts)
+            first = _united(first, other)
+        together[student] = (first,)
+    return together, conflicts
+
+
+def _united(first: Entry, other: Entry) -> Entry:
+    """The cells of both; where both have something, those of the first."""
+    chosen = [
+        first if is_answered(mine) or not is_answered(others) else other
+        for mine, others in zip(first.responses, other.responses, strict=True)
+    ]
+    numbers = range(len(chosen))
+    put = [entry.put[number] if entry.put else "" for number, entry in enumerate(chosen)]
+    return Entry(
+        first.line,
+        tuple(chosen[number].responses[number] for number in numbers),
+        first.whole,
+        first.file,
+        tuple(put) if any(put) else (),
+        tuple(chosen[number].place(number) for number in numbers),
+    )
+
+
+def _conflicts(
+    student: str, first: Entry, other: Entry, parts: Sequence[Part]
+) -> Iterator[Complaint]:
+    columns = {part.file: part.columns for part in parts}
+    for number, (mine, others) in enumerate(zip(first.responses, other.responses, strict=True)):
+        if not is_answered(mine) or not is_answered(others) or trimmed(mine) == trimmed(others):
+            continue
+        place, there = first.place(number), other.place(number)
+        problem = (
+            f'student "{student}" has "{shortened(trimmed(others))}" here and '
+            f'"{shortened(trimmed(mine))}" in {_shown(place)}'
+        )
+        done = f"that of {place.file} counts; correct one of the files and grade again"
+        column = columns[there.file][number]
+        yield Complaint(there.file, there.line, column, shortened(others), problem, done)
+
+
+def _shown(place: Place) -> str:
+    return place.file if place.line is None else f"{place.file}:{place.line}"
+
+
+def _missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Iterator[Complaint]:
+    for ask, name in zip(exam.asks, columns, strict=True):
+        if not name:
+            yield Complaint(
+                names, None, ask.column, "", "no such column", "all its answers count as blank"
+            )
+
+
+def _left_out(left_out: Sequence[LeftOut], entries: Entries) -> Iterator[Complaint]:
+    """Why rows are not marked; of somebody without an attempt once, and only where no other file has one."""
+    absent: set[str] = set()
+    for each in left_out:
+        if each.attempted:
+            yield each.complaint
+        elif each.student not in entries and each.student not in absent:
+            absent.add(each.student)
+            yield each.complaint
+
+
+def _missing_students(
+    names: str, exam: Sitting, entries: Entries, said: set[str]
+) -> Iterator[Complaint]:
+    for student in exam.students:
+        if student not in entries and student not in said:
+            yield Complaint(
+                names,
+                None,
+                "",
+                student,
+                f'no row for student "{student}"',
+                "all answers count as blank",
+            )

@@ -1,0 +1,88 @@
+"""Papers put together from a pool: questions that a learning management system drew, each from somebody's line of the key.
+
+`grade` makes a `Pool` where responses came from one, and writes whose line every answer was marked by to variants.csv of
+the folder of marks; feedback, report and sharing read it there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from kinegrade.grading.exam_folder import ExamFolder
+from kinegrade.grading.key import Ask, Exam, Examinee, Paper, Sitting
+from kinegrade.grading.sheet import Entry, Sheet
+from kinegrade.tables import written_records
+
+VARIANTS = "variants.csv"
+HEADER = ("student", "question", "ask", "key_of")
+Put = Mapping[str, Mapping[str, str]]  # by student and answer column, whose line of the key
+
+
+@dataclass(frozen=True)
+class Pool:
+    """The papers whose questions were put to others, by the student on whose line of the key they stand."""
+
+    papers: Mapping[str, Paper] = field(default_factory=dict)
+
+    def paper(self, own: Paper, entry: Entry) -> Paper:
+        """The paper by which an entry is marked."""
+        if not entry.put:
+            return own
+        keys = [
+            (self.papers[source] if source else own).keys[number]
+            for number, source in enumerate(entry.put)
+        ]
+        return Paper(own.student, own.name, keys, entry.put)
+
+    def put_together(self, exam: Sitting, sheet: Sheet) -> Iterator[Paper]:
+        """All papers that were put together for the entries of a sheet."""
+        if self.papers:
+            for own in exam.papers():
+                for entry in sheet.entries[own.student]:
+                    if entry.put:
+                        yield self.paper(own, entry)
+
+
+def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
+    """The papers that a sheet's entries are marked by beside everybody's own. Raises ExamError."""
+    wanted = {
+        source for entries in sheet.entries.values() for entry in entries for source in entry.put
+    }
+    return Pool(exam.papers_of(wanted - {""}))
+
+
+def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, ...]]:
+    """The lines of variants.csv for one student; none for the own paper."""
+    if paper.put:
+        for number, ask in enumerate(asks):
+            yield paper.student, ask.question, ask.ask, paper.source(number)
+
+
+def read_put(marks: Path) -> Put:
+    """Whose line of the key answers were marked by; empty where everybody's own. Raises TableError."""
+    path = marks / VARIANTS
+    found: dict[str, dict[str, str]] = {}
+    if path.exists():
+        for _, (student, question, ask, source) in written_records(path, HEADER):
+            found.setdefault(student, {})[f"{question}.{ask}"] = source
+    return found
+
+
+def exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
+    """The exam with everybody's keys as the questions were put. Raises ExamError."""
+    if not put:
+        return exam
+    papers = folder.papers_of({source for each in put.values() for source in each.values()})
+    numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
+
+    def examinee(own: Examinee) -> Examinee:
+        keys = {
+            column: papers[source].key(numbers[column])
+            for column, source in put.get(own.student, {}).items()
+            if column in numbers
+        }
+        return Examinee(own.student, own.name, {**own.keys, **keys})
+
+    return Exam(exam.asks, tuple(map(examinee, exam.examinees)))
