@@ -117,6 +117,7 @@ def quiz(
 
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
+    from kinegrade.exam.variants import store_variants
 
     expect_folders((exam, "EXAM"))
     limit = None if megabytes is None else Fraction(str(megabytes))
@@ -132,6 +133,8 @@ def quiz(
         jobs=jobs or cpu_count() or 1,
         progress=progress,
     )
+    if variants is not None:
+        store_variants(exam, variants)
     remarks = writer(written, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(

@@ -108,9 +108,12 @@ class FollowThrough:
             return None
 
     def line(self, student: str) -> Any:
-        """A student's line of key.jsonl; None where there is none. Raises ExamError where it cannot be read."""
+        """A student's line of key.jsonl, or else of variants.jsonl; None where there is none.
+
+        Raises ExamError where it cannot be read.
+        """
         if student not in self.beginnings:
-            return None
+            return self.pooled.get(student)
         with self.key.open("rb") as file:
             file.seek(self.beginnings[student])
             return _json(file.readline(), self.key)
@@ -128,6 +131,19 @@ class FollowThrough:
                 return dict(_beginnings(file, self.key))
         except OSError as fault:
             raise _unreadable(self.key, fault) from fault
+
+    @cached_property
+    def pooled(self) -> Mapping[str, Any]:
+        """The lines of a pool's variants by student, of students who may have left the roster since. Raises ExamError."""
+        file = self.exam / "variants.jsonl"
+        try:
+            lines = file.read_bytes().splitlines()
+        except FileNotFoundError:
+            return {}
+        except OSError as fault:
+            raise _unreadable(file, fault) from fault
+        papers = [_json(line, file) for line in lines if line.strip()]
+        return {str(each.get("student")): each for each in papers if isinstance(each, dict)}
 
     @cached_property
     def templates(self) -> Mapping[str, Template]:

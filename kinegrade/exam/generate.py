@@ -51,6 +51,8 @@ CONTENTS = (
     "papers",
     "papers.pdf",
     "answers.csv",
+    "answers.xlsx",
+    "variants.jsonl",
     "solutions",
     "solutions.pdf",
     "tex",

@@ -66,7 +66,7 @@ def read_quiz(
             f"each question - ask for up to {available}"
         )
     order = QuizOrder(folder, language, wishes, variants is not None)
-    lines = islice(_different(source), variants)
+    lines = islice(different(source), variants)
     papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
     return Quiz(
         source.language,
@@ -78,8 +78,8 @@ def read_quiz(
     )
 
 
-def _different(source: QuizSource) -> Iterator[Line]:
-    """The line of the key for every student, or for every version that somebody has, by letter."""
+def different(source: QuizSource) -> Iterator[Line]:
+    """The line of the key for every student, or for every version that somebody has, by letter. Raises ExamError."""
     if not source.versions:
         yield from key_lines(source.folder)
         return

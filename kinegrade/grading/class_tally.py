@@ -26,6 +26,7 @@ from kinegrade.grading.marked_class import (
     answers_by_student,
     student_totals,
 )
+from kinegrade.grading.pool import read_put
 
 RIGHT, BLANK = "right", "blank"
 UNEXPLAINED = "unexplained"
@@ -101,7 +102,7 @@ class _Count:
 
 def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
     """Counts a marks folder by the exam folder it was made from. Raises TableError, ExamError."""
-    papers, totals, count = PaperRecords(exam), student_totals(marks), _Count()
+    papers, totals, count = PaperRecords(exam, read_put(marks)), student_totals(marks), _Count()
     for student, answers in answers_by_student(marks):
         columns = tuple(answer.column for answer in answers)
         _open(count, columns, [float(answer.out_of) for answer in answers])

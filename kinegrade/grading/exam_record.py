@@ -17,6 +17,7 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.roster import file_names
 from kinegrade.grading.key import rule
 from kinegrade.grading.key_lines import KeyLines
+from kinegrade.grading.pool import Put
 from kinegrade.language import Language, exam_language_of
 
 _MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
@@ -110,10 +111,14 @@ def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
 
 
 class PaperRecords:
-    """The lines of key.jsonl by student, each read when it is wanted."""
+    """The lines of key.jsonl by student, each read when it is wanted.
 
-    def __init__(self, folder: Path) -> None:
+    `put` says which answers were marked by other lines than the student's own, where questions came from a pool.
+    """
+
+    def __init__(self, folder: Path, put: Put | None = None) -> None:
         """Finds where the line of each student begins. Raises ExamError."""
+        self._put = put or {}
         self._path = folder / "key.jsonl"
         try:
             self._lines = KeyLines(self._path)
@@ -141,7 +146,7 @@ class PaperRecords:
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
         """The paper of a student whose answers stand in these columns. Raises ExamError where it does not ask them."""
-        paper = self.paper(student)
+        paper = self._as_put(self.paper(student), self._put.get(student, {}))
         unknown = next((column for column in columns if column not in paper.answers), None)
         if unknown is not None:
             raise ExamError(
@@ -149,6 +154,19 @@ class PaperRecords:
                 "- expected the marks of this exam - name the exam folder by which they were made"
             )
         return paper
+
+    def _as_put(self, own: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
+        """The paper with those answers, and the numbers of their questions, that were put to the student."""
+        answers, parameters = dict(own.answers), dict(own.parameters)
+        for column, source in put.items():
+            other = self.paper(source)
+            if column in other.answers:
+                answers[column] = other.answers[column]
+            question = column.partition(".")[0]
+            parameters |= {
+                place: number for place, number in other.parameters.items() if place[0] == question
+            }
+        return PaperRecord(own.printed, answers, parameters)
 
 
 def _paper(record: Mapping[str, Any]) -> PaperRecord:

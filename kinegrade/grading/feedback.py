@@ -30,6 +30,7 @@ from kinegrade.grading.feedback_words import FULL, FeedbackWords, feedback_words
 from kinegrade.grading.hints import Hint
 from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
 from kinegrade.grading.math_html import unit_text
+from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 
@@ -91,7 +92,8 @@ def feedback_sheets(
     marks: Path, exam: Path, wording: Wording, language: Language
 ) -> Iterator[tuple[Sitter, FeedbackSheet]]:
     """The sheets in the order of the roster, each with whose it is. Raises TableError, ExamError."""
-    record, papers, totals = read_exam_record(exam), PaperRecords(exam), student_totals(marks)
+    record, totals = read_exam_record(exam), student_totals(marks)
+    papers = PaperRecords(exam, read_put(marks))
     words = feedback_words_of(language)
     for student, answers in answers_by_student(marks):
         if student not in record.students or student not in totals:

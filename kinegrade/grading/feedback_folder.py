@@ -17,6 +17,7 @@ from kinegrade.grading.exam_record import Sitter
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
+from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 
@@ -43,6 +44,11 @@ def write_feedback(
     With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as a file beside.
     Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
+    if solutions and read_put(marks):
+        raise ExamError(
+            f"{marks}: the answers were given to questions from a pool, and {exam} has worked solutions of the "
+            "students' own papers - expected no solutions - add --no-solutions"
+        )
     with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
         (folder / SHEETS).mkdir()
         rows = []

@@ -1,5 +1,7 @@
 """Single lines of key.jsonl, found by student: for what is wanted of some papers only, or of one at a time.
 
+Students who are not there any more may still have given a pool its variants: their lines are those of variants.jsonl.
+
 `exam_record` and `givens` use it; a class of any size needs memory for one paper, and a number for each of the others.
 """
 
@@ -22,14 +24,18 @@ class KeyLines:
 
     def __init__(self, path: Path) -> None:
         """Finds where the line of each student begins. Raises OSError, and ValueError where a line is none."""
-        self._path = path
-        self._places: dict[str, int] = {}
+        self._places: dict[str, tuple[Path, int]] = {}
+        self._find(path)
+        if (pool := path.with_name("variants.jsonl")).exists():
+            self._find(pool)
+
+    def _find(self, path: Path) -> None:
         decode = msgspec.json.Decoder(_Head).decode
         with path.open("rb") as stream:
             place = 0
             for line in stream:
                 if line.strip():
-                    self._places[decode(line).student] = place
+                    self._places.setdefault(decode(line).student, (path, place))
                 place += len(line)
 
     def __contains__(self, student: str) -> bool:
@@ -37,8 +43,9 @@ class KeyLines:
 
     def paper(self, student: str, number: Callable[[str], Any] = float) -> Any:
         """The JSON on a student's line; `number` makes one of the digits of a decimal. Raises KeyError, ValueError."""
-        with self._path.open("rb") as stream:
-            stream.seek(self._places[student])
+        path, place = self._places[student]
+        with path.open("rb") as stream:
+            stream.seek(place)
             return json.loads(stream.readline(), parse_float=number)
 
     @property

@@ -26,9 +26,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.exam_folder import read_exam
+from kinegrade.grading.exam_folder import open_exam, read_exam
 from kinegrade.grading.key import Exam, Examinee
 from kinegrade.grading.marked_class import MarkedAnswer, marked_answers
+from kinegrade.grading.pool import exam_as_put, read_put
 from kinegrade.grading.sharing_fits import Numbers, Windows, windows
 
 LEVEL = 0.01
@@ -81,8 +82,12 @@ class Sharing:
 
 
 def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
-    """Looks through a folder of marks by its exam folder. Raises ExamError, TableError."""
-    return sharing(read_exam(exam), marked_answers(marks), level)
+    """Looks through a folder of marks by its exam folder; questions from a pool count as they were put.
+
+    Raises ExamError, TableError.
+    """
+    known = exam_as_put(open_exam(exam), read_exam(exam), read_put(marks))
+    return sharing(known, marked_answers(marks), level)
 
 
 def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:

@@ -62,8 +62,9 @@ def cells(read: Responses) -> list[tuple[str, ...]]:
 
 
 def told(read: Responses) -> list[tuple[int | None, str, str]]:
-    """Line, problem and what was done of each complaint."""
-    return [(each.line, each.problem, each.done) for each in read.table.complaints]
+    """Line, problem and what was done of each complaint, of those about the exam's students' rows last."""
+    complaints = [*read.table.complaints, *(each.complaint for each in read.answers.left_out)]
+    return [(each.line, each.problem, each.done) for each in complaints]
 
 
 def workbook(path: Path, *rows: Sequence[object]) -> Path:

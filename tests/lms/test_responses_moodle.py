@@ -145,13 +145,27 @@ def test_an_unfinished_attempt_counts_only_when_asked_for(tmp_path: Path) -> Non
         (
             2,
             "the attempt has no grade: it is not finished",
-            "not graded, unless all attempts are asked for",
+            "not graded, unless all attempts are asked for (--unfinished): close the attempt in "
+            "Moodle first, then download again",
         )
     ]
-    assert "part 1: 1; part 2: 2" in read.table.complaints[0].content
+    assert "part 1: 1; part 2: 2" in read.answers.left_out[0].complaint.content
     assert [row.cells[0] for row in responses(tmp_path, content, attempts="all").table.rows] == [
         "S9",
         "0012346",
+    ]
+
+
+def test_an_attempt_in_progress_is_to_be_closed_in_moodle_first(tmp_path: Path) -> None:
+    open_still = ("Wang", "Wei", "S9", "In progress", "1 May", "-", "-", "-", "-", "-")
+    content = csv_text((*HEADER, *NAMES), open_still, attempt("0012346", cloze("1", "2"), "3"))
+    read = responses(tmp_path, content)
+    assert told(read) == [
+        (
+            2,
+            "the attempt is still in progress, and Moodle gives out nothing of it",
+            "not graded: close the attempt in Moodle first, then download again",
+        )
     ]
 
 

@@ -1,33 +1,43 @@
 """From a download to a table of the shape of EXAM/answers.csv, which grading reads as it reads any other.
 
-Every cell is what was typed; every row that is not taken over is told with all that stands in it.
+Every cell is what was typed; every row that is not taken over is reported with all that stands in it. Where questions
+came from a pool, `pooled` says whose line of the key each of them is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from kinegrade.answer_file import AnswerFile, LeftOut
 from kinegrade.errors import TableError
+from kinegrade.exam.student_ids import restoration
+from kinegrade.exam.variants import read_variants
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.exam_asks import read_exam_asks
-from kinegrade.lms.responses.other_paper import difference, right_answers
 from kinegrade.lms.responses.people import Columns, Found, People
+from kinegrade.lms.responses.pooled import own_papers_only, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 from kinegrade.spreadsheet import is_workbook, read_workbook
-from kinegrade.tables import Complaint, Row, Table, read_table
+from kinegrade.tables import Complaint, Row, Table, read_table, without_headers
 
 SOURCES = tuple(DIALECTS)
+POOLED = ("moodle", "canvas")  # what draws questions from pools
 
 
 @dataclass(frozen=True, slots=True)
 class Responses:
     """The answer sheet made of a download, the name of its source, and in words what was assumed, a line each."""
 
-    table: Table
+    answers: AnswerFile
     source: str
     assumed: tuple[str, ...]
+
+    @property
+    def table(self) -> Table:
+        """The answer sheet alone."""
+        return self.answers.table
 
 
 def answer_table(
@@ -47,40 +57,54 @@ def read_responses(
     source: str | None = None,
     attempts: Attempts = "finished",
     encoding: str | None = None,
+    *,
+    own_papers: bool = False,
+    name: str = "",
 ) -> Responses:
     """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected where None.
 
     Of a student's several attempts each is a row, in the order of time; `attempts` says whether unfinished ones are
-    taken over too. `encoding` is what a CSV file is read in if it is not UTF-8. Raises TableError, ExamError.
+    taken over too. `encoding` is what a CSV file is read in if it is not UTF-8. Where a pool was made of the exam,
+    responses of a quiz are recognised by it, unless they are to `own_papers`. `name` stands for the file's name in
+    messages. Raises TableError, ExamError.
     """
     asks = read_exam_asks(exam_folder)
     table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
-    name = detected(table) if source is None else _known(source, path)
-    typed = DIALECTS[name].read(table, asks, attempts)
+    table = replace(table, file=name or table.file, rows=without_headers(table))
+    system = detected(table) if source is None else _known(source, path)
+    typed = DIALECTS[system].read(table, asks, attempts)
     people = People(asks.students)
-    columns = people.columns([each.row for each in typed.rows], typed.people, typed.named)
+    everybody = [each.row for each in (*typed.rows, *typed.not_taken)]
+    columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(
             f"{table.file}: no column tells whose answers these are - expected the ids or the e-mail "
             "addresses of the exam's students - download the file with them"
         )
-    found = _own_papers(
-        typed, [people.find(each.row, table.header, columns) for each in typed.rows], exam_folder
-    )
+    found = people.find_all(everybody, table.header, columns)
+    taken, left_out = found[: len(typed.rows)], found[len(typed.rows) :]
+    variants = None if own_papers or system not in POOLED else read_variants(exam_folder)
+    pairs = list(zip(typed.rows, taken, strict=True))
+    if variants is None:
+        pairs = own_papers_only(table.file, typed, pairs, exam_folder)
+    put = {} if variants is None else put_to(table.file, typed, pairs, variants, exam_folder)
     complaints = [
         *_about_answers(table, typed, columns),
         *typed.complaints,
-        *_unknown(table, found),
+        *_unknown(table, pairs),
     ]
+    left = list(_left_out(table, typed, left_out))
     sheet = Table(
         table.file,
         ("student", *typed.columns),
-        tuple(_rows(found)),
+        tuple(_rows(pairs)),
         table.encoding,
         table.separator,
-        tuple(complaints),
+        (*complaints, *(each.complaint for each in left if not each.student)),
     )
-    return Responses(sheet, name, tuple(_assumed(table, name, source, typed, columns)))
+    answers = AnswerFile(sheet, put, tuple(each for each in left if each.student))
+    assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
+    return Responses(answers, system, assumed)
 
 
 def _known(source: str, path: Path) -> str:
@@ -98,17 +122,19 @@ def _about_answers(table: Table, typed: TypedRows, columns: Columns) -> Iterator
     return (each for each in table.complaints if not each.column or each.column in read)
 
 
-def _own_papers(
-    typed: TypedRows, found: Sequence[Found], folder: Path
-) -> list[tuple[TypedRow, Found]]:
-    """Each row with its student, or with none where other questions were put than those of the student's paper."""
-    keys = right_answers(folder) if any(each.right for each in typed.rows) else {}
-    checked = []
-    for each, who in zip(typed.rows, found, strict=True):
-        other = difference(typed.columns, each.right, keys.get(who.student or "", {}))
-        problem = f'student "{who.student}" was put another paper: {other}'
-        checked.append((each, Found(None, "", problem) if other else who))
-    return checked
+def _left_out(table: Table, typed: TypedRows, found: Sequence[Found]) -> Iterator[LeftOut]:
+    """Why rows are not taken over, each with its student, "" where it is nobody of the exam."""
+    for each, who in zip(typed.not_taken, found, strict=True):
+        complaint = Complaint(
+            table.file, each.row.line, each.column, whole(each.row), each.problem, each.done
+        )
+        yield LeftOut(who.student or "", complaint, each.attempted)
+
+
+def _restored(file: str, found: Sequence[Found]) -> Iterator[str]:
+    restored = {each.restored: each.student for each in found if each.student and each.restored}
+    if restored:
+        yield f"{file}: {' - '.join(restoration(restored))}"
 
 
 def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:

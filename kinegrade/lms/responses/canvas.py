@@ -58,7 +58,12 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     rows = [row for row in table.rows if not _is_test_student(row, people, named, known)]
     sources = [_sources(table.header, column, places, asks) for column, places in columns.items()]
     typed = (
-        TypedRow(row, tuple(_response(row, each) for each in sources), _moment(row, people))
+        TypedRow(
+            row,
+            tuple(_response(row, each) for each in sources),
+            _moment(row, people),
+            texts=tuple(_text(table, row, places) for places in columns.values()),
+        )
         for row in rows
     )
     return TypedRows(
@@ -133,6 +138,12 @@ def _is_test_student(
         return False
     cells = [row.cell(place) for place in named["id"] or people]
     return not any(known.by_id(cell) or known.by_email(cell) for cell in cells)
+
+
+def _text(table: Table, row: Row, places: Sequence[int]) -> str:
+    """The text of the question that the student answered, "" where there is no answer."""
+    answered = next((place for place in places if trimmed(row.cell(place))), None)
+    return "" if answered is None else table.header[answered].partition(": ")[2]
 
 
 def _moment(row: Row, people: Sequence[int]) -> str:

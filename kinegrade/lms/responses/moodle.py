@@ -20,19 +20,21 @@ from kinegrade.lms.responses.moodle_columns import (
     grade_columns,
     moodle_columns,
 )
-from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
+from kinegrade.lms.responses.typed_rows import Attempts, NotTaken, TypedRow, TypedRows, whole
 from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
 
 TITLE = "the responses of a Moodle quiz"
+_STATE_COLUMNS = 4
 _NAMES = 2  # the first two columns, which nobody is found by
 
 
 @dataclass(frozen=True, slots=True)
 class _Slot:
-    """A question of the quiz: where response and right answer stand, which asks it has, which words part them."""
+    """A question of the quiz: where response, right answer and text stand, which asks it has, which words part them."""
 
     column: int
     right_answer: int | None
+    text: int | None
     asks: tuple[str, ...]
     words: Wording | None
 
@@ -49,16 +51,17 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     """The responses of finished attempts, or of all. Raises TableError where questions and asks do not agree."""
     columns = moodle_columns(table)
     slots = _slots(table, columns, asks)
-    rows, complaints = [], []
+    rows, complaints, not_taken = [], [], []
     for row in table.rows:
-        reason = _not_taken(row, columns, attempts)
+        if not any(trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)):
+            complaints.append(_averages(table, row, columns))
+            continue
+        reason = _not_taken(table, row, columns, attempts)
         if reason:
-            complaints.append(
-                Complaint(table.file, row.line, table.header[columns.grade], whole(row), *reason)
-            )
+            not_taken.append(reason)
             continue
         responses, faults = _responses(table, row, slots)
-        rows.append(TypedRow(row, responses, right=_right(row, slots)))
+        rows.append(TypedRow(row, responses, right=_right(row, slots), texts=_texts(row, slots)))
         complaints += faults
     assumed = "; ".join(f"{table.header[slot.column]} is {', '.join(slot.asks)}" for slot in slots)
     return TypedRows(
@@ -68,25 +71,43 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
         tuple(range(_NAMES, columns.grade)),
         complaints=tuple(complaints),
         assumed=assumed,
+        not_taken=tuple(not_taken),
+        drawn=tuple(slot.asks for slot in slots),
     )
 
 
-def _not_taken(row: Row, columns: MoodleColumns, attempts: Attempts) -> tuple[str, str] | None:
-    """Why a row is left out: problem and what was done."""
-    before = [trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)]
-    if not any(before):
-        return "no student: a row of averages", "not graded"
+def _averages(table: Table, row: Row, columns: MoodleColumns) -> Complaint:
+    problem = "no student: a row of averages"
+    return Complaint(
+        table.file, row.line, table.header[columns.grade], whole(row), problem, "not graded"
+    )
+
+
+def _not_taken(
+    table: Table, row: Row, columns: MoodleColumns, attempts: Attempts
+) -> NotTaken | None:
+    """Why a row is left out, None where it is not."""
     if trimmed(row.cell(columns.grade)) != NOTHING:
         return None
-    if before[-1] == NOTHING and all(
-        _response(row, question) in ("", NOTHING) for question in columns.questions
-    ):
-        return "no attempt, or one without answers", "not graded"
+    before = [trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)]
+    column = table.header[columns.grade]
+    empty = all(_response(row, question) in ("", NOTHING) for question in columns.questions)
+    if empty and before[-1] == NOTHING:
+        # status, beginning, end and duration stand before the grade; all are dashes where nobody has begun
+        if all(cell == NOTHING for cell in before[-_STATE_COLUMNS:]):
+            return NotTaken(
+                row, column, "no attempt, or one without answers", "not graded", attempted=False
+            )
+        problem = "the attempt is still in progress, and Moodle gives out nothing of it"
+        done = "not graded: close the attempt in Moodle first, then download again"
+        return NotTaken(row, column, problem, done, attempted=True)
     if attempts == "finished":
-        return (
-            "the attempt has no grade: it is not finished",
-            "not graded, unless all attempts are asked for",
+        problem = "the attempt has no grade: it is not finished"
+        done = (
+            "not graded, unless all attempts are asked for (--unfinished): close the attempt in "
+            "Moodle first, then download again"
         )
+        return NotTaken(row, column, problem, done, attempted=True)
     return None
 
 
@@ -108,7 +129,7 @@ def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot,
         mine = asks.columns[first : first + count]
         if len({name.partition(".")[0] for name in mine}) > 1:
             raise _disagreement(table, counts, asks)
-        slots.append(_Slot(question.response, question.right_answer, mine, words))
+        slots.append(_Slot(question.response, question.right_answer, question.text, mine, words))
         first += count
     return tuple(slots)
 
@@ -144,6 +165,14 @@ def _right(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
             "",
         ) * len(slot.asks)
     return tuple(right)
+
+
+def _texts(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
+    """The texts of the questions, for each ask; "" where the file does not have them."""
+    texts: list[str] = []
+    for slot in slots:
+        texts += ["" if slot.text is None else row.cell(slot.text)] * len(slot.asks)
+    return tuple(texts)
 
 
 def _responses(

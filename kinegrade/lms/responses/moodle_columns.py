@@ -34,10 +34,11 @@ _ADVICE = "download the quiz's responses report as CSV, with its column of respo
 
 @dataclass(frozen=True, slots=True)
 class QuestionColumns:
-    """Where a question's response stands, and its right answer where that was downloaded."""
+    """Where a question's response stands, and its right answer and its text where these were downloaded."""
 
     response: int
     right_answer: int | None
+    text: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +104,11 @@ def moodle_columns(table: Table) -> MoodleColumns:
     return MoodleColumns(
         grades[0],
         tuple(
-            QuestionColumns(start + response, None if right is None else start + right)
+            QuestionColumns(
+                start + response,
+                None if right is None else start + right,
+                start if response else None,
+            )
             for start in starts
         ),
     )

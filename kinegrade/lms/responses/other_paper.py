@@ -57,11 +57,18 @@ def difference(columns: Sequence[str], told: Sequence[str], own: Mapping[str, fl
     'the right answer to q1.v_B is -1,5 m/s there and 2.5 on the own paper'
     """
     for column, text in zip(columns, told, strict=False):
-        found = _NUMBER.match(trimmed(text))
-        if found and column in own and not _agree(float(found[0].replace(",", ".")), own[column]):
+        value = value_of(text)
+        if value is not None and column in own and not agree(value, own[column]):
             return f"the right answer to {column} is {text} there and {own[column]:.6g} on the own paper"
     return ""
 
 
-def _agree(told: float, own: float) -> bool:
-    return abs(told - own) <= max(_SHARE * abs(own), _NEXT_TO_NOTHING)
+def value_of(text: str) -> float | None:
+    """The number with which a right answer begins, None where it begins with none."""
+    found = _NUMBER.match(trimmed(text))
+    return float(found[0].replace(",", ".")) if found else None
+
+
+def agree(told: float, own: float, share: float = _SHARE) -> bool:
+    """Whether two numbers are the same within that share of themselves."""
+    return abs(told - own) <= max(share * abs(own), _NEXT_TO_NOTHING)

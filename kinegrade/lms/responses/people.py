@@ -2,28 +2,31 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from kinegrade.exam.roster import student_key
+from kinegrade.exam.student_ids import StudentIds
 from kinegrade.lms.responses.exam_asks import Person
 from kinegrade.tables import Row, header_key, shortened
 
 Kind = Literal["id", "email"]
-_WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The student of a row, or in which column there is none, why, and who is probably meant."""
+    """The student of a row, or in which column there is none, why, and who is probably meant.
+
+    `restored` is the id as it stands in the file where it is not the exam's.
+    """
 
     student: str | None
     column: str = ""
     problem: str = ""
     hint: str = ""
+    restored: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,28 +42,17 @@ class Columns:
         return tuple(index for index in (self.identifier, self.email) if index is not None)
 
 
-def unwrapped(identifier: str) -> str:
-    r"""An id without what keeps spreadsheets from eating its zeros: ="007", '007 and #007 are 007.
-
-    >>> unwrapped('="0012345"'), unwrapped("#0012345")
-    ('0012345', '0012345')
-    """
-    found = _WRAPPED.fullmatch(student_key(identifier))
-    return student_key(found[1] or found[2] or "") if found else student_key(identifier)
-
-
 class People:
     """The students of an exam by what files call them."""
 
     def __init__(self, students: Iterable[Person]) -> None:
         known = list(students)
-        self._by_id = _grouped(known, lambda person: student_key(person.student))
+        self._ids = StudentIds(person.student for person in known)
         self._by_email = _grouped(known, lambda person: header_key(person.email))
-        self._near = _grouped(known, lambda person: _bare(student_key(person.student)))
 
     def by_id(self, cell: str) -> str | None:
         """The student with that id, wrapped or not."""
-        return _only(self._by_id.get(student_key(cell)) or self._by_id.get(unwrapped(cell)))
+        return self._ids.exact(cell)
 
     def by_email(self, cell: str) -> str | None:
         """The student with that e-mail address, in whatever case."""
@@ -68,7 +60,7 @@ class People:
 
     def likely(self, cell: str) -> str | None:
         """The one student whose id differs from a cell, or from the login in its address, by zeros or case alone."""
-        return _only(self._near.get(_bare(unwrapped(cell.partition("@")[0]))))
+        return _only(self._ids.near(cell.partition("@")[0]))
 
     def columns(
         self,
@@ -101,6 +93,33 @@ class People:
         best = max(known, key=lambda index: known[index], default=None)
         return best if best is not None and (named or any(known[best])) else None
 
+    def find_all(
+        self, rows: Sequence[Row], header: Sequence[str], columns: Columns
+    ) -> tuple[Found, ...]:
+        """The students of all rows; an id that differs by zeros or case is theirs where that is certain."""
+        found = [self.find(row, header, columns) for row in rows]
+        place = columns.identifier
+        if place is None:
+            return tuple(found)
+        unknown = [
+            number
+            for number, each in enumerate(found)
+            if each.student is None and not self._other_address(rows[number], columns)
+        ]
+        restored = self._ids.restored(
+            [rows[number].cell(place) for number in unknown],
+            {each.student for each in found if each.student is not None},
+        )
+        for number in unknown:
+            cell = rows[number].cell(place)
+            if cell in restored:
+                found[number] = Found(restored[cell], restored=cell)
+        return tuple(found)
+
+    def _other_address(self, row: Row, columns: Columns) -> bool:
+        """Whether a row has the address of a student; then its id is not that of another."""
+        return columns.email is not None and header_key(row.cell(columns.email)) in self._by_email
+
     def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
         """The student of a row. Where id and address tell different people, nobody."""
         cells = {index: row.cell(index) for index in columns.indices}
@@ -126,7 +145,10 @@ class People:
                 None, column, f'several students of the exam have the e-mail address "{shown}"'
             )
         likely = self.likely(cell)
-        hint = f'; probably "{likely}": correct the file and grade again' if likely else ""
+        meant = " or ".join(f'"{each}"' for each in self._ids.near(cell)) or (
+            f'"{likely}"' if likely else ""
+        )
+        hint = f"; probably {meant}: correct the file and grade again" if meant else ""
         return Found(None, column, f'no student "{shown}" in the exam', hint)
 
 
@@ -142,10 +164,6 @@ def _grouped(
 
 def _only(found: tuple[str, ...] | None) -> str | None:
     return found[0] if found is not None and len(found) == 1 else None
-
-
-def _bare(key: str) -> str:
-    return key.casefold().lstrip("0")
 
 
 def _count(rows: Sequence[Row], index: int, find: Callable[[str], str | None]) -> int:

@@ -1,0 +1,135 @@
+"""The variants of a pool: which lines of the key a quiz offers to everybody, kept so that its responses can be marked.
+
+`kinegrade quiz --variants` stores them as variants.jsonl in the exam folder, in the form of key.jsonl;
+`kinegrade.lms.responses` recognises by them what a student was put.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.quiz import different
+from kinegrade.exam.quiz_paper import given_text, shown
+from kinegrade.exam.quiz_source import BROKEN, QuizSource, read_quiz_source, unreadable
+from kinegrade.files import write_file
+from kinegrade.problem.statement import statement
+from kinegrade.problem.template import LANGUAGES
+
+FILE = "variants.jsonl"
+_MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
+_NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
+Numbers = tuple[str, ...]
+
+
+def store_variants(folder: Path, count: int) -> None:
+    """Stores the first `count` variants of an exam folder; more that are there already stay, none is ever changed.
+
+    Raises ExamError where those that are stored are of another key, OutputError where nothing can be written there.
+    """
+    lines = [line.rstrip("\n") for _, line in islice(different(read_quiz_source(folder)), count)]
+    path, before = folder / FILE, _stored_lines(folder)
+    if before[: len(lines)] != lines[: len(before)]:
+        raise ExamError(
+            f"{path}: has variants of another key - expected the lines of key.jsonl - if no quiz made of "
+            "them is in use any more, delete the file"
+        )
+    if len(lines) > len(before):
+        write_file(path, "".join(f"{line}\n" for line in lines).encode(), force=True)
+        path.chmod((folder / "key.jsonl").stat().st_mode & 0o777)
+
+
+def numbers_in(text: str) -> Numbers:
+    """The numbers of a text as they are written, by which a question's text is recognised in whatever layout.
+
+    >>> numbers_in(r"a crank of \\(r = 0.25\\,\\mathrm{m/s^{2}}\\)")
+    ('0.25', '2')
+    """
+    return tuple(_NUMBER.findall(text))
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One question of a pool: `source` is the student on whose line of the key it stands, `right` is by ask."""
+
+    source: str
+    right: Mapping[str, float]
+    entry: Mapping[str, Any]
+    exam: QuizSource
+
+    @cached_property
+    def texts(self) -> frozenset[Numbers]:
+        """The numbers of its statement, in each language."""
+        template = self.exam.templates[self.entry["question"]]
+        given = {name: given_text(value) for name, value in self.entry["parameters"].items()}
+        parameters, _ = shown(template, given)
+        return frozenset(
+            numbers_in(statement(template, parameters, language)) for language in LANGUAGES
+        )
+
+    def is_text(self, text: str) -> bool:
+        """Whether its statement stands in a text, by its numbers."""
+        numbers = numbers_in(text)
+        return any(_holds(numbers, own) for own in self.texts)
+
+
+@dataclass(frozen=True)
+class Variants:
+    """The pool of an exam, by question; variants that are the same in everything are one."""
+
+    count: int
+    questions: Mapping[str, tuple[Variant, ...]]
+
+
+def read_variants(folder: Path) -> Variants | None:
+    """The variants that are stored in an exam folder; None where no pool was made. Raises ExamError."""
+    lines = _stored_lines(folder)
+    if not lines:
+        return None
+    source = read_quiz_source(folder)
+    found: dict[str, dict[str, Variant]] = {}
+    try:
+        for line in lines:
+            record = json.loads(line, parse_float=str, parse_int=str)
+            for entry in record["questions"]:
+                same = json.dumps(entry, sort_keys=True)
+                variant = Variant(str(record["student"]), _right(entry), entry, source)
+                found.setdefault(str(entry["question"]), {}).setdefault(same, variant)
+    except BROKEN as fault:
+        raise ExamError(
+            f"{folder / FILE}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
+        ) from fault
+    return Variants(len(lines), {name: tuple(each.values()) for name, each in found.items()})
+
+
+def _right(entry: Mapping[str, Any]) -> Mapping[str, float]:
+    return {str(name): float(ask["value"]) for name, ask in entry["asks"].items()}
+
+
+def _holds(numbers: Numbers, own: Numbers) -> bool:
+    """Whether these numbers follow each other somewhere among the others."""
+    starts = range(len(numbers) - len(own) + 1)
+    return bool(own) and any(numbers[start : start + len(own)] == own for start in starts)
+
+
+def _stored_lines(folder: Path) -> list[str]:
+    return list(_lines(folder / FILE))
+
+
+def _lines(path: Path) -> Iterator[str]:
+    try:
+        with path.open(encoding="utf-8") as stream:
+            for line in stream:
+                if line.strip():
+                    yield line.rstrip("\n")
+    except FileNotFoundError:
+        return
+    except (OSError, UnicodeDecodeError) as fault:
+        raise unreadable(path, fault) from fault

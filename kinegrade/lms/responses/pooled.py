@@ -1,0 +1,129 @@
+"""Which paper's questions a student was put: everybody's own, or those that a system drew from a pool.
+
+A question is recognised by the right answers that a download has, by its text with its numbers, or by both. Answers to
+a question that is not recognised would be marked by the wrong key, so the whole file is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.answer_file import Sources
+from kinegrade.errors import TableError
+from kinegrade.exam.variants import FILE, Variant, Variants
+from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
+from kinegrade.lms.responses.people import Found
+from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
+from kinegrade.tables import trimmed
+
+Pairs = Sequence[tuple[TypedRow, Found]]
+_SAME = 1e-6  # relative: right answers are written with all their digits
+_BLANK = ("", "-")
+_ADVICE = (
+    "in Moodle (Results > Responses) tick the question text and the right answer, show the report and "
+    "download that; if nobody answered a pool, add --own-papers"
+)
+
+
+def own_papers_only(
+    file: str, typed: TypedRows, pairs: Pairs, folder: Path
+) -> list[tuple[TypedRow, Found]]:
+    """Each row with its student, or with none where other questions were put than those of the student's paper.
+
+    Raises TableError where that is so of most of the students.
+    """
+    keys = right_answers(folder) if any(each.right for each, _ in pairs) else {}
+    checked: list[tuple[TypedRow, Found]] = []
+    others = []
+    for each, who in pairs:
+        other = difference(typed.columns, each.right, keys.get(who.student or "", {}))
+        problem = f'student "{who.student}" was put another paper: {other}'
+        checked.append((each, Found(None, "", problem) if other else who))
+        if other:
+            others.append(f"line {each.row.line}: {other}")
+    known = sum(who.student is not None for _, who in pairs)
+    if len(others) > 1 and 2 * len(others) > known:
+        raise TableError(
+            f"{file}: {len(others)} of {known} students were put other papers than their own ({others[0]}) "
+            "- expected everybody's own paper - if they answered a pool, write it again by kinegrade quiz "
+            "--variants with as many variants as it has, which makes no other one, and grade again"
+        )
+    return checked
+
+
+def put_to(
+    file: str, typed: TypedRows, pairs: Pairs, variants: Variants, folder: Path
+) -> Mapping[int, Sources]:
+    """By line whose line of the key each question of a student is. Raises TableError where that cannot be known."""
+    if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
+        raise TableError(
+            f"{file}: the exam has a pool of {variants.count} variants ({folder / FILE}), and nothing here "
+            "says who was put which - expected the texts of the questions or the right answers - "
+            f"{_ADVICE}"
+        )
+    finder = _Finder(typed, variants)
+    found: dict[int, Sources] = {}
+    unknown: list[str] = []
+    for each, who in pairs:
+        if who.student is not None:
+            sources, faults = finder.sources(each)
+            found[each.row.line] = sources
+            unknown += [f"line {each.row.line}, {fault}" for fault in faults]
+    if unknown:
+        raise TableError(
+            f"{file}: {len(unknown)} answered questions are not certainly one variant of the pool of "
+            f"{variants.count} ({unknown[0]}) - expected each to be known by its text and right answers - "
+            f"{_ADVICE}"
+        )
+    return found
+
+
+@dataclass(frozen=True)
+class _Finder:
+    typed: TypedRows
+    variants: Variants
+
+    def sources(self, each: TypedRow) -> tuple[Sources, list[str]]:
+        """Whose lines of the key a row's questions are, for every column; and what is not recognised."""
+        found = [""] * len(self.typed.columns)
+        faults = []
+        for drawn in self._drawn():
+            likely = self._likely(each, drawn)
+            if len(likely) == 1:
+                for number in drawn:
+                    found[number] = likely[0].source
+            elif any(trimmed(each.responses[number]) not in _BLANK for number in drawn):
+                names = ", ".join(self.typed.columns[number] for number in drawn)
+                faults.append(f"{names}: {len(likely) or 'none'} of them may be meant")
+        return tuple(found), faults
+
+    def _drawn(self) -> Iterator[tuple[int, ...]]:
+        places = {column: number for number, column in enumerate(self.typed.columns)}
+        for columns in self.typed.drawn or [(column,) for column in self.typed.columns]:
+            yield tuple(places[column] for column in columns)
+
+    def _likely(self, each: TypedRow, drawn: Sequence[int]) -> list[Variant]:
+        """The variants that agree with all that the row says; none where it says nothing."""
+        question = self.typed.columns[drawn[0]].partition(".")[0]
+        told = [
+            (self.typed.columns[number].partition(".")[2], value)
+            for number in drawn
+            if each.right and (value := value_of(each.right[number])) is not None
+        ]
+        text = next((each.texts[number] for number in drawn if each.texts), "")
+        likely = list(self.variants.questions.get(question, ()))
+        if not told and not trimmed(text):
+            return []
+        if told:
+            likely = [variant for variant in likely if _is_right(variant, told)]
+        if trimmed(text) and len(likely) != 1:
+            likely = [variant for variant in likely if variant.is_text(text)]
+        return likely
+
+
+def _is_right(variant: Variant, told: Sequence[tuple[str, float]]) -> bool:
+    return all(
+        name in variant.right and agree(value, variant.right[name], _SAME) for name, value in told
+    )
