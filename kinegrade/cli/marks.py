@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from kinegrade.grading.decimal_style import Mark as DecimalMark
     from kinegrade.grading.feedback_folder import Press, Text
     from kinegrade.language import Language
+    from kinegrade.lms.responses.typed_rows import Attempts
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
@@ -28,7 +29,7 @@ EXAM_LANGUAGE = click.option(
 
 @click.command()
 @click.argument("exam", type=FILE)
-@click.argument("answers", type=FILE)
+@click.argument("answers", type=FILE, nargs=-1, required=True)
 @click.option(
     "-o",
     "--output",
@@ -68,12 +69,17 @@ EXAM_LANGUAGE = click.option(
     metavar="MARKS",
     help="Nobody's share of the points falls below that in this earlier MARKS.",
 )
+@click.option(
+    "--own-papers",
+    is_flag=True,
+    help="Mark by everybody's own paper, although the answers fit others or a pool was made.",
+)
 @FORCE
 @refusing
 def grade(
     *,
     exam: Path,
-    answers: Path,
+    answers: tuple[Path, ...],
     output: Path,
     source: str | None,
     encoding: str | None,
@@ -81,9 +87,12 @@ def grade(
     decimal: DecimalMark | None,
     policy: Path | None,
     never_lower: Path | None,
+    own_papers: bool,
     force: bool,
 ) -> None:
     """Mark the class: ANSWERS has the shape of EXAM/answers.csv, or is a download from an LMS or a form (CSV, xlsx).
+
+    Several ANSWERS are one class: the quizzes of versions, or parts of the exam that several people typed.
 
     \b
     Example: kinegrade grade EXAM answers.csv -o MARKS
@@ -101,12 +110,18 @@ def grade(
     if never_lower is not None:
         refuse_changed_totals(never_lower)
     follow_through = FollowThrough(exam)
-    responses = read_responses(answers, exam, source, "all" if unfinished else "finished", encoding)
-    for line in responses.assumed:
-        click.echo(line, err=True)
+    files = []
+    for path, name in zip(answers, told_apart(answers), strict=True):
+        attempts: Attempts = "all" if unfinished else "finished"
+        responses = read_responses(
+            path, exam, source, attempts, encoding, own_papers=own_papers, name=name
+        )
+        files.append(responses.answers)
+        for line in responses.assumed:
+            click.echo(line, err=True)
     marks = mark_class(
         exam,
-        responses.table,
+        files,
         output,
         force=force,
         exports={"moodle.csv": moodle.export},
@@ -114,6 +129,7 @@ def grade(
         policy=policy,
         never_lower=never_lower,
         follows=Follows(follow_through, follow_through.in_plan_order),
+        own_papers=own_papers,
     )
     click.echo(
         f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints",
@@ -123,6 +139,12 @@ def grade(
         kept = sum(each.kept is not None for each in marks.grades)
         click.echo(f"{output / 'kept.csv'}: {kept} students keep an earlier total", err=True)
     finish(tuple(map(str, marks.complaints)))
+
+
+def told_apart(files: tuple[Path, ...]) -> tuple[str, ...]:
+    """The names of files in messages: with their folders where two are called the same."""
+    names = tuple(file.name for file in files)
+    return names if len(set(names)) == len(names) else tuple(map(str, files))
 
 
 @click.command()

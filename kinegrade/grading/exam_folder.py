@@ -73,25 +73,28 @@ class ExamFolder:
             return {}
         found = {paper.student: paper for paper in self.papers() if paper.student in students}
         missing = set(students) - found.keys()
-        return {**found, **self._variants(missing)} if missing else found
+        if missing:
+            found |= {paper.student: paper for paper in self.variants() if paper.student in missing}
+        strange = sorted(set(students) - found.keys())
+        if strange:
+            raise _broken(self.folder, [f'key.jsonl: no line for student "{strange[0]}"'])
+        return found
 
-    def _variants(self, students: Collection[str]) -> Mapping[str, Paper]:
+    def variants(self) -> tuple[Paper, ...]:
+        """The papers of a pool that was made of the exam, none where there was none made. Raises ExamError."""
         path, decoder = self.folder / "variants.jsonl", PaperDecoder(self.asks, self.names)
         try:
             lines = [line for line in path.read_bytes().splitlines() if line.strip()]
-            papers = [
+            return tuple(
                 decoder.paper(line, f"{path}: line {number}")
                 for number, line in enumerate(lines, 1)
-            ]
+            )
+        except FileNotFoundError:
+            return ()
         except (OSError, UnicodeDecodeError) as fault:
             raise _unreadable(path, fault) from fault
         except FieldError as fault:
             raise _broken(self.folder, [f"variants.jsonl: {fault}"]) from fault
-        found = {paper.student: paper for paper in papers if paper.student in students}
-        missing = sorted(set(students) - found.keys())
-        if missing:
-            raise _broken(self.folder, [f'key.jsonl: no line for student "{missing[0]}"'])
-        return found
 
 
 def read_exam(folder: Path) -> Exam:

@@ -20,6 +20,7 @@ from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
 from kinegrade.grading.marks_folder import KEPT, read_totals
 from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.never_lower import never_lower as with_kept_totals
+from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
 from kinegrade.grading.pool import VARIANTS, pool_of
@@ -43,6 +44,7 @@ def grade(
     policy: Path | None = None,
     never_lower: Path | None = None,
     follows: Follows | None = None,
+    own_papers: bool = False,
 ) -> ClassGrades:
     """Writes the folder `output`, whole or not at all, and gives everybody's grade and all complaints.
 
@@ -53,6 +55,7 @@ def grade(
     `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
     1.234. `policy` is the file of a policy, of which the folder gets a copy; `never_lower` an earlier folder of marks
     below whose totals nobody falls; `follows` works out what follows from own answers. Same input, same bytes.
+    A marking in which most answers fit other papers is refused, unless they are said to be to `own_papers`.
     Raises ExamError, PolicyError, TableError, OutputError.
     """
     contents = (*FILES, *exports)
@@ -61,11 +64,15 @@ def grade(
         output_folder(output, marker=MARKER, contents=contents, force=force) as folder,
     ):
         known, givens = open_exam(exam), Givens(exam)
-        sheet = class_sheet(_files(answers), known)
+        files = _files(answers)
+        sheet = class_sheet(files, known)
         rules, pool = policy_for(known, givens, policy), pool_of(known, sheet)
         accepted = alternatives(known, rules, givens, pool.put_together(known, sheet))
         blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows, pool=pool)
-        grades = class_grades(known, sheet, write_marks(folder, blocks))
+        others = OtherPapers(known.asks)
+        grades = class_grades(known, sheet, write_marks(folder, others.watched(blocks)))
+        if not own_papers:
+            others.refuse(known, ", ".join(each.table.file for each in files))
         kept: tuple[Kept, ...] | None = None
         if never_lower:
             grades, kept = with_kept_totals(grades, read_totals(never_lower))

@@ -74,7 +74,7 @@ def read_responses(
     system = detected(table) if source is None else _known(source, path)
     typed = DIALECTS[system].read(table, asks, attempts)
     people = People(asks.students)
-    everybody = [each.row for each in (*typed.rows, *typed.not_taken)]
+    everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(

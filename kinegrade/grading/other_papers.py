@@ -1,0 +1,161 @@
+"""Whether a class answered other papers than those by which it is marked: a pool, or papers handed out in another order.
+
+`OtherPapers` watches a marking go by, block by block, for `grade`. It costs a count as long as most answers are right or
+explained; only where they are not are the answers of some students held against all papers of the exam.
+
+An answer is foreign where all the answers of its student to its question that are numbers are right on one other paper,
+and not all are on the own one. In a large class many a wrong number is right on some paper by chance: how often is seen
+by papers whose keys are moved by a few per cent, which nobody had.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.errors import ExamError
+from kinegrade.grading.exam_folder import ExamFolder
+from kinegrade.grading.key import Ask, Paper
+from kinegrade.grading.marks import MarkedBlock
+
+LOOKED_AT = 400  # students, evenly over the class: enough for a share, few enough for any class
+LEAST = 4  # answers: fewer say nothing of a class
+BY_CHANCE = 0.5  # of the foreign answers may be so by chance as well
+MOVED = (0.93, 1.07)  # keys that nobody had
+MOSTLY = 0.6  # of a student's answers
+Numbers = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+_EXPLAINED = ("right", "mistake", "follow-through", "accepted", "void")
+
+
+@dataclass
+class OtherPapers:
+    """What has gone by: how many answers are numbers, how many of them nothing explains, and each student's."""
+
+    asks: tuple[Ask, ...]
+    numbers: int = 0
+    strange: int = 0
+    rows: list[Numbers] = field(default_factory=list)
+    right: list[Flags] = field(default_factory=list)
+
+    def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
+        """The same blocks; what they hold is counted."""
+        for block in blocks:
+            judged, width = block.judged, len(self.asks)
+            is_number = ~np.isnan(judged.cells.values)
+            explained = np.array([kind in _EXPLAINED for kind in judged.kinds], dtype=np.bool_)
+            self.numbers += int(is_number.sum())
+            self.strange += int((is_number & ~explained).sum())
+            right = np.array([kind == "right" for kind in judged.kinds], dtype=np.bool_)
+            self.rows += list(judged.cells.values.reshape(-1, width))
+            self.right += list(right.reshape(-1, width))
+            yield block
+
+    def refuse(self, exam: ExamFolder, file: str) -> None:
+        """Raises ExamError where most answers fit other papers than those by which they are marked."""
+        if self.numbers < LEAST or 2 * self.strange <= self.numbers:
+            return
+        step = max(1, len(self.rows) // LOOKED_AT)
+        answers = _Answers(np.array(self.rows[::step]), np.array(self.right[::step]))
+        papers = [*exam.papers(), *exam.variants()]
+        bounds = [_Bounds.of(papers, number) for number in range(len(self.asks))]
+        found = answers.foreign(bounds, self._questions())
+        chance = _by_chance(lambda moved: answers.foreign(moved, self._questions()), bounds)
+        swapped = answers.swapped(bounds)
+        certain = (2 * found > answers.count and chance <= BY_CHANCE * found) or (
+            2 * swapped > answers.students
+            and _by_chance(answers.swapped, bounds) <= BY_CHANCE * swapped
+        )
+        if certain:
+            raise ExamError(
+                f"{file}: {self.strange} of {self.numbers} answers are wrong on the papers by which they are marked, "
+                "and most are right on other papers of this exam - expected answers to everybody's own paper - check "
+                "that ids and rows belong together; answers to a pool are graded from the system's download with "
+                "question texts and right answers (--from moodle); if all is as it should be, add --own-papers"
+            )
+
+    def _questions(self) -> list[list[int]]:
+        groups = groupby(enumerate(self.asks), lambda each: each[1].question)
+        return [[number for number, _ in group] for _, group in groups]
+
+
+@dataclass(frozen=True, slots=True)
+class _Bounds:
+    """From where to where an answer to one ask is right on each paper; `period` is a full turn, or 0."""
+
+    value: Numbers
+    low: Numbers
+    high: Numbers
+    period: float
+
+    @classmethod
+    def of(cls, papers: Sequence[Paper], number: int) -> _Bounds:
+        """Those of one ask."""
+        keys = [paper.key(number, ()) for paper in papers]
+        value = np.array([float(key.value) for key in keys])
+        low, high = (np.array([float(key.interval[end]) for key in keys]) for end in (0, 1))
+        period = max((float(key.period or 0) for key in keys), default=0.0)
+        return cls(value, low, high, period)
+
+    def moved(self, factor: float) -> _Bounds:
+        """The same about other values."""
+        return _Bounds(self.value * factor, self.low * factor, self.high * factor, self.period)
+
+    def fit(self, answers: Numbers) -> Flags:
+        """Which answers are right on which papers: a row for each answer."""
+        away = answers[:, None] - self.value
+        if self.period:
+            away = (away + self.period / 2) % self.period - self.period / 2
+        ends = self.low - self.value, self.high - self.value
+        slack = 1e-12 * np.abs(self.value)
+        return (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
+
+
+@dataclass(frozen=True, slots=True)
+class _Answers:
+    """The numbers of some students, NaN where there is none, and which of them are right on the own papers."""
+
+    numbers: Numbers
+    right: Flags
+
+    @property
+    def students(self) -> int:
+        """Who gave enough numbers to say anything."""
+        return int(((~np.isnan(self.numbers)).sum(axis=1) >= LEAST).sum())
+
+    @property
+    def count(self) -> int:
+        """How many numbers there are."""
+        return int((~np.isnan(self.numbers)).sum())
+
+    def foreign(self, bounds: Sequence[_Bounds], questions: Sequence[Sequence[int]]) -> int:
+        """How many answers are foreign."""
+        found = 0
+        for places in questions:
+            given = ~np.isnan(self.numbers[:, places])
+            own = (self.right[:, places] | ~given).all(axis=1)
+            fits = np.ones((len(self.numbers), len(bounds[0].value)), dtype=np.bool_)
+            for place in places:
+                blank = np.isnan(self.numbers[:, place])
+                fits &= bounds[place].fit(self.numbers[:, place]) | blank[:, None]
+            found += int(given[fits.any(axis=1) & ~own].sum())
+        return found
+
+    def swapped(self, bounds: Sequence[_Bounds]) -> int:
+        """How many students gave mostly the right answers of one other paper."""
+        given = (~np.isnan(self.numbers)).sum(axis=1)
+        counts = np.zeros((len(self.numbers), len(bounds[0].value)), dtype=np.uint16)
+        for place, each in enumerate(bounds):
+            counts += each.fit(self.numbers[:, place])
+        most = counts.max(axis=1, initial=0)
+        own = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
+        return int(((most >= MOSTLY * given) & (most > own) & (given >= LEAST)).sum())
+
+
+def _by_chance(count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]) -> float:
+    """How many there are on papers that nobody had."""
+    return sum(count([each.moved(factor) for each in bounds]) for factor in MOVED) / len(MOVED)

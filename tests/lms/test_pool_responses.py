@@ -1,0 +1,181 @@
+"""Answers to questions that Moodle drew from a pool are marked by the key of what was drawn, or refused."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.lms.pooled_quiz import Drawn, attempt, download, perfect, pool
+from tests.small_class import STUDENTS, asks_of, kinegrade, table
+
+ALL = ("Question", "Response", "Right answer")
+
+
+@pytest.fixture(scope="module")
+def exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the class's exam, of which a pool of three variants was made: pool.xml beside it."""
+    folder = tmp_path_factory.mktemp("pooled")
+    exam = Path(shutil.copytree(small_class / "EXAM", folder / "EXAM"))
+    assert quiz(exam, folder / "pool.xml", 3) in (0, 1)
+    return exam
+
+
+def quiz(exam: Path, file: Path, count: int) -> int:
+    """The exit status of writing a pool; 1 where the marks of half points are said to be doubled."""
+    options = ("--to", "moodle-xml", "--variants", str(count), "-o", file)
+    return kinegrade("quiz", exam, *options).exit_code
+
+
+def drawn(exam: Path) -> dict[str, list[Drawn]]:
+    quiz = exam.parent / "pool.xml"
+    return {student: attempt(quiz, number) for number, student in enumerate(STUDENTS)}
+
+
+def grade(exam: Path, folder: Path, content: str, *options: str) -> tuple[int, str]:
+    (folder / "responses.csv").write_text(content, encoding="utf-8-sig")
+    done = kinegrade(
+        "grade", exam, folder / "responses.csv", "-o", folder / "MARKS", "--force", *options
+    )
+    return done.exit_code, done.stderr
+
+
+def points(folder: Path) -> list[tuple[str, str]]:
+    return [(row["total"], row["out_of"]) for row in table(folder / "MARKS" / "grades.csv")]
+
+
+@pytest.mark.parametrize("columns", [ALL, ("Response", "Right answer"), ("Question", "Response")])
+def test_perfect_students_of_a_pool_get_all_points(
+    exam: Path, tmp_path: Path, columns: tuple[str, ...]
+) -> None:
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    status, said = grade(exam, tmp_path, download(rows, columns))
+    assert status == 0, said
+    assert points(tmp_path) == [("15.5", "15.5")] * len(STUDENTS)
+
+
+def test_right_answers_with_a_decimal_comma_tell_the_variant_too(
+    exam: Path, tmp_path: Path
+) -> None:
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    content = download(rows, ("Response", "Right answer"), decimal=",")
+    assert grade(exam, tmp_path, content)[0] == 0
+    assert points(tmp_path) == [("15.5", "15.5")] * len(STUDENTS)
+
+
+def test_mistakes_and_what_follows_from_them_are_those_of_the_variant(
+    exam: Path, tmp_path: Path
+) -> None:
+    rows = []
+    for student, each in drawn(exam).items():
+        typed = perfect(each)
+        typed[2][0] = f"{-float(typed[2][0]):.8g}"
+        rows.append((student, each, typed))
+    assert grade(exam, tmp_path, download(rows))[0] == 0
+    wrong = [row for row in table(tmp_path / "MARKS" / "marks.csv") if row["verdict"] != "right"]
+    assert {row["verdict"] for row in wrong} == {"mistake"}
+    assert {(row["question"], row["ask"]) for row in wrong} == {("q3", "omega_AB")}
+
+
+def test_a_download_that_does_not_tell_what_was_drawn_is_refused_whole(
+    exam: Path, tmp_path: Path
+) -> None:
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    status, said = grade(exam, tmp_path, download(rows, ("Response",)))
+    assert status == 2
+    assert "the exam has a pool of 3 variants" in said
+    assert "tick the question text and the right answer" in said
+    assert not (tmp_path / "MARKS").exists()
+
+
+def test_a_question_that_is_no_variant_is_refused_whole(exam: Path, tmp_path: Path) -> None:
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    strange = Drawn("another question", tuple("7.25" for _ in rows[0][1][0].right))
+    rows[1] = (rows[1][0], [strange, *rows[1][1][1:]], rows[1][2])
+    status, said = grade(exam, tmp_path, download(rows))
+    assert status == 2
+    assert "1 answered questions are not certainly one variant of the pool of 3 (line " in said
+    assert re.search(r"\(line \d+, q1.v_B, q1.a_B: none of them may be meant\)", said)
+    assert not (tmp_path / "MARKS").exists()
+
+
+def test_answers_to_a_pool_that_are_typed_into_the_sheet_stop_the_marking(
+    exam: Path, tmp_path: Path
+) -> None:
+    columns = [
+        f"{question['question']}.{ask['ask']}"
+        for question in json.loads((exam / "exam.json").read_text())["questions"]
+        for ask in question["asks"]
+    ]
+    others = [*STUDENTS[1:], STUDENTS[0]]
+    lines = [",".join(["student", *columns])]
+    asks = key_values(exam)
+    for student, other in zip(STUDENTS, others, strict=True):
+        lines.append(",".join([student, *(asks[other, column] for column in columns)]))
+    (tmp_path / "answers.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    refused = kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
+    assert refused.exit_code == 2
+    assert "most are right on other papers of this exam" in refused.stderr
+    assert not (tmp_path / "MARKS").exists()
+    forced = kinegrade(
+        "grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS", "--own-papers"
+    )
+    assert forced.exit_code == 0
+
+
+def key_values(exam: Path) -> dict[tuple[str, str], str]:
+    """The right answers as somebody types them."""
+    return {place: f"{float(ask['value']):.5g}" for place, ask in asks_of(exam).items()}
+
+
+def test_feedback_and_sharing_know_what_was_drawn(exam: Path, tmp_path: Path) -> None:
+    rows = []
+    for student, each in drawn(exam).items():
+        typed = perfect(each)
+        typed[0][0] = "99"
+        rows.append((student, each, typed))
+    assert grade(exam, tmp_path, download(rows))[0] == 0
+    options = ("--format", "md", "-o", tmp_path / "FEEDBACK")
+    sheets = kinegrade("feedback", exam, tmp_path / "MARKS", *options)
+    assert sheets.exit_code == 0, sheets.stderr
+    for student, file in zip(STUDENTS, table(tmp_path / "FEEDBACK" / "feedback.csv"), strict=True):
+        text = (tmp_path / "FEEDBACK" / file["file"]).read_text(encoding="utf-8")
+        first = float(drawn(exam)[student][0].right[0])
+        assert f"{first:.3g}"[:4] in text.replace("\u2212", "-")
+    found = kinegrade("sharing", exam, tmp_path / "MARKS", "-o", tmp_path / "sharing.csv")
+    assert "No pair of students stands out" in found.output
+    refused = kinegrade(
+        "feedback", exam, tmp_path / "MARKS", "--solutions", *options[:3], tmp_path / "F2"
+    )
+    assert refused.exit_code == 2
+    assert "questions from a pool" in refused.stderr
+
+
+def test_the_stored_variants_are_extended_and_never_changed(exam: Path, tmp_path: Path) -> None:
+    stored = (exam / "variants.jsonl").read_text(encoding="utf-8")
+    assert stored.splitlines() == (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()[:3]
+    for count in ("2", "3"):
+        assert quiz(exam, tmp_path / f"{count}.xml", int(count)) == 1
+        assert (exam / "variants.jsonl").read_text(encoding="utf-8") == stored
+
+
+def test_variants_of_another_key_are_not_replaced(exam: Path, tmp_path: Path) -> None:
+    stored = (exam / "variants.jsonl").read_text(encoding="utf-8")
+    lines = stored.splitlines()
+    (exam / "variants.jsonl").write_text("\n".join(lines[1:]) + "\n", encoding="utf-8")
+    try:
+        refused = kinegrade(
+            "quiz", exam, "--to", "moodle-xml", "--variants", "3", "-o", tmp_path / "x.xml"
+        )
+        assert refused.exit_code == 2
+        assert "variants.jsonl: has variants of another key" in refused.stderr
+        assert not (tmp_path / "x.xml").exists()
+    finally:
+        (exam / "variants.jsonl").write_text(stored, encoding="utf-8")
+
+
+def test_the_pool_has_a_category_for_each_question(exam: Path) -> None:
+    assert [len(each) for each in pool(exam.parent / "pool.xml").values()] == [3, 3, 3]
