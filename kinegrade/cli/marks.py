@@ -99,6 +99,7 @@ def grade(
     Moodle:  kinegrade grade EXAM responses.csv -o MARKS --from moodle
     Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
+    from kinegrade.cli.shortlist import shortlist
     from kinegrade.exam.follow_through import FollowThrough
     from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.follow import Follows
@@ -138,7 +139,7 @@ def grade(
     if never_lower:
         kept = sum(each.kept is not None for each in marks.grades)
         click.echo(f"{output / 'kept.csv'}: {kept} students keep an earlier total", err=True)
-    finish(tuple(map(str, marks.complaints)))
+    finish(shortlist(marks.complaints, output / "complaints.csv"))
 
 
 def told_apart(files: tuple[Path, ...]) -> tuple[str, ...]:

@@ -3,7 +3,8 @@
 Papers say that 0.5 and 0,5 are read alike and that thousands are not separated: so `1,234` is 1.234 and `1.234` too.
 That holds unless the decimal mark is declared; unless the student's own answers group digits (`1,234.5`); or unless
 all answers that leave no doubt have a decimal point, those of this student or of most others among them: then a comma
-groups. A majority of others never decides against anybody who writes decimal commas. Every such reading is remarked.
+groups. A majority of others never decides against anybody who writes decimal commas. Every such reading is remarked;
+`marks` says once what was declared, or decided for the whole file.
 """
 
 from __future__ import annotations
@@ -49,6 +50,11 @@ class FileStyle:
     style: DecimalStyle
     declared: bool = False
     commas: bool = False
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """What was declared or decided for the whole file, as remarks say it."""
+        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show themselves, else the file's."""

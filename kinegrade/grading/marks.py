@@ -6,7 +6,8 @@ all at once. `report` writes what they give.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, islice
@@ -27,7 +28,7 @@ from kinegrade.grading.key import Ask, Paper, Sitting, questions
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, repeated
-from kinegrade.tables import Complaint, shortened
+from kinegrade.tables import Complaint, shortened, trimmed
 
 BLOCK = 250  # papers that are marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})
@@ -94,12 +95,16 @@ class Marks(ClassGrades):
 
 @dataclass(frozen=True, slots=True)
 class MarkedBlock:
-    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row for each grade."""
+    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row for each grade.
+
+    `general` are complaints about cells that were read as was declared or decided for the whole file, by the reason.
+    """
 
     asks: tuple[Ask, ...]
     judged: JudgedBlock
     grades: Sequence[Grade]
     complaints: Sequence[Complaint]
+    general: Mapping[str, Sequence[Complaint]] = field(default_factory=dict)
 
     def marks(self) -> Iterator[Mark]:
         """Every single mark."""
@@ -176,11 +181,25 @@ def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> 
     """What remains of the blocks: everybody's points, and the complaints with those about the sheet."""
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
+    general: dict[str, list[Complaint]] = defaultdict(list)
     for block in blocks:
         grades += block.grades
         complaints += block.complaints
+        for reason, alike in block.general.items():
+            general[reason] += alike
+    complaints += map(_said_once, general.values())
     complaints.sort(key=lambda complaint: complaint.line or 0)
     return ClassGrades(questions(exam.asks), tuple(grades), tuple(complaints))
+
+
+def _said_once(alike: Sequence[Complaint]) -> Complaint:
+    """One complaint for all cells that were read for the same reason; the first is the example."""
+    first = alike[0]
+    if len(alike) == 1:
+        return first
+    files = ", ".join(dict.fromkeys(each.file for each in alike))
+    problem = f"{len(alike)} answers, such as {trimmed(first.content)} {first.problem}"
+    return Complaint(files, None, "", first.content, problem, "judged as they were read")
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,7 +230,9 @@ class _Marker:
             if len(self._entries(paper)) > 1
             for complaint in repeated(self._entries(paper), entry)
         ]
-        return MarkedBlock(self.asks, judged, grades, [*complaints, *self._doubts(judged)])
+        general: dict[str, list[Complaint]] = defaultdict(list)
+        doubts = list(self._doubts(judged, general))
+        return MarkedBlock(self.asks, judged, grades, [*complaints, *doubts], general)
 
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
@@ -274,7 +295,11 @@ class _Marker:
             if share
         )
 
-    def _doubts(self, judged: JudgedBlock) -> Iterator[Complaint]:
+    def _doubts(
+        self, judged: JudgedBlock, general: dict[str, list[Complaint]]
+    ) -> Iterator[Complaint]:
+        """The complaints about single cells; those whose reason is that of the whole file go to `general`."""
+        reasons = self.judge.styles.reasons
         for place, reading in judged.cells.odd.items():
             row, number = divmod(place, len(self.asks))
             file, line = judged.rows[row][1].place(number)
@@ -285,4 +310,9 @@ class _Marker:
                 done = f"{verdict}, {'some' if points else 'no'} points"
                 yield Complaint(file, line, column, content, reading.reason, done)
             if reading.remark:
-                yield Complaint(file, line, column, content, reading.remark, f"judged {verdict}")
+                said = Complaint(file, line, column, content, reading.remark, f"judged {verdict}")
+                reason = next((each for each in reasons if reading.remark.endswith(each)), None)
+                if reason is None:
+                    yield said
+                else:
+                    general[reason].append(said)

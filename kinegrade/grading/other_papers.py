@@ -26,6 +26,7 @@ LOOKED_AT = 400  # students, evenly over the class: enough for a share, few enou
 LEAST = 4  # answers: fewer say nothing of a class
 BY_CHANCE = 0.5  # of the foreign answers may be so by chance as well
 MOVED = (0.93, 1.07)  # keys that nobody had
+SAME = 1e-9  # relative: values that are no nearer are different
 MOSTLY = 0.6  # of a student's answers
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -60,7 +61,8 @@ class OtherPapers:
         if self.numbers < LEAST or 2 * self.strange <= self.numbers:
             return
         step = max(1, len(self.rows) // LOOKED_AT)
-        answers = _Answers(np.array(self.rows[::step]), np.array(self.right[::step]))
+        own = np.arange(0, len(self.rows), step)
+        answers = _Answers(np.array(self.rows)[own], np.array(self.right)[own], own)
         papers = [*exam.papers(), *exam.variants()]
         bounds = [_Bounds.of(papers, number) for number in range(len(self.asks))]
         found = answers.foreign(bounds, self._questions())
@@ -117,10 +119,14 @@ class _Bounds:
 
 @dataclass(frozen=True, slots=True)
 class _Answers:
-    """The numbers of some students, NaN where there is none, and which of them are right on the own papers."""
+    """The numbers of some students, NaN where there is none, and which of them are right on the own papers.
+
+    `own` are the places of these papers among all.
+    """
 
     numbers: Numbers
     right: Flags
+    own: NDArray[np.intp]
 
     @property
     def students(self) -> int:
@@ -138,7 +144,7 @@ class _Answers:
         for places in questions:
             given = ~np.isnan(self.numbers[:, places])
             own = (self.right[:, places] | ~given).all(axis=1)
-            fits = np.ones((len(self.numbers), len(bounds[0].value)), dtype=np.bool_)
+            fits = self._others([bounds[place] for place in places])
             for place in places:
                 blank = np.isnan(self.numbers[:, place])
                 fits &= bounds[place].fit(self.numbers[:, place]) | blank[:, None]
@@ -151,9 +157,18 @@ class _Answers:
         counts = np.zeros((len(self.numbers), len(bounds[0].value)), dtype=np.uint16)
         for place, each in enumerate(bounds):
             counts += each.fit(self.numbers[:, place])
+        counts[~self._others(bounds)] = 0
         most = counts.max(axis=1, initial=0)
         own = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
         return int(((most >= MOSTLY * given) & (most > own) & (given >= LEAST)).sum())
+
+    def _others(self, bounds: Sequence[_Bounds]) -> Flags:
+        """For each student which papers differ from the own one in these asks."""
+        differ = np.zeros((len(self.own), len(bounds[0].value)), dtype=np.bool_)
+        for each in bounds:
+            away = np.abs(each.value - each.value[self.own][:, None])
+            differ |= away > SAME * np.abs(each.value)
+        return differ
 
 
 def _by_chance(count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]) -> float:

@@ -86,9 +86,11 @@ def verdicts(demo: Demo) -> Verdicts:
 
 @pytest.fixture(scope="session")
 def counted(demo: Demo) -> Typed:
-    """The typed answers that count: of two rows the last, of strangers none."""
+    """The typed answers that count: of two rows the last, of strangers none; an id gets its zeros back."""
     roster = {line["student"] for line in lines_of(ROSTER)}
-    rows = {row.student: row for row in class_rows(demo.exam) if row.student in roster}
+    restored = {ZEROS_EATEN.lstrip("0"): ZEROS_EATEN}
+    typed = {restored.get(row.student, row.student): row for row in class_rows(demo.exam)}
+    rows = {student: row for student, row in typed.items() if student in roster}
     return {
         (student, column): answer
         for student, row in rows.items()
@@ -125,17 +127,13 @@ def line_numbers(student: str) -> list[str]:
 
 
 def test_the_complaints_are_those_planted_and_no_others(demo: Demo) -> None:
-    eaten = ZEROS_EATEN.lstrip("0")
     first, _ = line_numbers(TWICE)
     planted = Counter(
         [
             ("", REMARKS, ""),
-            *(("", "", student) for student in (ABSENT, ZEROS_EATEN)),
+            ("", "", ABSENT),
             (first, "", "a whole row"),
-            *(
-                (*line_numbers(student), "student", "a whole row")
-                for student in (eaten, STRANGER[0])
-            ),
+            (*line_numbers(STRANGER[0]), "student", "a whole row"),
             *((*line_numbers(student), REMARKS, note) for student, note in NOTES.items()),
             *(
                 (*line_numbers(student), column, text)
@@ -159,11 +157,6 @@ def shown(content: str) -> str:
     [
         (TWICE, "another row for this student", "counts; this row is kept here only"),
         (STRANGER[0], f'no student "{STRANGER[0]}" in the exam', "not graded"),
-        (
-            ZEROS_EATEN.lstrip("0"),
-            "no student",
-            f'probably "{ZEROS_EATEN}": correct the file and grade again',
-        ),
     ],
 )
 def test_a_row_that_is_not_graded_is_kept_whole(
@@ -189,7 +182,8 @@ def test_who_handed_in_something_has_the_same_grade_in_moodle(demo: Demo) -> Non
     handed_in = {
         line["student"] for line in lines_of(demo.marks / "marks.csv") if line["verdict"] != "blank"
     }
-    assert {ABSENT, ZEROS_EATEN} == {each["student"] for each in grades} - handed_in
+    assert {each["student"] for each in grades} - handed_in == {ABSENT}
+    assert [each["student"] for each in grades if each["status"] == "absent"] == [ABSENT]
     moodle = lines_of(demo.marks / "moodle.csv")
     assert [(each["ID number"], each["Full name"], each["Grade"]) for each in moodle] == [
         (each["student"], each["name"], each["total"])
@@ -219,9 +213,18 @@ def test_grades_spread_as_in_a_class(demo: Demo) -> None:
 
 
 def test_who_handed_in_nothing_has_blanks_and_no_points(demo: Demo) -> None:
-    for student in (ABSENT, ZEROS_EATEN):
-        lines = [line for line in lines_of(demo.marks / "marks.csv") if line["student"] == student]
-        assert {(line["verdict"], line["points"]) for line in lines} == {("blank", "0")}
+    lines = [line for line in lines_of(demo.marks / "marks.csv") if line["student"] == ABSENT]
+    assert {(line["verdict"], line["points"]) for line in lines} == {("blank", "0")}
+
+
+def test_an_id_whose_zeros_a_spreadsheet_ate_is_restored_and_said(
+    demo: Demo, verdicts: Verdicts
+) -> None:
+    said = f'1 student id is not as in the exam: "{ZEROS_EATEN.lstrip("0")}" for "{ZEROS_EATEN}"'
+    assert said in demo.graded.stderr
+    assert {line["verdict"] for (who, _), line in verdicts.items() if who == ZEROS_EATEN} > {
+        "right"
+    }
 
 
 def test_every_manner_of_typing_occurs_and_right_answers_stay_right(

@@ -259,7 +259,7 @@ def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folde
     ]
     assert (
         declared.complaints[0].problem
-        == "read as 1.732: the decimal mark was declared to be the comma"
+        == "2 answers, such as 1,732 read as 1.732: the decimal mark was declared to be the comma"
     )
 
 

@@ -1,0 +1,31 @@
+"""Complaints as a terminal shows them: ten of a kind, and how many more of it stand in the file."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Sequence
+from pathlib import Path
+
+from kinegrade.tables import Complaint
+
+SHOWN = 10  # of a kind
+_PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]*')
+
+
+def shortlist(complaints: Sequence[Complaint], file: Path) -> tuple[str, ...]:
+    """The complaints in their order, at most SHOWN of each kind; `file` has all of them.
+
+    Of one kind are those that say the same of different cells, students or numbers.
+    """
+    kinds: dict[str, list[Complaint]] = defaultdict(list)
+    shown: list[str] = []
+    for complaint in complaints:
+        kind = _PARTICULARS.sub("…", complaint.problem)
+        kinds[kind].append(complaint)
+        if len(kinds[kind]) <= SHOWN:
+            shown.append(str(complaint))
+    for each in kinds.values():
+        if len(each) > SHOWN:
+            shown.append(f"... and {len(each) - SHOWN} more like {each[0]} - all are in {file}")
+    return tuple(shown)

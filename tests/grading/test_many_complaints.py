@@ -1,0 +1,62 @@
+"""A large class's complaints stay readable: what holds for a whole file is said once, the terminal shows ten of a kind."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from tests.grading.small_exam import exam, paper, write_exam
+from tests.small_class import kinegrade
+
+COUNT = 40
+
+
+@pytest.fixture
+def large(tmp_path: Path) -> Path:
+    """An exam of forty students."""
+    head = exam()
+    head["students"] = [
+        {"student": f"{number:04}", "name": "x", "paper": "K7Q2", "email": ""}
+        for number in range(COUNT)
+    ]
+    return write_exam(
+        tmp_path / "EXAM", head, [paper(each["student"]) for each in head["students"]]
+    )
+
+
+def graded(exam: Path, cell: str, *options: str) -> tuple[list[str], list[list[str]]]:
+    """What the terminal shows and the rows of complaints.csv, where everybody's first answer is that cell."""
+    folder = exam.parent
+    lines = ["student;q1.v_B;q1.omega_AB;q2.a_B"]
+    lines += [f"{number:04};{cell};;" for number in range(COUNT)]
+    (folder / "answers.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    done = kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "MARKS", *options)
+    assert done.exit_code == 1
+    with (folder / "MARKS" / "complaints.csv").open(encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    return [line for line in done.stderr.splitlines() if line.startswith("complaint")], rows
+
+
+def test_a_declared_decimal_comma_is_said_once(large: Path) -> None:
+    shown, rows = graded(large, "1,732", "--decimal", "comma")
+    said = "40 answers, such as 1,732 read as 1.732: the decimal mark was declared to be the comma"
+    assert [row[4] for row in rows] == [said]
+    assert shown == [f"complaint: answers.csv: {said} - judged as they were read"]
+
+
+def test_what_was_decided_for_the_whole_file_is_said_once(large: Path) -> None:
+    _, rows = graded(large, "1,732")
+    assert [row[4] for row in rows] == [
+        "40 answers, such as 1,732 read as 1.732: a comma is the decimal mark, and nothing in the "
+        "file says otherwise"
+    ]
+
+
+def test_the_terminal_shows_ten_of_a_kind_and_the_file_has_them_all(large: Path) -> None:
+    shown, rows = graded(large, "1+1")
+    assert len(rows) == COUNT
+    assert len(shown) == 11
+    assert shown[-1].startswith("complaint: ... and 30 more like answers.csv:2: q1.v_B: ")
+    assert shown[-1].endswith(f"all are in {large.parent / 'MARKS' / 'complaints.csv'}")
