@@ -1,4 +1,4 @@
-"""CSV as kinegrade writes it: UTF-8, LF, comma.
+"""CSV as kinegrade writes it: UTF-8, LF, comma; for people with a byte-order mark, or spreadsheets garble names.
 
 `neutralised` keeps a typed cell from running as a formula in a spreadsheet, `restored` undoes it.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
@@ -61,6 +62,20 @@ def csv_cell(text: str) -> str:
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     """Writes a CSV file: UTF-8 without mark, LF, comma."""
     path.write_bytes(encoded(csv_text(header, rows)))
+
+
+def write_for_people(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Writes a CSV file that people open in a spreadsheet."""
+    path.write_bytes(for_people(csv_text(header, rows)))
+
+
+def for_people(text: str) -> bytes:
+    """A CSV text as a file that people open: its byte-order mark tells a spreadsheet that it is UTF-8.
+
+    >>> for_people("id\\n")
+    b'\\xef\\xbb\\xbfid\\n'
+    """
+    return BOM_UTF8 + encoded(text)
 
 
 def encoded(text: str) -> bytes:

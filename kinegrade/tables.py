@@ -134,7 +134,7 @@ def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, t
     """
     mending = "expected the file as kinegrade grade wrote it - grade again"
     try:
-        with path.open(encoding="utf-8", newline="") as stream:
+        with path.open(encoding="utf-8-sig", newline="") as stream:
             reader = csv.reader(stream, strict=True)
             header = next(reader, [])
             missing = [name for name in columns if name not in header]

@@ -94,5 +94,5 @@ def asks_of(exam: Path) -> dict[tuple[str, str], dict[str, Any]]:
 
 def table(file: Path) -> list[dict[str, str]]:
     """The rows of a CSV file by column."""
-    with file.open(encoding="utf-8", newline="") as lines:
+    with file.open(encoding="utf-8-sig", newline="") as lines:
         return list(csv.DictReader(lines))

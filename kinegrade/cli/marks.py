@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, assert_never
 
@@ -14,8 +15,8 @@ from kinegrade.language import LANGUAGES
 if TYPE_CHECKING:
     from kinegrade.grading.decimal_style import Mark as DecimalMark
     from kinegrade.grading.feedback_folder import Press, Text
+    from kinegrade.grading.marks import ClassGrades
     from kinegrade.language import Language
-    from kinegrade.lms.responses.typed_rows import Attempts
 
     FeedbackForm = Literal["pdf", "html", "md"]
 
@@ -105,24 +106,19 @@ def grade(
     from kinegrade.grading.follow import Follows
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
-    from kinegrade.lms.responses.answer_table import read_responses
+    from kinegrade.lms.responses.class_files import ReadingWishes, read_class
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
     if never_lower is not None:
         refuse_changed_totals(never_lower)
     follow_through = FollowThrough(exam)
-    files = []
-    for path, name in zip(answers, told_apart(answers), strict=True):
-        attempts: Attempts = "all" if unfinished else "finished"
-        responses = read_responses(
-            path, exam, source, attempts, encoding, own_papers=own_papers, name=name
-        )
-        files.append(responses.answers)
-        for line in responses.assumed:
-            click.echo(line, err=True)
+    how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
+    read = read_class(answers, exam, how)
+    for line in read.assumed:
+        click.echo(line, err=True)
     marks = mark_class(
         exam,
-        files,
+        read.files,
         output,
         force=force,
         exports={"moodle.csv": moodle.export},
@@ -132,20 +128,18 @@ def grade(
         follows=Follows(follow_through, follow_through.in_plan_order),
         own_papers=own_papers,
     )
-    click.echo(
-        f"{output}: {len(marks.grades)} students marked, {len(marks.complaints)} complaints",
-        err=True,
-    )
-    if never_lower:
-        kept = sum(each.kept is not None for each in marks.grades)
-        click.echo(f"{output / 'kept.csv'}: {kept} students keep an earlier total", err=True)
+    for line in what_was_written(marks, output, kept=never_lower is not None):
+        click.echo(line, err=True)
     finish(shortlist(marks.complaints, output / "complaints.csv"))
 
 
-def told_apart(files: tuple[Path, ...]) -> tuple[str, ...]:
-    """The names of files in messages: with their folders where two are called the same."""
-    names = tuple(file.name for file in files)
-    return names if len(set(names)) == len(names) else tuple(map(str, files))
+def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
+    """What `grade` says at its end, a line each."""
+    count, complaints = len(marks.grades), len(marks.complaints)
+    yield f"{output}: {count} students marked, {complaints} complaints"
+    if kept:
+        who = sum(each.kept is not None for each in marks.grades)
+        yield f"{output / 'kept.csv'}: {who} students keep an earlier total"
 
 
 @click.command()

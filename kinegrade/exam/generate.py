@@ -14,8 +14,9 @@ from typing import Any, TextIO
 
 from kinegrade import __version__
 from kinegrade.collection import seldom_collected
-from kinegrade.csv_writing import neutralised, write_csv
+from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
+from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank, BankQuestion, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.exam_secret import MARKER, SecretWish
@@ -170,10 +171,11 @@ def write_head(setting: Setting, keys: list[KeyPaper], language: Language, folde
     """The answer sheet, exam.json and the notice to instructors; all other files stand there
     already.
     """
-    write_blank_answers(setting, folder / "answers.csv")
+    write_blank_answers(setting, folder)
     record = {**exam_record(setting, keys, language), "editable": editable(folder)}
     write_json(folder / MARKER, record)
-    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
+    (folder / NOTICE).write_text(WARNING + "
+", encoding="utf-8")
 
 
 def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
@@ -261,18 +263,25 @@ def write_sources(sources: Mapping[str, str], folder: Path) -> None:
         path.write_text(text, encoding="utf-8", newline="")
 
 
-def write_blank_answers(setting: Setting, path: Path) -> None:
-    """The blank answer sheet: a row for each student, a column for each ask."""
+def write_blank_answers(setting: Setting, folder: Path) -> None:
+    """The blank answer sheet, as CSV and as a workbook: a row for each student, a column for each ask."""
     columns = [
         f"{question.identifier}.{ask.name}"
         for question in setting.bank.questions
         for ask in question.asks
     ]
-    rows = (
-        [student.student, neutralised(student.name), *[""] * len(columns)]
-        for student in setting.roster.students
+    header, blank = ["student", "name", *columns], [""] * len(columns)
+    students = setting.roster.students
+    write_for_people(
+        folder / "answers.csv",
+        header,
+        ([student.student, neutralised(student.name), *blank] for student in students),
     )
-    write_csv(path, ["student", "name", *columns], rows)
+    write_answer_workbook(
+        folder / "answers.xlsx",
+        header,
+        ([student.student, student.name, *blank] for student in students),
+    )
 
 
 def write_json(path: Path, record: dict[str, Any]) -> None:

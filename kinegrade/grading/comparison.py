@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.csv_writing import csv_text, neutralised
+from kinegrade.csv_writing import csv_text, for_people, neutralised
 from kinegrade.errors import one_line
 from kinegrade.grading.amounts import amount_text, change_text
 from kinegrade.grading.marks_folder import Line, Lines, Total, read_lines, read_totals
@@ -114,7 +114,7 @@ def compare(first: Path, second: Path) -> Comparison:
 
 def comparison_csv(comparison: Comparison) -> bytes:
     """A CSV file: for each student the total, and under it the answers that are judged otherwise."""
-    return csv_text(HEADER, _rows(comparison)).encode("utf-8", "backslashreplace")
+    return for_people(csv_text(HEADER, _rows(comparison)))
 
 
 def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:

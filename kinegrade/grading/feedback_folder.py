@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal, assert_never
 
-from kinegrade.csv_writing import neutralised, write_csv
+from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import ExamError
 from kinegrade.files import output_folder
 from kinegrade.grading.exam_record import Sitter
@@ -65,7 +65,7 @@ def write_feedback(
                     f"{SHEETS}/{next(iter(files))}",
                 )
             )
-        write_csv(folder / MARKER, ("student", "name", "email", "file"), rows)
+        write_for_people(folder / MARKER, ("student", "name", "email", "file"), rows)
     return len(rows)
 
 

@@ -48,28 +48,21 @@ def grade(
 ) -> ClassGrades:
     """Writes the folder `output`, whole or not at all, and gives everybody's grade and all complaints.
 
-    `answers` is an answer sheet, as a file or a table, or the files of one class as they were read of downloads
-    (`kinegrade.lms.responses`).
-
-    `exports` names the files for other systems that go into the folder too, such as
+    `answers` is an answer sheet, as a file or a table, or the files of one class as `kinegrade.lms.responses` reads
+    them. `exports` names the files for other systems that go into the folder too, such as
     `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
     1.234. `policy` is the file of a policy, of which the folder gets a copy; `never_lower` an earlier folder of marks
     below whose totals nobody falls; `follows` works out what follows from own answers. Same input, same bytes.
     A marking in which most answers fit other papers is refused, unless they are said to be to `own_papers`.
     Raises ExamError, PolicyError, TableError, OutputError.
     """
-    contents = (*FILES, *exports)
-    with (
-        seldom_collected(),
-        output_folder(output, marker=MARKER, contents=contents, force=force) as folder,
-    ):
-        known, givens = open_exam(exam), Givens(exam)
-        files = _files(answers)
-        sheet = class_sheet(files, known)
-        rules, pool = policy_for(known, givens, policy), pool_of(known, sheet)
+    written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
+    with seldom_collected(), written as folder:
+        known, givens, files = open_exam(exam), Givens(exam), _files(answers)
+        sheet, rules = class_sheet(files, known), policy_for(known, givens, policy)
+        pool, others = pool_of(known, sheet), OtherPapers(known.asks)
         accepted = alternatives(known, rules, givens, pool.put_together(known, sheet))
         blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows, pool=pool)
-        others = OtherPapers(known.asks)
         grades = class_grades(known, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
             others.refuse(known, ", ".join(each.table.file for each in files))

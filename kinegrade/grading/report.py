@@ -13,7 +13,14 @@ from itertools import chain
 from pathlib import Path
 from typing import Literal
 
-from kinegrade.csv_writing import csv_cell, csv_text, encoded, neutralised, write_csv
+from kinegrade.csv_writing import (
+    csv_cell,
+    csv_text,
+    encoded,
+    neutralised,
+    write_csv,
+    write_for_people,
+)
 from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
@@ -74,11 +81,11 @@ def write_grades(
 ) -> None:
     """Writes the other files; `kept` is None where totals may fall."""
     header = ("student", "name", *grades.questions, "total", "out_of", "percent", "status")
-    write_csv(folder / "grades.csv", header, _grade_rows(grades.grades))
-    write_csv(folder / "complaints.csv", _COMPLAINTS, _complaint_rows(grades.complaints))
+    write_for_people(folder / "grades.csv", header, _grade_rows(grades.grades))
+    write_for_people(folder / "complaints.csv", _COMPLAINTS, _complaint_rows(grades.complaints))
     (folder / POLICY).write_bytes((policy.text or _NO_POLICY).encode("utf-8"))
     if kept is not None:
-        write_csv(folder / KEPT, _KEPT, map(_kept_row, kept))
+        write_for_people(folder / KEPT, _KEPT, map(_kept_row, kept))
 
 
 def _mark_lines(block: MarkedBlock) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.csv_writing import csv_text, neutralised
+from kinegrade.csv_writing import csv_text, for_people, neutralised
 from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, Sharing
 
 HEADER = (
@@ -16,7 +16,7 @@ NOTE = "worth a look; not evidence of anything by itself"
 
 def sharing_csv(sharing: Sharing) -> bytes:
     """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless, ids stay as they are."""
-    return csv_text(HEADER, map(_row, sharing.told)).encode("utf-8", "backslashreplace")
+    return for_people(csv_text(HEADER, map(_row, sharing.told)))
 
 
 def _row(pair: Pair) -> tuple[str, ...]:

@@ -64,7 +64,7 @@ def kinegrade(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 def lines_of(path: Path) -> Lines:
-    with path.open(encoding="utf-8", newline="") as table:
+    with path.open(encoding="utf-8-sig", newline="") as table:
         return list(csv.DictReader(table))
 
 

@@ -218,7 +218,7 @@ def handed_in(row: Row, keys: Mapping[str, Key]) -> Iterator[Row]:
 
 def read_names(exam: Path) -> dict[str, str]:
     """The names on the blank sheet, by student."""
-    with (exam / "answers.csv").open(encoding="utf-8", newline="") as sheet:
+    with (exam / "answers.csv").open(encoding="utf-8-sig", newline="") as sheet:
         return {line["student"]: line["name"] for line in csv.DictReader(sheet)}
 
 

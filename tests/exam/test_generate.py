@@ -4,6 +4,7 @@ not at all.
 
 from __future__ import annotations
 
+import codecs
 import json
 import sys
 from fractions import Fraction
@@ -12,6 +13,7 @@ from types import SimpleNamespace
 
 import pikepdf
 import pytest
+from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from kinegrade.exact.balls import Balls
@@ -38,6 +40,7 @@ FILES = ["007.pdf", "0012.pdf", "a%2Fb.pdf", "%3D2.pdf"]
 TOP = [
     "INSTRUCTOR-ONLY.txt",
     "answers.csv",
+    "answers.xlsx",
     "bank.toml",
     "exam.json",
     "key.jsonl",
@@ -260,6 +263,20 @@ def test_the_answer_sheet_is_blank_and_runs_nothing(exam: Path) -> None:
         "q3.alpha_AB",
     ]
     assert all(value == "" for row in rows for name, value in row.items() if "." in name)
+
+
+def test_ids_keep_their_zeros_in_a_spreadsheet(exam: Path) -> None:
+    sheet = load_workbook(exam / "answers.xlsx").active
+    rows = [[cell.value for cell in row] for row in sheet.iter_rows()]
+    assert rows[0] == list(table(exam / "answers.csv")[0])
+    assert [row[0] for row in rows[1:]] == list(STUDENTS)
+    assert rows[3][1] == "=HYPERLINK(1)"
+    assert {cell.data_type for row in sheet.iter_rows() for cell in row if cell.value} == {"s"}
+    assert {cell.number_format for row in sheet.iter_rows() for cell in row} == {"@"}
+
+
+def test_a_spreadsheet_shows_the_names_of_the_answer_sheet(exam: Path) -> None:
+    assert (exam / "answers.csv").read_bytes().startswith(codecs.BOM_UTF8)
 
 
 def test_papers_are_pdf_in_print_order_and_do_not_name_the_secret(exam: Path) -> None:

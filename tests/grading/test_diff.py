@@ -57,7 +57,7 @@ def answered(exam_folder: Path) -> Path:
 
 
 def rows_of(file: Path) -> list[dict[str, str]]:
-    with file.open(encoding="utf-8", newline="") as stream:
+    with file.open(encoding="utf-8-sig", newline="") as stream:
         return list(csv.DictReader(stream))
 
 
@@ -65,7 +65,7 @@ def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
     marks = regraded(answered, "MARKS", POLICY)
     comparison = compare(marks, marks)
     assert comparison.changes == ()
-    assert comparison_csv(comparison).decode() == ",".join(HEADER) + "\n"
+    assert comparison_csv(comparison).decode("utf-8-sig") == ",".join(HEADER) + "\n"
     assert comparison_text(comparison) == (
         "0 up, 0 down, 4 unchanged; mean change 0 points, 0 percentage points"
     )
@@ -120,7 +120,9 @@ def test_cells_of_the_file_do_not_run_in_a_spreadsheet(answered: Path) -> None:
         regraded(answered, "MARKS"),
         regraded(answered, "MARKS2", "[questions.q2]\nvoid = 'drop'"),
     )
-    rows = list(csv.DictReader(comparison_csv(compare(first, second)).decode().splitlines()))
+    rows = list(
+        csv.DictReader(comparison_csv(compare(first, second)).decode("utf-8-sig").splitlines())
+    )
     assert {row["name"] for row in rows if row["student"] == "S9"} == {"'=HYPERLINK(1)"}
     assert [row["response_after"] for row in rows if row["student"] == "12"] == ["", "'=1+1"]
 

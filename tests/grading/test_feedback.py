@@ -262,7 +262,7 @@ def test_nothing_a_student_typed_becomes_markdown(tmp_path: Path) -> None:
 def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT, "007": ()})
     assert write_feedback(exam, marks, tmp_path / "OUT", WORDING, "md", language="en") == 2
-    listed = list(csv.DictReader((tmp_path / "OUT" / "feedback.csv").open(encoding="utf-8")))
+    listed = list(csv.DictReader((tmp_path / "OUT" / "feedback.csv").open(encoding="utf-8-sig")))
     assert [row["file"] for row in listed] == ["sheets/a%2Fb.md", "sheets/007.md"]
     assert all((tmp_path / "OUT" / row["file"]).is_file() for row in listed)
     with pytest.raises(OutputError, match="already exists - expected a new folder"):

@@ -37,7 +37,7 @@ def marked(exam: Path, content: str | bytes, *, force: bool = False) -> ClassGra
 
 
 def rows(exam: Path, name: str, folder: str = "MARKS") -> list[list[str]]:
-    with (exam.parent / folder / name).open(encoding="utf-8", newline="") as file:
+    with (exam.parent / folder / name).open(encoding="utf-8-sig", newline="") as file:
         return list(csv.reader(file))
 
 

@@ -206,7 +206,7 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
     found = sharing(
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
-    header, row = csv.reader(io.StringIO(sharing_csv(found).decode()))
+    header, row = csv.reader(io.StringIO(sharing_csv(found).decode("utf-8-sig")))
     told = dict(zip(header, row, strict=True))
     assert tuple(header) == HEADER
     assert (told["student"], told["name"], told["other"], told["other_name"]) == (
@@ -228,7 +228,7 @@ def test_nobody_is_accused_and_no_cell_runs() -> None:
     )
     assert "not evidence of anything by itself" in text
     for word in ("cheat", "copied", "suspect", "fraud", "guilty", "dishonest"):
-        assert word not in text.lower() + sharing_csv(found).decode().lower()
+        assert word not in text.lower() + sharing_csv(found).decode("utf-8-sig").lower()
 
 
 def test_an_id_is_a_key_and_stays_as_it_is() -> None:
@@ -253,7 +253,7 @@ def test_the_command_reads_the_folders_and_writes_the_file(tmp_path: Path) -> No
     assert result.stderr.startswith(
         "No pair of students stands out, of 12, at the level of 1 % for the whole class."
     )
-    assert (tmp_path / "sharing.csv").read_text(encoding="utf-8") == f"{','.join(HEADER)}\n"
+    assert (tmp_path / "sharing.csv").read_text(encoding="utf-8-sig") == f"{','.join(HEADER)}\n"
     again = command_line(exam, marks, "-o", tmp_path / "sharing.csv")
     assert (again.exit_code, "--force" in again.stderr) == (2, True)
     assert command_line(exam, marks, "-o", tmp_path / "x.csv", "--level", "0").exit_code == 2
@@ -266,7 +266,9 @@ def test_the_command_finds_who_shares(tmp_path: Path) -> None:
     keyed_apart(exam)
     result = command_line(exam, marks, "-o", tmp_path / "sharing.csv", "--level", "50")
     assert result.exit_code == 0, result.stderr
-    rows = list(csv.DictReader(io.StringIO((tmp_path / "sharing.csv").read_text(encoding="utf-8"))))
+    rows = list(
+        csv.DictReader(io.StringIO((tmp_path / "sharing.csv").read_text(encoding="utf-8-sig")))
+    )
     assert [(row["student"], row["other"], row["fit_the_other_paper"]) for row in rows] == [
         ("s2", "s1", "3")
     ]

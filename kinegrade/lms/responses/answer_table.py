@@ -6,18 +6,18 @@ came from a pool, `pooled` says whose line of the key each of them is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinegrade.answer_file import AnswerFile, LeftOut
+from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.student_ids import restoration
-from kinegrade.exam.variants import read_variants
+from kinegrade.exam.variants import Variants, read_variants
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.exam_asks import read_exam_asks
 from kinegrade.lms.responses.people import Columns, Found, People
-from kinegrade.lms.responses.pooled import own_papers_only, put_to
+from kinegrade.lms.responses.pooled import Pairs, own_papers_only, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 from kinegrade.spreadsheet import is_workbook, read_workbook
 from kinegrade.tables import Complaint, Row, Table, read_table, without_headers
@@ -73,8 +73,8 @@ def read_responses(
     table = replace(table, file=name or table.file, rows=without_headers(table))
     system = detected(table) if source is None else _known(source, path)
     typed = DIALECTS[system].read(table, asks, attempts)
-    people = People(asks.students)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
+    people = People(asks.students)
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(
@@ -82,29 +82,41 @@ def read_responses(
             "addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
-    taken, left_out = found[: len(typed.rows)], found[len(typed.rows) :]
     variants = None if own_papers or system not in POOLED else read_variants(exam_folder)
-    pairs = list(zip(typed.rows, taken, strict=True))
-    if variants is None:
-        pairs = own_papers_only(table.file, typed, pairs, exam_folder)
-    put = {} if variants is None else put_to(table.file, typed, pairs, variants, exam_folder)
-    complaints = [
-        *_about_answers(table, typed, columns),
-        *typed.complaints,
-        *_unknown(table, pairs),
-    ]
-    left = list(_left_out(table, typed, left_out))
-    sheet = Table(
-        table.file,
-        ("student", *typed.columns),
-        tuple(_rows(pairs)),
-        table.encoding,
-        table.separator,
-        (*complaints, *(each.complaint for each in left if not each.student)),
-    )
-    answers = AnswerFile(sheet, put, tuple(each for each in left if each.student))
+    answers = _answers(_Read(table, typed, columns, found), variants, exam_folder)
     assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
     return Responses(answers, system, assumed)
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """A download as it was read; `found` are the students of the rows, then those of the rows that are not taken."""
+
+    table: Table
+    typed: TypedRows
+    columns: Columns
+    found: Sequence[Found]
+
+
+def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile:
+    """The answer sheet. Raises TableError where it is not certain to which questions the answers are."""
+    table, typed = read.table, read.typed
+    pairs: Pairs = list(zip(typed.rows, read.found, strict=False))
+    put: Mapping[int, Sources] = {}
+    if variants is None:
+        pairs = own_papers_only(table.file, typed, pairs, folder)
+    else:
+        put = put_to(table.file, typed, pairs, variants, folder)
+    left = list(_left_out(table, typed, read.found[len(typed.rows) :]))
+    complaints = (
+        *_about_answers(table, typed, read.columns),
+        *typed.complaints,
+        *_unknown(table, pairs),
+        *(each.complaint for each in left if not each.student),
+    )
+    header = ("student", *typed.columns)
+    sheet = replace(table, header=header, rows=tuple(_rows(pairs)), complaints=complaints)
+    return AnswerFile(sheet, put, tuple(each for each in left if each.student))
 
 
 def _known(source: str, path: Path) -> str:

@@ -1,0 +1,58 @@
+"""All files of a class, one after the other: what `kinegrade grade EXAM a.csv b.csv` reads before anything is marked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.answer_file import AnswerFile
+from kinegrade.lms.responses.answer_table import read_responses
+from kinegrade.lms.responses.typed_rows import Attempts
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingWishes:
+    """How files are read: what they were downloaded from, detected where None; which attempts count; the encoding of
+    CSV files that are not UTF-8; whether answers are to everybody's own paper although a pool was made."""
+
+    source: str | None = None
+    attempts: Attempts = "finished"
+    encoding: str | None = None
+    own_papers: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ClassFiles:
+    """The answer sheets made of the files, and in words what was assumed, a line each."""
+
+    files: tuple[AnswerFile, ...]
+    assumed: tuple[str, ...]
+
+
+def read_class(paths: Sequence[Path], exam: Path, wishes: ReadingWishes) -> ClassFiles:
+    """Reads the files of one class. Raises TableError, ExamError."""
+    read = [
+        read_responses(
+            path,
+            exam,
+            wishes.source,
+            wishes.attempts,
+            wishes.encoding,
+            own_papers=wishes.own_papers,
+            name=name,
+        )
+        for path, name in zip(paths, told_apart(paths), strict=True)
+    ]
+    assumed = tuple(line for each in read for line in each.assumed)
+    return ClassFiles(tuple(each.answers for each in read), assumed)
+
+
+def told_apart(paths: Sequence[Path]) -> tuple[str, ...]:
+    """The names of files in messages: with their folders where two are called the same.
+
+    >>> told_apart([Path("a/x.csv"), Path("b/x.csv")])
+    ('a/x.csv', 'b/x.csv')
+    """
+    names = tuple(path.name for path in paths)
+    return names if len(set(names)) == len(names) else tuple(map(str, paths))
