@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 
 from kinegrade.exam.roster import student_key
-from kinegrade.tables import shortened
+from kinegrade.tables import shortened, trimmed
 
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
@@ -77,7 +77,7 @@ def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     '1 student id is not as in the exam: "12345" for "0012345"'
     """
     cell, student = next(iter(restored.items()))
-    example = f'"{shortened(student_key(cell))}" for "{student}"'
+    example = f'"{shortened(trimmed(cell))}" for "{student}"'
     found = (
         f"1 student id is not as in the exam: {example}"
         if len(restored) == 1
@@ -85,7 +85,7 @@ def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     )
     return (
         found,
-        "zeros and case restored, as each can mean one student only; keep ids as text, as in answers.xlsx",
+        "taken for these students, as each can mean one only; keep ids as text, as in answers.xlsx",
     )
 
 

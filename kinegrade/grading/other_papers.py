@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
 from kinegrade.grading.exam_folder import ExamFolder
+from kinegrade.grading.judge import Kind
 from kinegrade.grading.key import Ask, Paper
 from kinegrade.grading.marks import MarkedBlock
 
@@ -30,7 +31,7 @@ SAME = 1e-9  # relative: values that are no nearer are different
 MOSTLY = 0.6  # of a student's answers
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-_EXPLAINED = ("right", "mistake", "follow-through", "accepted", "void")
+_EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 
 @dataclass
@@ -48,10 +49,10 @@ class OtherPapers:
         for block in blocks:
             judged, width = block.judged, len(self.asks)
             is_number = ~np.isnan(judged.cells.values)
-            explained = np.array([kind in _EXPLAINED for kind in judged.kinds], dtype=np.bool_)
-            self.numbers += int(is_number.sum())
-            self.strange += int((is_number & ~explained).sum())
             right = np.array([kind == "right" for kind in judged.kinds], dtype=np.bool_)
+            doubtful = np.flatnonzero(is_number & ~right).tolist()
+            self.numbers += int(is_number.sum())
+            self.strange += sum(judged.kinds[place] not in _EXPLAINED for place in doubtful)
             self.rows += list(judged.cells.values.reshape(-1, width))
             self.right += list(right.reshape(-1, width))
             yield block

@@ -5,12 +5,24 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
+from kinegrade.exam.follow_through import FollowThrough
+from kinegrade.exam.quiz import read_quiz
 from tests.lms.pooled_quiz import Drawn, attempt, download, perfect, pool
-from tests.small_class import STUDENTS, asks_of, kinegrade, table
+from tests.lms.response_files import csv_text
+from tests.small_class import (
+    STUDENTS,
+    asks_of,
+    generate,
+    key_lines,
+    kinegrade,
+    table,
+    write_class,
+)
 
 ALL = ("Question", "Response", "Right answer")
 
@@ -179,3 +191,117 @@ def test_variants_of_another_key_are_not_replaced(exam: Path, tmp_path: Path) ->
 
 def test_the_pool_has_a_category_for_each_question(exam: Path) -> None:
     assert [len(each) for each in pool(exam.parent / "pool.xml").values()] == [3, 3, 3]
+
+
+FOLLOWING = """title = { en = "Quiz", zh = "测验" }
+course = { en = "Mechanics", zh = "力学" }
+date = 2026-05-01
+tolerance = { relative = "1 %" }
+
+[[questions]]
+template = "slider-crank"
+asks = { omega_AB = 1, a_B = 1 }
+"""
+
+
+def test_what_follows_from_an_own_answer_is_worked_out_with_the_numbers_of_the_variant(
+    tmp_path: Path,
+) -> None:
+    write_class(tmp_path)
+    (tmp_path / "bank.toml").write_text(FOLLOWING, encoding="utf-8")
+    assert generate(tmp_path).exit_code == 0
+    exam, (student, donor) = tmp_path / "EXAM", STUDENTS[2:4]
+    assert quiz(exam, tmp_path / "pool.xml", 4) == 0
+    [every] = pool(tmp_path / "pool.xml").values()
+    put = every[STUDENTS.index(donor)]
+    own = round(Fraction(put.right[0]) * Fraction(117, 100), 6)
+    follows = FollowThrough(exam)(donor, "q1", {"omega_AB": own}, "a_B")
+    assert follows is not None
+    typed = [[f"{float(own):.6f}", f"{float(follows):.8g}"]]
+    assert grade(exam, tmp_path, download([(student, [put], typed)]))[0] == 1  # others are absent
+    marks = {
+        row["ask"]: row["verdict"]
+        for row in table(tmp_path / "MARKS" / "marks.csv")
+        if row["student"] == student
+    }
+    assert marks == {"omega_AB": "wrong", "a_B": "follow-through"}
+
+
+def test_canvas_draws_every_ask_by_itself(exam: Path, tmp_path: Path) -> None:
+    """Its Student Analysis has a column for each variant of each ask, headed by the text of the question."""
+    asks = list(dict.fromkeys(column for _, column in asks_of(exam)))
+    donors = STUDENTS[:3]
+    statements = {
+        (paper.code, question.question): question.statement
+        for paper in read_quiz(exam, variants=3).papers
+        for question in paper.questions
+    }
+    codes = {line["student"]: line["paper"] for line in key_lines(exam)}
+    header, places = ["name", "sis_id", "submitted"], {}
+    for column in asks:
+        for donor in donors:
+            text = statements[codes[donor], column.partition(".")[0]]
+            places[column, donor] = len(header)
+            header += [f"{len(header)}: {text} [{column}]", "1.0"]
+    values, rows = key_values(exam), []
+    for number, student in enumerate(STUDENTS):
+        row = ["x", student, "2026-05-01 20:01:01 UTC", *[""] * (len(header) - 3)]
+        for place, column in enumerate(asks):
+            donor = donors[(number + place) % 3]
+            row[places[column, donor]] = values[donor, column]
+        rows.append(row)
+    rows.append(["Student, Test", "", "2026-05-01 20:01:01 UTC", *["1"] * (len(header) - 3)])
+    status, said = grade(exam, tmp_path, csv_text(header, *rows), "--from", "canvas")
+    assert status == 0, said
+    assert points(tmp_path) == [("15.5", "15.5")] * len(STUDENTS)
+
+
+def test_a_pool_of_an_older_version_is_marked_after_it_is_written_again(
+    exam: Path, tmp_path: Path
+) -> None:
+    older = Path(shutil.copytree(exam, tmp_path / "EXAM"))
+    (older / "variants.jsonl").unlink()
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    status, said = grade(older, tmp_path, download(rows))
+    assert status == 2
+    assert "students were put other papers than their own" in said
+    assert "write it again by kinegrade quiz --variants" in said
+    assert quiz(older, tmp_path / "again.xml", 3) == 1
+    assert grade(older, tmp_path, download(rows))[0] == 0
+    assert points(tmp_path) == [("15.5", "15.5")] * len(STUDENTS)
+
+
+def test_a_student_who_left_the_roster_still_gives_the_pool_a_variant(
+    exam: Path, tmp_path: Path
+) -> None:
+    """The lines of variants.jsonl are enough to mark by, where key.jsonl has them no more."""
+    left = Path(shutil.copytree(exam, tmp_path / "EXAM"))
+    gone = STUDENTS[0]
+    head = json.loads((left / "exam.json").read_text(encoding="utf-8"))
+    head["students"] = [each for each in head["students"] if each["student"] != gone]
+    (left / "exam.json").write_text(json.dumps(head), encoding="utf-8")
+    lines = [json.dumps(line) for line in key_lines(left) if line["student"] != gone]
+    (left / "key.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    rows = [
+        (student, each, perfect(each)) for student, each in drawn(exam).items() if student != gone
+    ]
+    status, said = grade(left, tmp_path, download(rows))
+    assert status == 0, said
+    assert points(tmp_path) == [("15.5", "15.5")] * (len(STUDENTS) - 1)
+    assert gone in (tmp_path / "MARKS" / "variants.csv").read_text(encoding="utf-8")
+    done = kinegrade(
+        "feedback", left, tmp_path / "MARKS", "--format", "md", "-o", tmp_path / "FEEDBACK"
+    )
+    assert done.exit_code == 0, done.stderr
+
+
+def test_broken_variants_are_one_line(exam: Path, tmp_path: Path) -> None:
+    broken = Path(shutil.copytree(exam, tmp_path / "EXAM"))
+    (broken / "variants.jsonl").write_text("{}\n", encoding="utf-8")
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    status, said = grade(broken, tmp_path, download(rows))
+    assert status == 2
+    assert (
+        "variants.jsonl: is broken (KeyError: 'questions') - expected the lines of key.jsonl"
+        in said
+    )

@@ -74,9 +74,21 @@ def test_ids_without_zeros_or_in_another_case_are_restored_and_said_once(tmp_pat
     assert [row.cells[0] for row in read.table.rows] == ["0012345", "S9", "0012346", "0012345"]
     assert told(read) == []
     assert read.assumed[-1] == (
-        'download.csv: 2 student ids are not as in the exam, such as "12345" for "0012345" - zeros and '
-        "case restored, as each can mean one student only; keep ids as text, as in answers.xlsx"
+        'download.csv: 2 student ids are not as in the exam, such as "12345" for "0012345" - taken '
+        "for these students, as each can mean one only; keep ids as text, as in answers.xlsx"
     )
+
+
+@pytest.mark.parametrize("cell", ['="0012345"', "'0012345", "#0012345", "００12345"])
+def test_an_id_in_a_wrapper_or_in_wide_digits_is_said_once_too(tmp_path: Path, cell: str) -> None:
+    read = responses(tmp_path, form(("", cell), ("", "S9")))
+    [said] = [line for line in read.assumed if "not as in the exam" in line]
+    assert f'1 student id is not as in the exam: "{cell}" for "0012345"' in said
+
+
+def test_ids_as_in_the_exam_are_not_spoken_of(tmp_path: Path) -> None:
+    read = responses(tmp_path, form(("", " 0012345 "), ("wei@example.org", "?")))
+    assert not [line for line in read.assumed if "not as in the exam" in line]
 
 
 def test_an_id_that_can_mean_two_students_is_refused(tmp_path: Path) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from kinegrade.exam.roster import student_key
 from kinegrade.exam.student_ids import StudentIds
 from kinegrade.lms.responses.exam_asks import Person
-from kinegrade.tables import Row, header_key, shortened
+from kinegrade.tables import Row, header_key, shortened, trimmed
 
 Kind = Literal["id", "email"]
 
@@ -113,8 +113,17 @@ class People:
         for number in unknown:
             cell = rows[number].cell(place)
             if cell in restored:
-                found[number] = Found(restored[cell], restored=cell)
-        return tuple(found)
+                found[number] = Found(restored[cell])
+        return tuple(
+            self._said(row.cell(place), each) for row, each in zip(rows, found, strict=True)
+        )
+
+    def _said(self, cell: str, found: Found) -> Found:
+        """The same, with the id as it stands in the file where it is that student's in another form."""
+        if found.student is None or trimmed(cell) == trimmed(found.student):
+            return found
+        meant = self._ids.exact(cell) or _only(self._ids.near(cell))
+        return replace(found, restored=cell) if meant == found.student else found
 
     def _other_address(self, row: Row, columns: Columns) -> bool:
         """Whether a row has the address of a student; then its id is not that of another."""
