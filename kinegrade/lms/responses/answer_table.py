@@ -9,19 +9,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.student_ids import restoration
-from kinegrade.exam.variants import Variants, read_variants
-from kinegrade.lms.responses.canvas import is_test_student
 from kinegrade.lms.responses.detection import DIALECTS, detected
 from kinegrade.lms.responses.exam_asks import read_exam_asks
 from kinegrade.lms.responses.people import Columns, Found, People
-from kinegrade.lms.responses.pooled import Pairs, own_papers_only, put_to
+from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 from kinegrade.spreadsheet import is_workbook, read_workbook
 from kinegrade.tables import Complaint, Row, Table, read_table, without_headers
+
+if TYPE_CHECKING:
+    from kinegrade.exam.variants import Variants
 
 SOURCES = tuple(DIALECTS)
 POOLED = ("moodle", "canvas")  # what draws questions from pools
@@ -83,8 +85,8 @@ def read_responses(
             "addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
-    variants = None if own_papers or system not in POOLED else read_variants(exam_folder)
-    answers = _answers(_Read(system, table, typed, columns, found), variants, exam_folder)
+    variants = None if own_papers or system not in POOLED else pool_of(exam_folder)
+    answers = _answers(_Read(table, typed, columns, found), variants, exam_folder)
     assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
     return Responses(answers, system, assumed)
 
@@ -93,7 +95,6 @@ def read_responses(
 class _Read:
     """A download as it was read; `found` are the students of the rows, then those of the rows that are not taken."""
 
-    system: str
     table: Table
     typed: TypedRows
     columns: Columns
@@ -113,17 +114,12 @@ def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile
     complaints = (
         *_about_answers(table, typed, read.columns),
         *typed.complaints,
-        *_unknown(table, [pair for pair in pairs if not _is_passed_over(read.system, *pair)]),
+        *_unknown(table, pairs),
         *(each.complaint for each in left if not each.student),
     )
     header = ("student", *typed.columns)
     sheet = replace(table, header=header, rows=tuple(_rows(pairs)), complaints=complaints)
     return AnswerFile(sheet, put, tuple(each for each in left if each.student))
-
-
-def _is_passed_over(system: str, each: TypedRow, who: Found) -> bool:
-    """Whether nothing is said of a row: Canvas's own test student, whom the exam does not know."""
-    return system == "canvas" and who.student is None and is_test_student(each.row)
 
 
 def _known(source: str, path: Path) -> str:

@@ -23,7 +23,6 @@ TITLE = "the Student Analysis of a Canvas quiz"
 TEST_STUDENTS = ("Student, Test", "Test Student")
 _QUESTION = re.compile(r"\d+: ")
 _POINTS = re.compile(r"\d+(?:\.\d+)?")
-_TEST_STUDENT = ("Student, Test", "Test Student")  # by a list of names, and by the name itself
 _MOMENT = re.compile(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC")
 
 
@@ -156,8 +155,3 @@ def _moment(row: Row, people: Sequence[int]) -> str:
 def _named(header: Sequence[str], people: Sequence[int]) -> Mapping[Kind, Sequence[int]]:
     """The student's id of the institution goes before Canvas's own number, which may be somebody else's id."""
     return {"id": [place for place in people if header_key(header[place]) == "sis_id"]}
-
-
-def is_test_student(row: Row) -> bool:
-    """Whether a row is that of the student that Canvas makes for every teacher to try things with."""
-    return trimmed(row.cell(0)) in _TEST_STUDENT

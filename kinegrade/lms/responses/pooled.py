@@ -9,22 +9,35 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinegrade.answer_file import Sources
 from kinegrade.errors import TableError
-from kinegrade.exam.variants import FILE, Variant, Variants
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
 from kinegrade.tables import trimmed
 
+if TYPE_CHECKING:
+    from kinegrade.exam.variants import Variant, Variants
+
+FILE = "variants.jsonl"
 Pairs = Sequence[tuple[TypedRow, Found]]
 _SAME = 1e-6  # relative: right answers are written with all their digits
 _BLANK = ("", "-")
 _ADVICE = (
     "in Moodle (Results > Responses) tick the question text and the right answer, show the report and "
-    "download that; if nobody answered a pool, add --own-papers"
+    "download that, in Canvas the Student Analysis; if nobody answered a pool, add --own-papers"
 )
+
+
+def pool_of(folder: Path) -> Variants | None:
+    """The pool that was made of an exam, None where none was made. Raises ExamError."""
+    if not (folder / FILE).exists():
+        return None
+    from kinegrade.exam.variants import read_variants  # slow: it can set questions anew
+
+    return read_variants(folder)
 
 
 def own_papers_only(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -41,7 +42,7 @@ def test_moodle_in_chinese_one_number_a_question_with_solutions(
 ) -> None:
     target = tmp_path / "quiz.xml"
     result = put(
-        small_class / "EXAM",
+        shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"),  # the pool is stored there
         "--to",
         "moodle-xml",
         "-o",
