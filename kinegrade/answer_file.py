@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.tables import Complaint, Table
 
+POOL = "variants.jsonl"  # in an exam folder of which a pool was made: the lines of the key that are in it
 Sources = tuple[str, ...]  # for each answer, whose line of the key it is marked by; "" is one's own
 
 

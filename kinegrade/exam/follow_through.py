@@ -15,6 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import Follower, connections, generic_plan, in_plan_order
@@ -135,7 +136,7 @@ class FollowThrough:
     @cached_property
     def pooled(self) -> Mapping[str, Any]:
         """The lines of a pool's variants by student, of students who may have left the roster since. Raises ExamError."""
-        file = self.exam / "variants.jsonl"
+        file = self.exam / POOL
         try:
             lines = file.read_bytes().splitlines()
         except FileNotFoundError:

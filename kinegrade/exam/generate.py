@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from kinegrade import __version__
+from kinegrade.answer_file import POOL
 from kinegrade.collection import seldom_collected
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
@@ -53,7 +54,7 @@ CONTENTS = (
     "papers.pdf",
     "answers.csv",
     "answers.xlsx",
-    "variants.jsonl",
+    POOL,
     "solutions",
     "solutions.pdf",
     "tex",

@@ -15,6 +15,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import given_text, shown
@@ -23,7 +24,6 @@ from kinegrade.files import write_file
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import LANGUAGES
 
-FILE = "variants.jsonl"
 _MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
 Numbers = tuple[str, ...]
@@ -35,7 +35,7 @@ def store_variants(folder: Path, count: int) -> None:
     Raises ExamError where those that are stored are of another key, OutputError where nothing can be written there.
     """
     lines = [line.rstrip("\n") for _, line in islice(different(read_quiz_source(folder)), count)]
-    path, before = folder / FILE, _stored_lines(folder)
+    path, before = folder / POOL, _stored_lines(folder)
     if before[: len(lines)] != lines[: len(before)]:
         raise ExamError(
             f"{path}: has variants of another key - expected the lines of key.jsonl - if no quiz made of "
@@ -104,7 +104,7 @@ def read_variants(folder: Path) -> Variants | None:
                 found.setdefault(str(entry["question"]), {}).setdefault(same, variant)
     except BROKEN as fault:
         raise ExamError(
-            f"{folder / FILE}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
+            f"{folder / POOL}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
         ) from fault
     return Variants(len(lines), {name: tuple(each.values()) for name, each in found.items()})
 
@@ -120,7 +120,7 @@ def _holds(numbers: Numbers, own: Numbers) -> bool:
 
 
 def _stored_lines(folder: Path) -> list[str]:
-    return list(_lines(folder / FILE))
+    return list(_lines(folder / POOL))
 
 
 def _lines(path: Path) -> Iterator[str]:

@@ -13,6 +13,7 @@ from decimal import Decimal
 from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple, TypeVar
 
+from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError
 from kinegrade.exam.roster import student_key
 from kinegrade.grading.json_fields import (
@@ -82,7 +83,7 @@ class ExamFolder:
 
     def variants(self) -> tuple[Paper, ...]:
         """The papers of a pool that was made of the exam, none where there was none made. Raises ExamError."""
-        path, decoder = self.folder / "variants.jsonl", PaperDecoder(self.asks, self.names)
+        path, decoder = self.folder / POOL, PaperDecoder(self.asks, self.names)
         try:
             lines = [line for line in path.read_bytes().splitlines() if line.strip()]
             return tuple(
@@ -94,7 +95,7 @@ class ExamFolder:
         except (OSError, UnicodeDecodeError) as fault:
             raise _unreadable(path, fault) from fault
         except FieldError as fault:
-            raise _broken(self.folder, [f"variants.jsonl: {fault}"]) from fault
+            raise _broken(self.folder, [f"{POOL}: {fault}"]) from fault
 
 
 def read_exam(folder: Path) -> Exam:

@@ -14,6 +14,8 @@ from typing import Any
 
 import msgspec
 
+from kinegrade.answer_file import POOL
+
 
 class _Head(msgspec.Struct, gc=False):
     student: str
@@ -26,7 +28,7 @@ class KeyLines:
         """Finds where the line of each student begins. Raises OSError, and ValueError where a line is none."""
         self._places: dict[str, tuple[Path, int]] = {}
         self._find(path)
-        if (pool := path.with_name("variants.jsonl")).exists():
+        if (pool := path.with_name(POOL)).exists():
             self._find(pool)
 
     def _find(self, path: Path) -> None:

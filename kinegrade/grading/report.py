@@ -70,7 +70,8 @@ def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedB
         for block in blocks:
             stream.write(encoded(_mark_lines(block)))
             for paper, _ in block.judged.rows:
-                put += put_rows(block.asks, paper)
+                if paper.put:
+                    put += put_rows(block.asks, paper)
             yield block
     if put:
         write_csv(folder / VARIANTS, HEADER, put)

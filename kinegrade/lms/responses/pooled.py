@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinegrade.answer_file import Sources
+from kinegrade.answer_file import POOL, Sources
 from kinegrade.errors import TableError
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
@@ -21,7 +21,6 @@ from kinegrade.tables import trimmed
 if TYPE_CHECKING:
     from kinegrade.exam.variants import Variant, Variants
 
-FILE = "variants.jsonl"
 Pairs = Sequence[tuple[TypedRow, Found]]
 _SAME = 1e-6  # relative: right answers are written with all their digits
 _BLANK = ("", "-")
@@ -33,9 +32,9 @@ _ADVICE = (
 
 def pool_of(folder: Path) -> Variants | None:
     """The pool that was made of an exam, None where none was made. Raises ExamError."""
-    if not (folder / FILE).exists():
+    if not (folder / POOL).exists():
         return None
-    from kinegrade.exam.variants import read_variants  # slow: it can set questions anew
+    from kinegrade.exam.variants import read_variants  # noqa: PLC0415  # takes seconds to load
 
     return read_variants(folder)
 
@@ -72,7 +71,7 @@ def put_to(
     """By line whose line of the key each question of a student is. Raises TableError where that cannot be known."""
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
         raise TableError(
-            f"{file}: the exam has a pool of {variants.count} variants ({folder / FILE}), and nothing here "
+            f"{file}: the exam has a pool of {variants.count} variants ({folder / POOL}), and nothing here "
             "says who was put which - expected the texts of the questions or the right answers - "
             f"{_ADVICE}"
         )
