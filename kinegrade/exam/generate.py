@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from kinegrade import __version__
-from kinegrade.answer_file import POOL
 from kinegrade.collection import seldom_collected
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
@@ -54,7 +53,6 @@ CONTENTS = (
     "papers.pdf",
     "answers.csv",
     "answers.xlsx",
-    POOL,
     "solutions",
     "solutions.pdf",
     "tex",
@@ -175,8 +173,7 @@ def write_head(setting: Setting, keys: list[KeyPaper], language: Language, folde
     write_blank_answers(setting, folder)
     record = {**exam_record(setting, keys, language), "editable": editable(folder)}
     write_json(folder / MARKER, record)
-    (folder / NOTICE).write_text(WARNING + "
-", encoding="utf-8")
+    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
 
 
 def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:

@@ -74,7 +74,7 @@ def read_quiz(
         source.title,
         progress(papers, variants or available),
         source.identifier,
-        _asks(source, islice(_different(source), variants)),
+        _asks(source, islice(different(source), variants)),
     )
 
 

@@ -16,12 +16,13 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.exam_secret import MARKER, ExamSecret, kept_secret
 from kinegrade.tables import header_key, read_table, trimmed
 
 KEY = "key.jsonl"
-VARIANTS = "variants.jsonl"
+VARIANTS = POOL
 SOLUTIONS = ("solutions", "solutions.pdf")
 ANSWERS = "answers.csv"
 OWN_COLUMNS = ("student", "name")  # of the answer sheet; in all others answers are typed
