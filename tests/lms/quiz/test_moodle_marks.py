@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -175,7 +176,8 @@ def test_exams_of_one_title_do_not_share_their_pools(small_class: Path, tmp_path
     write_class(tmp_path)
     assert generate(tmp_path, "EXAM", "--seed", "autumn").exit_code == 0
     categories = []
-    for exam in (small_class / "EXAM", tmp_path / "EXAM"):
+    first = shutil.copytree(small_class / "EXAM", tmp_path / "FIRST")  # the pool is stored there
+    for exam in (first, tmp_path / "EXAM"):
         target = tmp_path / f"{len(categories)}.xml"
         put = ("quiz", exam, "--to", "moodle-xml", "--variants", "2", "-o", target)
         assert kinegrade(*put).exit_code == 1

@@ -132,7 +132,8 @@ def test_a_place_that_cannot_hold_a_file_is_named_in_one_line(
 def test_a_quiz_in_parts_stays_below_the_upload_limit_and_loses_nothing(
     small_class: Path, tmp_path: Path
 ) -> None:
-    wanted = small_class / "EXAM", "--to", "moodle-xml", "--variants", "4"
+    exam = shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")  # the pool is stored there
+    wanted = exam, "--to", "moodle-xml", "--variants", "4"
     assert put(*wanted, "-o", tmp_path / "whole.xml").exit_code == 1
     whole = read((tmp_path / "whole.xml").read_text(encoding="utf-8"))
     limit = (tmp_path / "whole.xml").stat().st_size * 2 // 3
@@ -149,7 +150,8 @@ def test_a_quiz_in_parts_stays_below_the_upload_limit_and_loses_nothing(
 def test_parts_of_an_earlier_quiz_do_not_stay_among_new_ones(
     small_class: Path, tmp_path: Path
 ) -> None:
-    wanted = small_class / "EXAM", "--to", "moodle-xml", "--variants", "4", "-o", tmp_path / "parts"
+    exam = shutil.copytree(small_class / "EXAM", tmp_path / "EXAM")  # the pool is stored there
+    wanted = exam, "--to", "moodle-xml", "--variants", "4", "-o", tmp_path / "parts"
     assert put(*wanted, "--split", "0.05").exit_code == 1
     assert len(list((tmp_path / "parts").iterdir())) > 1
     again = put(*wanted, "--split", "2")
