@@ -21,8 +21,8 @@ from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import given_text, shown
 from kinegrade.exam.quiz_source import BROKEN, QuizSource, read_quiz_source, unreadable
 from kinegrade.files import write_file
+from kinegrade.language import LANGUAGES
 from kinegrade.problem.statement import statement
-from kinegrade.problem.template import LANGUAGES
 
 _MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
