@@ -1,5 +1,21 @@
-"""`python -m kinegrade` is `kinegrade`."""
+"""Where the process begins: `python -m kinegrade` is `kinegrade`."""
 
-from kinegrade.cli import main
+from __future__ import annotations
 
-main()
+import sys
+from typing import NoReturn
+
+INTERRUPTED = 130  # 128 and the number of SIGINT, as shells count
+
+
+def start() -> NoReturn:
+    """Run the command line and exit with its status; Ctrl-C is obeyed while it is still being loaded."""
+    try:
+        from kinegrade.cli import main
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+    main()
+
+
+if __name__ == "__main__":
+    start()

@@ -14,17 +14,15 @@ from __future__ import annotations
 import ctypes
 import errno
 import os
-import re
 import secrets
-import shutil
-import socket
 import sys
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
+from kinegrade.leftovers import clear_leftovers, own_name, remove
 
 _CURRENT_FOLDER = -100  # AT_FDCWD
 _LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
@@ -166,50 +164,19 @@ def _unwritable(path: Path, fault: Exception) -> OutputError:
 @contextmanager
 def _partial(path: Path, target: Path) -> Iterator[Path]:
     """A hidden name beside `target`; whatever stands under it at the end is removed."""
-    partial = target.with_name(f"{_prefix(target)}{os.getpid()}-{secrets.token_hex(4)}")
+    partial = target.with_name(own_name(_beginning(target)))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        _clear_leftovers(target)
+        clear_leftovers(target.parent, _beginning(target))
         yield partial
     except OSError as fault:
         raise _unwritable(path, fault) from fault
     finally:
-        _remove(partial)
+        remove(partial)
 
 
-def _prefix(target: Path) -> str:
-    host = re.sub(r"[^A-Za-z0-9]", "_", socket.gethostname())
-    return f".{target.name}.partial-{host}-"
-
-
-def _clear_leftovers(target: Path) -> None:
-    shape = re.compile(re.escape(_prefix(target)) + r"([0-9]+)-[0-9a-f]{8}")
-    for entry in list(target.parent.iterdir()):
-        found = shape.fullmatch(entry.name)
-        if found and not _is_running(int(found.group(1))):
-            _remove(entry)
-
-
-def _is_running(process: int) -> bool:
-    if (
-        os.name == "nt"
-    ):  # asking by signal 0 would interrupt the process there, so leftovers are left alone
-        return True
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
-        return True
-    return True
-
-
-def _remove(entry: Path) -> None:
-    if entry.is_dir() and not entry.is_symlink():
-        shutil.rmtree(entry, ignore_errors=True)
-    else:
-        with suppress(OSError):
-            entry.unlink()
+def _beginning(target: Path) -> str:
+    return f".{target.name}.partial"
 
 
 def _restrict(folder: Path, access: Access) -> None:
@@ -273,7 +240,7 @@ def _replace_in_two_steps(partial: Path, target: Path) -> None:
     previous = target.with_name(f".{target.name}.previous-{secrets.token_hex(4)}")
     os.rename(target, previous)
     os.rename(partial, target)
-    _remove(previous)
+    remove(previous)
 
 
 def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:

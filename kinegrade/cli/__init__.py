@@ -1,7 +1,7 @@
 """The command line. Heavy modules are imported by the commands that need them, so that `--help` answers at once.
 
 Results go to standard output or to `-o`, talk goes to standard error. Exit status: 0 fine, 1 done with complaints,
-2 cannot be done; an error is one line for each fault.
+2 cannot be done; an error is one line for each fault. `program` says how else a run may end.
 """
 
 from __future__ import annotations
@@ -14,12 +14,13 @@ from kinegrade import __version__
 from kinegrade.cli.exams import generate, papers
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
+from kinegrade.cli.program import Program
 from kinegrade.cli.quiz import quiz
 from kinegrade.cli.sharing import sharing
 from kinegrade.cli.templates import check, gallery, list_templates, new, show, solve
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="kinegrade")
 def main() -> None:
     """Set, typeset and mark exams in planar kinematics.

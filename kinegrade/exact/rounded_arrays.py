@@ -96,11 +96,11 @@ class RoundedArrays(Rounded):
 
     def sign(self, number: Any) -> Any:
         """-1, 0 or 1, one by one; values within rounding of zero count as zero."""
-        return np.where(np.abs(number) < NOTHING, 0, np.sign(number))
+        return _plain(np.where(np.abs(number) < NOTHING, 0, np.sign(number)))
 
     def choose(self, condition: Any, yes: Any, no: Any) -> Any:
         """`yes` where the condition holds, else `no`, one by one."""
-        return np.where(condition, yes, no)
+        return _plain(np.where(condition, yes, no))
 
     def sqrt(self, number: Any) -> Any:
         """The positive square root, written down; instances where there is none are unsettled."""
@@ -160,3 +160,8 @@ class RoundedArrays(Rounded):
 def in_doubles(found: Any) -> Any:
     """What was found one by one, as an array of doubles; a single one stays a double."""
     return found.astype(float) if isinstance(found, np.ndarray) else found
+
+
+def _plain(result: Any) -> Any:
+    """The same, but an array of no dimension as the number that it is: it holds for all instances."""
+    return result[()]

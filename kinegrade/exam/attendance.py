@@ -8,22 +8,40 @@ from __future__ import annotations
 import gc
 import os
 import signal
+import sys
 import threading
+import time
 from multiprocessing import connection, parent_process
+from types import FrameType
 
 from kinegrade.collection import NEW_OBJECTS
+
+PATIENCE = 1.0  # seconds to stop a typesetter and to clear away files
 
 
 def attend() -> None:
     """Let this process leave an interruption to the one it works for, end with it, and seldom look for rubbish."""
     gc.set_threshold(NEW_OBJECTS)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _leave)
+    if hasattr(signal, "pthread_sigmask"):  # it was started with interruptions deferred
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     threading.Thread(target=end_with_parent, daemon=True).start()
 
 
 def end_with_parent() -> None:
-    """Wait until the process that this one works for is gone, then end at once."""
+    """Wait until the process that this one works for is gone, then end, with the typesetter that may be running."""
     parent = parent_process()
-    if parent is not None:
-        connection.wait([parent.sentinel])
-        os._exit(1)
+    if parent is None:
+        return
+    connection.wait([parent.sentinel])
+    main = threading.main_thread().ident
+    if main is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main, signal.SIGTERM)
+        time.sleep(PATIENCE)
+    os._exit(1)
+
+
+def _leave(number: int, frame: FrameType | None) -> None:
+    """Clear away on the way out what was begun."""
+    sys.exit(128 + number)

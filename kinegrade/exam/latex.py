@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any, Generic, TypeVar
 
 import pikepdf
@@ -28,6 +27,7 @@ from kinegrade.exam.solution_words import solution_words_of
 from kinegrade.exam.typst import legible_owner, legible_owners
 from kinegrade.exam.words import words_of
 from kinegrade.language import Language
+from kinegrade.temporary import temporary_folder
 
 START_SECONDS = 60.0
 SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
@@ -145,10 +145,8 @@ class LatexPress:
         """The pages of the bodies, as long as the context lasts. Raises TypesetError."""
         program = _program([*bodies, str(words)])
         source = document(bodies, language, self._size, words, FONTS)
-        with TemporaryDirectory(prefix="kinegrade-") as folder:
-            outcome = run(
-                program, source, Path(folder), START_SECONDS + SHEET_SECONDS * len(bodies)
-            )
+        with temporary_folder() as folder:
+            outcome = run(program, source, folder, START_SECONDS + SHEET_SECONDS * len(bodies))
             problems = faults(outcome, source, where)
             if problems:
                 raise TypesetError(*problems)
@@ -175,8 +173,8 @@ def _missing(characters: Iterable[str]) -> frozenset[str]:
     """Those of the characters that XeTeX has no font for."""
     words = words_of("en")
     source = document([" ".join(map(plain, characters))], "en", "a4", words, FONTS)
-    with TemporaryDirectory(prefix="kinegrade-") as folder:
-        return run("xelatex", source, Path(folder), START_SECONDS).missing
+    with temporary_folder() as folder:
+        return run("xelatex", source, folder, START_SECONDS).missing
 
 
 def _write_pages(pdf: Path, parts: Iterable[tuple[int, int, Path]]) -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Literal
 import pylopdf_fonts_zh_cn
 
 from kinegrade.errors import TypesetError
+from kinegrade.exam.program_run import run_program
 
 Program = Literal["pdflatex", "xelatex"]
 STYLE = "kinegrade.sty"
@@ -99,22 +99,18 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}
     own = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
     try:
-        done = subprocess.run(
+        done = run_program(
             [found, *_SWITCHES, f"{_JOB}.tex"],
-            cwd=folder,
-            env=kept | own | _SETTINGS,
-            timeout=seconds,
-            check=False,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
+            seconds,
+            folder=folder,
+            environment=kept | own | _SETTINGS,
         )
-    except subprocess.TimeoutExpired as error:
+    except TimeoutError as error:
         raise TypesetError(
             f"latex: {program} did not end within {seconds:.0f} s; expected a few pages a second; typeset fewer"
             " papers at once, or look for a formula that has no end"
         ) from error
-    return done.stdout.decode("utf-8", "replace")
+    return (done.output + done.complaint).decode("utf-8", "replace")
 
 
 def _ranges(file: Path) -> tuple[tuple[str, int, int], ...]:

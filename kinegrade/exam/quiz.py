@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Future
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
-from multiprocessing import get_context
 from pathlib import Path
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.attendance import attend
+from kinegrade.exam.crew import crew
 from kinegrade.exam.pages import version_name
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
@@ -115,19 +114,17 @@ def by_workers(order: QuizOrder, lines: Iterator[Line], workers: int) -> Iterato
 
     Raises what they raise, ExamError where one of them was killed.
     """
-    executor = ProcessPoolExecutor(workers, get_context("spawn"), attend)
     waiting: deque[Future[list[QuizPaper]]] = deque()
     try:
-        while part := list(islice(lines, CHUNK)):
-            waiting.append(executor.submit(work, order, part))
-            if len(waiting) >= AHEAD * workers:
+        with crew(workers, "spawn") as others:
+            while part := list(islice(lines, CHUNK)):
+                waiting.append(others.submit(work, order, part))
+                if len(waiting) >= AHEAD * workers:
+                    yield from waiting.popleft().result()
+            while waiting:
                 yield from waiting.popleft().result()
-        while waiting:
-            yield from waiting.popleft().result()
     except BrokenExecutor as error:
         raise ExamError(ENDED) from error
-    finally:
-        executor.shutdown(wait=True, cancel_futures=True)
 
 
 def work(order: QuizOrder, lines: Sequence[Line]) -> list[QuizPaper]:

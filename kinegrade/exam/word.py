@@ -7,17 +7,14 @@ read, and runs in its sandbox with no file but the reference document of Word's 
 from __future__ import annotations
 
 import re
-import subprocess
 from base64 import b64encode
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from html import escape
 from importlib import import_module
 from importlib.resources import files
-from pathlib import Path
 from shutil import which
 from string import Template
-from tempfile import TemporaryDirectory
 from typing import Literal, get_args
 
 import typst
@@ -26,11 +23,13 @@ from kinegrade.errors import TypesetError, did_you_mean
 from kinegrade.exam.document import Paper, PaperSize
 from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.paper_tree import paper_tree
+from kinegrade.exam.program_run import run_program
 from kinegrade.exam.word_reference import layout, word_reference
 from kinegrade.exam.words import words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst
 from kinegrade.language import Language
+from kinegrade.temporary import temporary_folder
 
 Kind = Literal["docx", "html"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -70,8 +69,8 @@ class PandocPress:
         """The paper for Word. Raises TypesetError with all faults of its texts, and where there is no pandoc."""
         reference = word_reference(self._default_reference, paper, self._size)
         tree = paper_tree(paper, self._figures(paper, "png"))
-        with TemporaryDirectory() as folder:
-            file = Path(folder) / "reference.docx"
+        with temporary_folder() as folder:
+            file = folder / "reference.docx"
             file.write_bytes(reference)
             return _pandoc("docx", ["--reference-doc", str(file)], tree)
 
@@ -129,18 +128,16 @@ def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
     """What pandoc writes. Raises TypesetError where there is none, and with its own words where it fails or warns."""
     command = [_pandoc_path(kind), "--sandbox", *options]
     try:
-        result = subprocess.run(
-            command, input=given, capture_output=True, timeout=SECONDS, check=False
-        )
-    except OSError as error:
-        raise TypesetError(f"{kind}: {MISSING}") from error
-    except subprocess.TimeoutExpired as error:
+        result = run_program(command, SECONDS, given=given)
+    except TimeoutError as error:
         raise TypesetError(
             f"{kind}: pandoc has not ended after {SECONDS} s; expected a fraction of one; try again"
         ) from error
-    if result.returncode:
-        raise TypesetError(*_explained(result.stderr.decode(errors="replace"), kind))
-    return result.stdout
+    except OSError as error:
+        raise TypesetError(f"{kind}: {MISSING}") from error
+    if result.status:
+        raise TypesetError(*_explained(result.complaint.decode(errors="replace"), kind))
+    return result.output
 
 
 def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:

@@ -13,16 +13,14 @@ import gc
 import os
 from collections import deque
 from collections.abc import Generator, Iterator
-from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Future
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from multiprocessing import get_context
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.attendance import attend
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.crew import crew
 from kinegrade.exam.drafts import Draft, Plans, Workplace, confirmed, drafts, plans_of, use
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.ledger import Ledger
@@ -30,6 +28,7 @@ from kinegrade.exam.press import Press
 from kinegrade.exam.printing import Printed, PrintRun, print_papers
 from kinegrade.exam.roster import Roster
 from kinegrade.exam.setting import Setting, set_exam
+from kinegrade.temporary import temporary_folder
 
 CHUNK = 20  # papers in one task at least: else there are too many of them
 MOST = 60  # papers in one task at most: what is worked out together for a part costs little for each paper then
@@ -66,8 +65,8 @@ def printed(
     count = len(setting.roster.students)
     workers = min(jobs, count // CHUNK)
     if workers > 1:
-        with TemporaryDirectory(prefix="kinegrade-") as folder:
-            figures, ledger = Path(folder, "figures"), Path(folder, "ledger")
+        with temporary_folder() as folder:
+            figures, ledger = folder / "figures", folder / "ledger"
             figures.mkdir()
             ledger.mkdir()
             job = Job(
@@ -97,27 +96,25 @@ def parts_of(count: int, workers: int) -> Iterator[range]:
 def by_workers(job: Job, setting: Setting, press: Press, workers: int) -> Iterator[Printed]:
     """The same by other processes; at the end, whatever ends it, none of them runs any more."""
     copies = alone()
-    executor = ProcessPoolExecutor(workers, get_context("fork" if copies else "spawn"), attend)
     waiting: deque[tuple[range, Future[list[Draft]]]] = deque()
     try:
-        if copies:
-            prepare(job)  # before the first task is handed out, which makes the copies
-        else:
-            for _ in range(workers):
-                executor.submit(prepare, job)  # while this process finds the plans
-        plans = plans_of(job.setting())
-        use(plans, setting)
-        for number, part in enumerate(parts_of(len(setting.roster.students), workers)):
-            waiting.append((part, executor.submit(work, job, number, part, plans)))
-            if len(waiting) >= AHEAD * workers:
-                done, task = waiting.popleft()
+        with crew(workers, "fork" if copies else "spawn") as others:
+            if copies:
+                prepare(job)  # before the first task is handed out, which makes the copies
+            else:
+                for _ in range(workers):
+                    others.submit(prepare, job)  # while this process finds the plans
+            plans = plans_of(job.setting())
+            use(plans, setting)
+            for number, part in enumerate(parts_of(len(setting.roster.students), workers)):
+                waiting.append((part, others.submit(work, job, number, part, plans)))
+                if len(waiting) >= AHEAD * workers:
+                    done, task = waiting.popleft()
+                    yield from confirmed(job.run, setting, press, done, finished(task))
+            for done, task in waiting:
                 yield from confirmed(job.run, setting, press, done, finished(task))
-        for done, task in waiting:
-            yield from confirmed(job.run, setting, press, done, finished(task))
     except BrokenExecutor as error:  # told when a task is handed out
         raise TypesetError(ENDED) from error
-    finally:
-        executor.shutdown(wait=True, cancel_futures=True)
 
 
 def alone() -> bool:

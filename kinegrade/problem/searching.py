@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from tempfile import TemporaryDirectory
 
 from hypothesis import HealthCheck, find, settings
 from hypothesis import strategies as st
@@ -19,6 +18,7 @@ from kinegrade.problem.drawing import holds
 from kinegrade.problem.neighbours import probed
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template
+from kinegrade.temporary import temporary_folder
 
 
 def breaking_values(
@@ -51,8 +51,8 @@ def breaking_values(
 @contextmanager
 def nothing_left_behind() -> Iterator[None]:
     """Hypothesis keeps notes in the current folder; an author's folder is not the place for them."""
-    with TemporaryDirectory() as folder:
-        set_hypothesis_home_dir(folder)
+    with temporary_folder() as folder:
+        set_hypothesis_home_dir(str(folder))
         try:
             yield
         finally:

@@ -35,6 +35,14 @@ def test_numbers_are_written_as_alone(numbers: list[float], figures: int) -> Non
     assert same(found + 0.0, [alone.written(number) + 0.0 for number in numbers])
 
 
+def test_a_number_that_all_have_in_common_stays_a_number_through_a_choice() -> None:
+    together = RoundedArrays(3, 2)
+    for number in (0.2345, 1.2345, 0.5):
+        found = together.noted(together.choose(True, number, 0.0))  # a tie in three figures
+        assert found == Rounded(3).written(number)
+        assert together.written(together.sign(found) * number) == found
+
+
 def test_ties_and_powers_of_ten_are_written_as_alone() -> None:
     ties = [
         sign * (number + 0.5) * 10.0**power

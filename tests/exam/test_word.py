@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -16,9 +15,11 @@ from zipfile import ZipFile
 import pytest
 
 from kinegrade.errors import TypesetError
+from kinegrade.exam import word
 from kinegrade.exam.document import Paper
 from kinegrade.exam.formula import COMMANDS
 from kinegrade.exam.paper_tree import paper_tree
+from kinegrade.exam.program_run import ProgramRun
 from kinegrade.exam.word import MISSING, PandocPress
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
 from tests.exam.solutions import polygon_scene
@@ -268,8 +269,8 @@ def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> Non
 def test_another_pandoc_is_told_with_its_own_words(
     press: PandocPress, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    old = SimpleNamespace(returncode=64, stderr=b"Unknown\noption --sandbox", stdout=b"")
-    monkeypatch.setattr(subprocess, "run", lambda *command, **options: old)
+    old = ProgramRun(64, b"", b"Unknown\noption --sandbox")
+    monkeypatch.setattr(word, "run_program", lambda *command, **options: old)
     with pytest.raises(TypesetError) as refusal:
         press.html(ENGLISH)
     assert str(refusal.value) == (
@@ -303,9 +304,9 @@ def test_a_pandoc_that_does_not_end_is_given_up(
     press: PandocPress, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def never(*command: object, **options: object) -> None:
-        raise subprocess.TimeoutExpired("pandoc", 60)
+        raise TimeoutError
 
-    monkeypatch.setattr(subprocess, "run", never)
+    monkeypatch.setattr(word, "run_program", never)
     with pytest.raises(
         TypesetError, match=r"^html: pandoc has not ended after 60 s; expected .*; try again$"
     ):

@@ -1,0 +1,135 @@
+"""The command line as a process: how it ends, and what a shell can read from its status.
+
+`kinegrade` and `python -m kinegrade` call `Program`. 0 is fine, 1 done with complaints, 2 cannot be done; whatever else
+ends a run is none of these: a fault of kinegrade is 70, and a signal 128 and its number, as shells count.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
+from typing import Any, NoReturn
+
+import click
+
+from kinegrade.cli.crash import crash_line
+from kinegrade.cli.options import FAILURE
+from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
+
+CRASH = 70  # EX_SOFTWARE of sysexits.h
+CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+
+
+class ClosedPipe(Exception):
+    """Nobody reads any more what this process writes, as after `| head`."""
+
+
+class Program(click.Group):
+    """The group of all commands. Called, it ends the process; its method `main` leaves that to tests, as in click."""
+
+    def __call__(self, *arguments: Any, **options: Any) -> NoReturn:
+        """Run the command that the process was started with, and exit with its status."""
+        sys.exit(_status(partial(self.main, *arguments, standalone_mode=False, **options)))
+
+    def make_context(self, *arguments: Any, **options: Any) -> click.Context:
+        """Read the arguments, which may print the help."""
+        with _not_for_click():
+            return super().make_context(*arguments, **options)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command."""
+        with _not_for_click():
+            return super().invoke(ctx)
+
+
+class UnexpectedEnd(Exception):
+    """The end of some data came where nobody expected it."""
+
+
+@contextmanager
+def _not_for_click() -> Iterator[None]:
+    """click takes a closed pipe for status 1, which here means complaints, and the end of any data for Ctrl-C."""
+    try:
+        yield
+    except BrokenPipeError as fault:
+        raise ClosedPipe from fault
+    except EOFError as fault:
+        raise UnexpectedEnd from fault
+
+
+def _status(run: Callable[[], object]) -> int:
+    """The exit status of a run; what its end needs to say stands on standard error, in one line."""
+    try:
+        with signals_obeyed():
+            return _finished(run)
+    except Signalled as ending:
+        _say(
+            ending.number, "interrupted" if ending.number == signal.SIGINT else "ended from outside"
+        )
+        return BY_SIGNAL + ending.number
+    except (ClosedPipe, BrokenPipeError):
+        _discard_output()
+        return CLOSED_PIPE
+    except click.Abort:
+        return BY_SIGNAL + signal.SIGINT
+    except UnexpectedEnd as fault:
+        return _crashed(fault.__cause__ or fault)
+    except OSError as fault:
+        if fault.errno not in _FULL or fault.filename is not None:
+            return _crashed(fault)
+        _echo(
+            f"error: standard output: cannot be written ({fault.strerror}) - expected a place with room - "
+            "send it elsewhere"
+        )
+        _discard_output()
+        return FAILURE
+    except Exception as fault:
+        return _crashed(fault)
+
+
+def _finished(run: Callable[[], object]) -> int:
+    """The status of a run that ends by itself. Raises what it raises otherwise."""
+    status: object = 0
+    try:
+        run()
+    except SystemExit as ending:
+        status = ending.code
+    except click.ClickException as fault:
+        fault.show()
+        status = FAILURE
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            stream.flush()
+    return status if isinstance(status, int) else 0
+
+
+def _crashed(fault: BaseException) -> int:
+    _echo(crash_line(fault, sys.argv[1:]))
+    return CRASH
+
+
+def _say(number: int, what: str) -> None:
+    _echo(f"{what} by {signal.Signals(number).name}")
+
+
+def _echo(line: str) -> None:
+    """A last line on standard error, if anybody reads it."""
+    with suppress(OSError):
+        click.echo(line, err=True)
+
+
+def _discard_output() -> None:
+    """Let what is still to be written go nowhere, or Python would complain of it when it ends."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            with suppress(OSError):
+                os.dup2(nowhere, stream.fileno())

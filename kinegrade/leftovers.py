@@ -1,0 +1,50 @@
+"""What a killed process leaves behind, known by its name, and cleared away by the next one on the same machine."""
+
+from __future__ import annotations
+
+import os
+import re
+import secrets
+import shutil
+import socket
+from contextlib import suppress
+from pathlib import Path
+
+
+def own_name(beginning: str) -> str:
+    """A new name that says which process of which machine uses it: BEGINNING-HOST-PID-TOKEN."""
+    return f"{_of_this_host(beginning)}{os.getpid()}-{secrets.token_hex(4)}"
+
+
+def clear_leftovers(folder: Path, beginning: str) -> None:
+    """Remove what stands in the folder under such a name, of processes that run no more. Raises OSError."""
+    shape = re.compile(re.escape(_of_this_host(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
+    for entry in list(folder.iterdir()):
+        found = shape.fullmatch(entry.name)
+        if found and not _is_running(int(found.group(1))):
+            remove(entry)
+
+
+def remove(entry: Path) -> None:
+    """Remove a file or a folder, as far as that is possible."""
+    if entry.is_dir() and not entry.is_symlink():
+        shutil.rmtree(entry, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            entry.unlink()
+
+
+def _of_this_host(beginning: str) -> str:
+    return f"{beginning}-{re.sub(r'[^A-Za-z0-9]', '_', socket.gethostname())}-"
+
+
+def _is_running(process: int) -> bool:
+    if os.name == "nt":  # asking by signal 0 would interrupt the process there: leftovers stay
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True
