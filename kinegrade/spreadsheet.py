@@ -22,9 +22,15 @@ from openpyxl import load_workbook
 from kinegrade.errors import TableError
 from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
 
-LARGEST = 200_000_000  # bytes, unpacked
+LARGEST = (
+    64_000_000  # bytes of XML, unpacked: a class of 10,000 with 40 answers each has 25 million
+)
+MOST_TAGS = 2_000_000  # of sheets and their texts, four for a number: read in some seconds
+MOST_STYLE_TAGS = 100_000  # of all else: a parser makes a large thing of each
 MOST_ROWS = 100_000
 MOST_CELLS = 2_000_000  # with the blank ones between filled ones
+LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
+MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
 LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
 _MOST_PARTS = 5_000
 _CHUNK = 1 << 20
@@ -34,6 +40,9 @@ _COMPOUND = b"\xd0\xcf\x11\xe0"
 _ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
 _FORMULA = re.compile(rb"<(?:\w+:)?f[ />]")
 _DOCUMENT_TYPE = b"<!DOCTYPE"
+_ENCODING = re.compile(rb"""^(?:\xef\xbb\xbf)?\s*<\?xml[^>]*\bencoding\s*=\s*["']([^"']*)""")
+_UTF_8 = (b"utf-8", b"utf8", b"us-ascii")
+_CELL_PART = re.compile(r"sheet|sharedstrings", re.IGNORECASE)
 _SAVE = "save the sheet as .xlsx or CSV (UTF-8)"
 
 
@@ -49,6 +58,15 @@ _BLANK = _Cell("")
 _Line = tuple[
     int, list[_Cell]
 ]  # the number of a line in the sheet, and its cells up to the last filled one
+
+
+class _Room:
+    """What may still be read of a workbook, all its sheets together."""
+
+    def __init__(self) -> None:
+        self.rows = MOST_ROWS
+        self.cells = MOST_CELLS
+        self.characters = MOST_CHARACTERS
 
 
 def is_workbook(path: Path) -> bool:
@@ -117,32 +135,68 @@ def _parts_inspected(path: Path, archive: ZipFile) -> bool:
         raise TableError(
             f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file in it"
         )
-    size = sum(part.file_size for part in parts)
+    size = sum(part.file_size for part in parts if _is_parsed(part.filename))
     if size > LARGEST or len(parts) > _MOST_PARTS:
         raise TableError(
             f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than {LARGEST} "
             "- send the sheet alone, as CSV (UTF-8)"
         )
+    return _formulas_found(path, archive, [each.filename for each in parts])
+
+
+def _is_parsed(part: str) -> bool:
+    return part.endswith((".xml", ".rels"))
+
+
+def _formulas_found(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
+    """Whether a part has formulas; counts what a parser would make of all of them, before one does."""
     has_formulas = False
-    for part in parts:
-        if part.filename.endswith((".xml", ".rels")):
-            has_formulas |= _part_has_formulas(path, archive, part.filename)
+    room = {True: MOST_TAGS, False: MOST_STYLE_TAGS}
+    for part in filter(_is_parsed, parts):
+        cells = _CELL_PART.search(part) is not None
+        before = b""
+        for chunk in _chunks(archive, part):
+            piece = before + chunk
+            _refuse_foreign(path, part, piece, first=not before)
+            room[cells] -= chunk.count(b"<")
+            if room[cells] < 0:
+                raise _too_many_tags(path, cells=cells)
+            has_formulas |= "sheet" in part and _FORMULA.search(piece) is not None
+            before = piece[-_OVERLAP:]
     return has_formulas
 
 
-def _part_has_formulas(path: Path, archive: ZipFile, part: str) -> bool:
-    found, before = False, b""
+def _chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
     with archive.open(part) as stream:
         while chunk := stream.read(_CHUNK):
-            piece = before + chunk
-            if _DOCUMENT_TYPE in piece:
-                raise TableError(
-                    f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
-                    f"program writes it - {_SAVE}"
-                )
-            found = found or ("sheet" in part and _FORMULA.search(piece) is not None)
-            before = piece[-_OVERLAP:]
-    return found
+            yield chunk
+
+
+def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
+    """Raises TableError for what no spreadsheet program writes, and a parser may be made to choke on."""
+    if _DOCUMENT_TYPE in piece:
+        raise TableError(
+            f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
+            f"program writes it - {_SAVE}"
+        )
+    declared = _ENCODING.match(piece) if first else None
+    if b"\0" in piece or (declared and declared[1].lower() not in _UTF_8):
+        raise TableError(
+            f"{path.name}: {part} is not in UTF-8 - expected that, as every spreadsheet program writes it "
+            f"- {_SAVE}"
+        )
+
+
+def _too_many_tags(path: Path, *, cells: bool) -> TableError:
+    if cells:
+        return TableError(
+            f"{path.name}: has more than {MOST_TAGS} tags in its sheets - expected a class - send the sheet "
+            "alone, as CSV (UTF-8)"
+        )
+    return TableError(
+        f"{path.name}: has more than {MOST_STYLE_TAGS} tags in its styles - expected a table - send it as "
+        "CSV (UTF-8)"
+    )
 
 
 @contextmanager
@@ -171,33 +225,41 @@ def _damaged(path: Path, fault: Exception) -> TableError:
 def _sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
     """The name and the filled lines of the first filled sheet, and the names of other filled ones."""
     name, lines, others = "", list[_Line](), list[str]()
+    room = _Room()
     with _workbook(path, values=True) as workbook:
         for sheet in workbook.worksheets:
             if sheet.sheet_state != "visible":
                 continue
             if not lines:
-                name, lines = sheet.title, list(_filled_lines(path, sheet))
-            elif next(_filled_lines(path, sheet), None):
+                name, lines = sheet.title, list(_filled_lines(path, sheet, room))
+            elif next(_filled_lines(path, sheet, room), None):
                 others.append(sheet.title)
     return name, lines, others
 
 
-def _filled_lines(path: Path, sheet: Any) -> Iterator[_Line]:
-    for line, row in _rows(path, sheet):
+def _filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
+    for line, row in _rows(path, sheet, room):
         cells = [_BLANK if cell.value is None else _read(cell) for cell in row]
+        room.characters -= sum(len(cell.text) for cell in cells)
+        longest = max((len(cell.text) for cell in cells), default=0)
+        if longest > LONGEST_TEXT or room.characters < 0:
+            raise TableError(
+                f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet program "
+                f"keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
+            )
         while cells and not trimmed(cells[-1].text) and not cells[-1].oddity:
             cells.pop()
         if any(trimmed(cell.text) for cell in cells):
             yield line, cells
 
 
-def _rows(path: Path, sheet: Any) -> Iterator[tuple[int, Sequence[Any]]]:
+def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
     """The rows as they stand, whatever size the sheet says it has; stops where that would take for ever."""
     sheet.reset_dimensions()
-    count = 0
     for line, row in enumerate(sheet.iter_rows(), 1):
-        count += len(row)
-        if line > MOST_ROWS or count > MOST_CELLS:
+        room.rows -= 1
+        room.cells -= len(row)
+        if room.rows < 0 or room.cells < 0:
             raise TableError(
                 f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} cells "
                 "- expected a class - delete what stands below and beside the table"
@@ -238,7 +300,7 @@ def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
     with _workbook(path, values=False) as workbook:
         computed = {
             (line, place): str(getattr(cell.value, "text", cell.value))
-            for line, row in _rows(path, workbook[name])
+            for line, row in _rows(path, workbook[name], _Room())
             for place, cell in enumerate(row)
             if cell.data_type == "f"
         }

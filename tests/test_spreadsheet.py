@@ -208,7 +208,8 @@ def test_missing_and_empty_files_and_archives_are_refused(tmp_path: Path) -> Non
 def test_a_workbook_that_bursts_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = book(tmp_path / "a.xlsx", ["student"])
     with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("xl/media/x.bin", bytes(1_000_000))
+        archive.writestr("xl/media/x.bin", bytes(2_000_000))  # a picture is not read
+        archive.writestr("xl/x.xml", b" " * 1_000_000)
     read_workbook(path)
     monkeypatch.setattr(spreadsheet, "LARGEST", 1_000_000)
     with pytest.raises(

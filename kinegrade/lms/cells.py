@@ -76,7 +76,7 @@ def read_cells(path: Path) -> CellTable:
             "download it again"
         )
     content = path.read_bytes()
-    text = content.decode(told.encoding)
+    text = _decoded(path.name, content, told.encoding)
     if text.encode(told.encoding) != content:
         raise TableError(
             f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - expected "
@@ -87,6 +87,18 @@ def read_cells(path: Path) -> CellTable:
     if faults:
         raise TableError(*faults)
     return CellTable(path.name, text, told.encoding, told.separator, header, tuple(rows))
+
+
+def _decoded(file: str, content: bytes, encoding: str) -> str:
+    try:
+        return content.decode(encoding)
+    except UnicodeDecodeError as fault:
+        line = content.count(b"\n", 0, fault.start) + 1
+        shown = content[fault.start : fault.start + 8].hex(" ")
+        raise TableError(
+            f"{file}:{line}: is {encoding} by its byte-order mark, and not valid from this line on (bytes "
+            f"{shown}) - expected the file as it was downloaded - download it again"
+        ) from fault
 
 
 def _records(file: str, text: str, separator: str) -> Iterator[Record]:

@@ -122,6 +122,10 @@ def test_lines_are_counted_as_they_stand(tmp_path: Path) -> None:
             "a.csv:2: has 3 cells, the header 2 - expected the same number on every line",
         ),
         (
+            b"\xef\xbb\xbfa,b\n1,\xff2\n",
+            "a.csv:2: is UTF-8 by its byte-order mark, and not valid from this line on (bytes ff 32 0a)",
+        ),
+        (
             b"a,b\n\xff\xfe\x81,2\n\x81\x8d,3\n",
             "a.csv: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030",
         ),
