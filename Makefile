@@ -3,6 +3,7 @@
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
+# make prove   the proofs in full, at new seeds: 10,000 damaged files through every door, then make fairness
 # make tex    LaTeX, for those who typeset with it (Debian and Ubuntu; elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 
@@ -11,7 +12,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench measure fairness golden check-templates tex clean
+.PHONY: demo demo-answers test lint types bench measure fairness prove golden check-templates tex clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -50,6 +51,10 @@ measure: $(READY)
 	$(BIN)/python -m benchmarks.measures
 
 fairness: $(READY)
+	$(BIN)/python -m benchmarks.fairness
+
+prove: $(READY)
+	$(BIN)/python -m tests.fuzz --cases 10000
 	$(BIN)/python -m benchmarks.fairness
 
 golden: $(READY)
