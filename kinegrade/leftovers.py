@@ -27,10 +27,10 @@ def clear_leftovers(folder: Path, beginning: str) -> None:
 
 def remove(entry: Path) -> None:
     """Remove a file or a folder, as far as that is possible."""
-    if entry.is_dir() and not entry.is_symlink():
-        shutil.rmtree(entry, ignore_errors=True)
-    else:
-        with suppress(OSError):
+    with suppress(OSError):  # even whether it is a folder cannot be asked of a name of 300 letters
+        if entry.is_dir() and not entry.is_symlink():
+            shutil.rmtree(entry, ignore_errors=True)
+        else:
             entry.unlink()
 
 

@@ -85,5 +85,5 @@ def _signals_deferred() -> Iterator[None]:
     finally:
         for number, handler in usual.items():
             signal.signal(number, handler)
-        for number in caught:
-            signal.raise_signal(number)
+        if caught:
+            signal.raise_signal(caught[0])

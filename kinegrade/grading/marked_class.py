@@ -6,6 +6,7 @@ later version adds do no harm; cells are given as they were before they were mad
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -32,6 +33,9 @@ _ANSWERS = (
 )
 _TOTALS = ("student", "name", "total", "out_of")
 _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
+_NUMBER = re.compile(  # of a size that is worked with in no time
+    r"-?[0-9]{1,1000}(?:\.[0-9]{1,1000}|/[0-9]{1,1000})?(?:[eE][-+]?[0-9]{1,3})?", re.ASCII
+)
 _MENDING = "expected the file as kinegrade grade wrote it - grade again"
 
 
@@ -85,7 +89,7 @@ def marked_answers(folder: Path) -> Iterator[MarkedAnswer]:
             question,
             ask,
             restored(typed),
-            read_as,
+            _number(read_as, path, line),
             unit,
             verdict,
             _amount(points, path, line),
@@ -119,6 +123,13 @@ def complaints(folder: Path) -> tuple[Complaint, ...]:
     return tuple(found)
 
 
+def _number(text: str, path: Path, line: int) -> str:
+    """What an answer was read as, as it stands there; empty where nothing was read."""
+    if text and not _NUMBER.fullmatch(text):
+        raise TableError(f'{path}:{line}: "{text[:40]}" stands where a number should - {_MENDING}')
+    return text
+
+
 def _amount(text: str, path: Path, line: int) -> Fraction:
     try:
         return _fraction(text)
@@ -130,6 +141,6 @@ def _amount(text: str, path: Path, line: int) -> Fraction:
 
 @lru_cache(maxsize=4096)
 def _fraction(text: str) -> Fraction:
-    if len(text) > 40:
+    if len(text) > 40 or not _NUMBER.fullmatch(text):
         raise ValueError(text)
     return Fraction(text)

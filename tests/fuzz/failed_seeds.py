@@ -2,7 +2,4 @@
 
 from __future__ import annotations
 
-FAILED: dict[int, str] = {
-    156: "report: read_as of marks.csv was no number",
-    250: "quiz: a tolerance in the key without its parts",
-}
+FAILED: dict[int, str] = {}
