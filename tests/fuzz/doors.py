@@ -57,7 +57,16 @@ class Door:
     command: tuple[str, ...]
 
 
-GENERATE = ("generate", "bank.toml", "roster.csv", "-o", "OUT", "--no-solutions", "--seed", "x")
+GENERATE = (
+    "generate",
+    "bank.toml",
+    "roster.csv",
+    "-o",
+    "OUT",
+    "--no-solutions",
+    "--reproducible",
+    "x",
+)
 GRADE = ("grade", "EXAM", "answers.csv", "-o", "OUT")
 BOOK = ("grade", "EXAM", "answers.xlsx", "-o", "OUT")
 MOODLE_GRADE = ("grade", "EXAM", "moodle.csv", "-o", "OUT", "--from", "moodle", "--unfinished")
@@ -113,7 +122,7 @@ def write_material(folder: Path) -> None:
     exam, marks = folder / "EXAM", folder / "MARKS"
     made = kinegrade(
         *("generate", folder / "bank.toml", folder / "roster.csv", "-o", exam),
-        *("--no-solutions", "--seed", "x"),
+        *("--no-solutions", "--reproducible", "x"),
     )
     marked = kinegrade("grade", exam, folder / "answers.csv", "-o", marks)
     if made.exit_code != 0 or marked.exit_code != 1:
