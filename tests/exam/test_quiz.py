@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.exam import quiz
+from kinegrade.exam import crew
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
@@ -346,7 +346,7 @@ def test_a_killed_process_is_no_riddle(small_class: Path, monkeypatch: pytest.Mo
         def submit(self, *_: Any, **__: Any) -> Any:
             raise BrokenProcessPool("killed")
 
-    monkeypatch.setattr(quiz, "ProcessPoolExecutor", Killed)
+    monkeypatch.setattr(crew, "ProcessPoolExecutor", Killed)
     order = QuizOrder(small_class / "EXAM", None, PLAIN, False)
     with pytest.raises(
         ExamError, match="quiz: a process that makes papers was ended from outside - expected room"
