@@ -13,10 +13,10 @@ from typing import Any
 from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
-from kinegrade.language import LANGUAGES
 from kinegrade.problem.answerable import answerable, stated
 from kinegrade.problem.drawing import Deck, Refused, address, examine
 from kinegrade.problem.foresight import Foresight
+from kinegrade.problem.holding import holds, wording
 from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.spread import Spread
@@ -24,6 +24,7 @@ from kinegrade.problem.statement import statement_faults
 from kinegrade.problem.template import Ask, Published, Template
 
 FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
+TEXTS_TRIED = 1000  # draws at which the texts that depend on values are looked at
 SEARCHED = 300  # instances that the search for breaking values tries
 OFTEN_ASTRAY = 0.1  # a share of refused draws that an author should hear of
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
@@ -66,8 +67,8 @@ def check(template: Template, sample: int = 200) -> Report:
     draws = list(drawable(template, sample))
     asks = answerable(template, draws)
     report = Report(template, asks.sound)
-    for language in LANGUAGES:
-        report.faults += statement_faults(template, language)
+    report.faults += statement_faults(template)
+    weigh_texts(report, sample)
     if not template.published:
         report.faults.append(
             "no published result: a template is finished when [[published]] proves it"
@@ -100,6 +101,29 @@ def search(report: Report, examples: int) -> None:
 def asked(report: Report) -> tuple[str, ...]:
     """What an exam asks that names nothing: the asks with points, of those that can be worked out."""
     return tuple(name for name in report.template.asked() if name in report.sound)
+
+
+def weigh_texts(report: Report, sample: int) -> None:
+    """A fault for every text of which no wording applies at drawable values; wordings that never apply are remarked."""
+    template = report.template
+    idle = {name: set(range(len(wordings))) for name, wordings in template.texts.items()}
+    for values in drawable(template, max(sample, TEXTS_TRIED)) if template.texts else ():
+        if not all(holds(template, condition, values) for condition in template.conditions):
+            continue
+        for name, wordings in template.texts.items():
+            found = wording(template, name, values)
+            if found is None:
+                report.faults.append(
+                    f"text.{name}: no wording applies at {stated(values)}: "
+                    'add one without "if", or a condition that keeps such values out'
+                )
+                return
+            idle[name].discard(wordings.index(found))
+    report.remarks += [
+        f"text.{name}[{index}] applies at no values that were tried: is it needed?"
+        for name, indices in idle.items()
+        for index in sorted(indices)
+    ]
 
 
 def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:

@@ -1,21 +1,42 @@
-"""Conditions: the inequalities between givens that drawn values must fulfil, read from their text."""
+"""Conditions: relations between givens, which drawn values must fulfil or by which a text applies, read from text."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import ExpressionError, one_line
 from kinegrade.expression import Number, read
-from kinegrade.problem.template import Condition
+from kinegrade.problem.template import Condition, Relation
+
+MARK = re.compile(r"([<>=]=?)")
+# Each mark with the relation it states, and whether the sides change places.
+RELATIONS: Mapping[str, tuple[Relation, bool]] = {
+    "<": ("<", False),
+    "<=": ("<=", False),
+    ">": ("<", True),
+    ">=": ("<=", True),
+    "==": ("==", False),
+}
 
 
 def read_condition(text: str) -> Condition:
-    """The inequality that `text` states. Raises ExpressionError when it states none."""
-    parts = re.split(r"(<=?)", text)
-    if len(parts) != 3:
-        raise ExpressionError(f'"{text}": expected "left < right" or "left <= right"')
-    return Condition(text, read(parts[0]), read(parts[2]), parts[1] == "<")
+    """The relation that `text` states. Raises ExpressionError when it states none.
+
+    >>> read_condition("phi > 0").relation
+    '<'
+    """
+    parts = MARK.split(text)
+    if len(parts) != 3 or parts[1] not in RELATIONS:
+        raise ExpressionError(
+            f'"{one_line(text[:60])}": expected "left < right", with one of <, <=, >, >=, =='
+        )
+    left, right = read(parts[0]), read(parts[2])
+    relation, turned = RELATIONS[parts[1]]
+    if turned:
+        left, right = right, left
+    return Condition(text, left, right, relation)
 
 
 def mixed(condition: Condition, angles: frozenset[str]) -> bool:

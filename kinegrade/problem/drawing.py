@@ -14,25 +14,18 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 from hmac import digest
-from typing import Any, assert_never
+from typing import assert_never
 
-from kinegrade.errors import DrawError, ExpressionError, MechanismError
-from kinegrade.exact.angle import Angle, Inexact
-from kinegrade.expression import Operation, elementary, evaluate
+from kinegrade.errors import DrawError, MechanismError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.foresight import Foresight, foresight
+from kinegrade.problem.holding import holds, wording
 from kinegrade.problem.honest import stray
 from kinegrade.problem.honest_together import FEW, surely_honest
 from kinegrade.problem.kept_decimals import RightRange, fitting_factor
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.solving import (
-    Solution,
-    certified,
-    parameter_values,
-    read_values,
-    solve_template,
-)
-from kinegrade.problem.template import Ask, Condition, Template
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template import Ask, Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
 MAX_ATTEMPTS = 400
@@ -292,6 +285,9 @@ def sensible(
         for condition in template.conditions:
             if not holds(template, condition, values):
                 raise Refused("condition", condition.text)
+        for name in template.texts:
+            if wording(template, name, values) is None:
+                raise Refused("condition", f"no text of {name} applies")
         solution = solve_template(template, values, asks, plan)
     except MechanismError as error:
         raise Refused("mechanism", error.problems[0]) from error
@@ -327,31 +323,3 @@ def unfit(ask: Ask, answer: Quantity) -> Refused | None:
 def sized(answer: Quantity) -> str:
     """An answer with its unit, for a message."""
     return f"{answer.decimal(3)} {answer.unit}"
-
-
-def holds(template: Template, condition: Condition, given: Mapping[str, str]) -> bool:
-    """Whether a condition holds at given values; decided exactly. One that cannot be worked out does not hold."""
-    trees = read_values(template, given)
-
-    def decide(arithmetic: Any) -> bool:
-        values = {**parameter_values(template, trees, arithmetic), "pi": arithmetic.turns(1)}
-        room = evaluate(
-            Operation("-", condition.right, condition.left),
-            values,
-            elementary(arithmetic),
-            arithmetic,
-        )
-        sign = arithmetic.sign(half_turns(room) if isinstance(room, Angle) else room)
-        return bool(sign > 0 or (sign == 0 and not condition.strict))
-
-    try:
-        return certified(decide)
-    except ExpressionError:  # a division by zero or the root of a negative number
-        return False
-
-
-def half_turns(angle: Angle) -> Any:
-    """An angle over pi, as a rational. Raises Inexact where it is none."""
-    if angle.parts:
-        raise Inexact("the sign of an arctangent")
-    return angle.half_turns

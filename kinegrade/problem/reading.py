@@ -37,6 +37,7 @@ from kinegrade.problem.signs import read_sign
 from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
 from kinegrade.problem.toml_text import KNOWN, NEEDED, short_line, toml_tables
 from kinegrade.problem.uses import Uses
+from kinegrade.problem.wordings import read_texts
 from kinegrade.units import read_unit
 
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
@@ -173,6 +174,7 @@ class Reader:
             read_tags(self.section("tags", list), self.fault),
             self.mechanism,
             read_method(self.table.get("method"), self.fault),
+            read_texts(self.section("text", dict), self.fault),
         )
         Uses(self.fault, self.declared - self.understood(result)).check(result)
         return result
@@ -310,7 +312,7 @@ class Reader:
         return tuple(found)
 
     def conditions(self) -> tuple[Condition, ...]:
-        """Inequalities "left < right" or "left <= right"."""
+        """Relations such as "left < right"."""
         found = []
         for index, text in enumerate(self.section("conditions", list)):
             condition = self.part(f"conditions[{index}]", read_condition, str(text))

@@ -14,7 +14,7 @@ from hypothesis.configuration import set_hypothesis_home_dir
 from hypothesis.errors import NoSuchExample
 
 from kinegrade.errors import MechanismError
-from kinegrade.problem.drawing import holds
+from kinegrade.problem.holding import holds
 from kinegrade.problem.neighbours import probed
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template

@@ -1,31 +1,25 @@
 """The statement of an instance: the template's text with this student's numbers in it.
 
-Statements are Markdown with LaTeX math between dollar signs. `{{ r }}` becomes `$r = 0.25\\,\\unit{m}$`,
-`{{ r.value }}` the number with its unit alone. Nothing else of Jinja is allowed: a template from a stranger can
-print its parameters and no more.
+Statements are Markdown with LaTeX math between dollar signs. `{{ r }}` becomes `$r = 0.25\\,\\unit{m}$`, `{{ r.value }}`
+the number with its unit alone, and `{{ turning }}` the wording of `[[text.turning]]` that applies at these values.
+Nothing else is filled in: a template from a stranger can print its parameters and its own texts and no more.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
-
-from jinja2 import StrictUndefined, TemplateSyntaxError, UndefinedError, nodes
-from jinja2 import Template as JinjaTemplate
-from jinja2.sandbox import SandboxedEnvironment
 
 from kinegrade.errors import TemplateError
 from kinegrade.exact.angle import Angle
 from kinegrade.exact.text import LATEX, angle_text
 from kinegrade.language import LANGUAGES, Language
+from kinegrade.problem.holding import wording
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.template import Template
+from kinegrade.problem.slots import Slot, pieces
+from kinegrade.problem.template import Template, Translated
 
-ALLOWED = (nodes.Template, nodes.Output, nodes.TemplateData, nodes.Name, nodes.Getattr)
-ENVIRONMENT = SandboxedEnvironment(
-    undefined=StrictUndefined, autoescape=False, keep_trailing_newline=False
-)
+LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
 
 
 @dataclass(frozen=True)
@@ -57,66 +51,101 @@ def with_unit(quantity: Quantity) -> str:
 
 
 def statement(template: Template, parameters: Mapping[str, Quantity], language: Language) -> str:
-    """The statement in one language at these parameters. Raises TemplateError for what is not allowed."""
+    """The statement in one language at these parameters.
+
+    Raises TemplateError where no wording of a text applies, and for a statement of more than LONGEST characters.
+    """
     givens = {
         name: Given(template.parameters[name].symbol, with_unit(quantity))
         for name, quantity in parameters.items()
     }
-    text = template.statement.in_language(language)
-    try:
-        return prepared(text).render(givens)
-    except (TemplateSyntaxError, UndefinedError) as error:
+    texts = {
+        name: filled(text.in_language(language), givens, {})
+        for name, text in applying(template, parameters)
+    }
+    text = filled(template.statement.in_language(language), givens, texts)
+    if len(text) > LONGEST:
         raise TemplateError(
-            f"{template.name}.toml: statement.{language}: {error.message}"
-        ) from error
+            f"{template.name}.toml: statement.{language}: {len(text)} characters once it is filled in: "
+            f"at most {LONGEST} are printed: shorten it"
+        )
+    return text
 
 
-@lru_cache(maxsize=256)
-def prepared(text: str) -> JinjaTemplate:
-    """A statement's text read once; raises TemplateSyntaxError."""
-    return ENVIRONMENT.from_string(text)
+def applying(
+    template: Template, parameters: Mapping[str, Quantity]
+) -> Iterator[tuple[str, Translated]]:
+    """The texts that depend on values, by name, each in the wording that applies. Raises TemplateError."""
+    given = {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
+    for name in template.texts:
+        found = wording(template, name, given)
+        if found is None:
+            values = ", ".join(f"{parameter} = {text}" for parameter, text in given.items())
+            raise TemplateError(
+                f"{template.name}.toml: text.{name}: no wording applies at {values}: "
+                'add one without "if", or a condition that keeps such values out'
+            )
+        yield name, found.text
+
+
+def filled(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
+    """A text with its slots filled in; the template was read, so every slot names a given or a text."""
+    return "".join(
+        one if isinstance(one, str) else in_slot(one, givens, texts) for one in pieces(text)
+    )
+
+
+def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
+    """What stands in place of a slot."""
+    if slot.name in texts:
+        return texts[slot.name]
+    given = givens[slot.name]
+    return given.value if slot.value else str(given)
 
 
 def check_statements(template: Template) -> None:
-    """Raises TemplateError for statements that do more than print parameters, or that leave one out."""
-    faults: list[str] = []
-    for language in LANGUAGES:
-        faults += statement_faults(template, language)
+    """Raises TemplateError for statements that leave a parameter out, and for texts that stand in none."""
+    faults = statement_faults(template)
     if faults:
         raise TemplateError(*faults)
 
 
-def statement_faults(template: Template, language: Language) -> list[str]:
-    """What is wrong with a statement."""
-    where = f"{template.name}.toml: statement.{language}"
-    try:
-        tree = ENVIRONMENT.parse(template.statement.in_language(language))
-    except (TemplateSyntaxError, RecursionError) as error:
-        return [
-            f"{where}: {getattr(error, 'message', 'nested too deeply')}: only {{{{ parameter }}}} is filled in"
-        ]
-    strange = sorted({kind for node in tree.find_all(nodes.Node) if (kind := forbidden(node))})
-    named = {node.name for node in tree.find_all(nodes.Name)}
-    faults = [
-        f"{where}: {kind}: only {{{{ parameter }}}} and {{{{ parameter.value }}}} are filled in"
-        for kind in strange
-    ]
-    faults += [
-        f"{where}: {{{{ {name} }}}}: no such parameter"
-        for name in sorted(named - set(template.parameters))
-    ]
-    faults += [
-        f"{where}: the parameter {name} is not given to the student: write {{{{ {name} }}}}"
-        for name in template.parameters
-        if name not in named
-    ]
+def statement_faults(template: Template) -> list[str]:
+    """What an author has to add to the statements before students can be given them."""
+    faults = unused_texts(template)
+    for language in LANGUAGES:
+        faults += left_out(template, language)
     return faults
 
 
-def forbidden(node: nodes.Node) -> str:
-    """What of Jinja a node is that statements may not use; "" for what they may."""
-    if isinstance(node, nodes.Getattr) and not (
-        node.attr == "value" and isinstance(node.node, nodes.Name)
-    ):
-        return f"attribute .{node.attr}"
-    return "" if isinstance(node, ALLOWED) else type(node).__name__
+def left_out(template: Template, language: Language) -> list[str]:
+    """The parameters that a statement does not give to the student, whatever wordings apply."""
+    given = named(template.statement.in_language(language))
+    for name in given & set(template.texts):
+        wordings = template.texts[name]
+        given |= frozenset.intersection(
+            *(named(one.text.in_language(language)) for one in wordings)
+        )
+    return [
+        f"{template.name}.toml: statement.{language}: the parameter {name} is not given to the student: "
+        f"write {{{{ {name} }}}}"
+        for name in template.parameters
+        if name not in given
+    ]
+
+
+def unused_texts(template: Template) -> list[str]:
+    """The texts that stand in the statement of no language."""
+    used = {
+        name for language in LANGUAGES for name in named(template.statement.in_language(language))
+    }
+    return [
+        f"{template.name}.toml: text.{name}: stands in no statement: write {{{{ {name} }}}} there"
+        for name in template.texts
+        if name not in used
+    ]
+
+
+def named(text: str) -> frozenset[str]:
+    """What the slots of a text name."""
+    return frozenset(one.name for one in pieces(text) if isinstance(one, Slot))

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, assert_never
 
 from kinegrade.expression import Expression
@@ -18,6 +18,7 @@ from kinegrade.units import Unit
 
 Method = Literal["base-point", "projection", "pole"]
 METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
+Relation = Literal["<", "<=", "=="]
 
 
 @dataclass(frozen=True)
@@ -82,12 +83,20 @@ class Ask:
 
 @dataclass(frozen=True)
 class Condition:
-    """left < right (or <=), in SI: what drawn values must fulfil."""
+    """left < right (or <=, or ==), in SI: what drawn values must fulfil, or when a text applies."""
 
     text: str
     left: Expression
     right: Expression
-    strict: bool
+    relation: Relation
+
+
+@dataclass(frozen=True)
+class Wording:
+    """A text for the values at which its condition holds; without a condition, for all values that are left."""
+
+    condition: Condition | None
+    text: Translated
 
 
 @dataclass(frozen=True)
@@ -106,7 +115,8 @@ class Template:
 
     `tags` are the author's words for finding it, besides those that follow from what it asks. `mechanism` is the
     name and the text of the file that it shares with other templates, if it does. `method` is how its worked solution
-    finds velocities where several methods serve.
+    finds velocities where several methods serve. `texts` are the texts that depend on values: of the wordings of one
+    name the first whose condition holds applies.
     """
 
     name: str
@@ -128,6 +138,7 @@ class Template:
     tags: tuple[str, ...] = ()
     mechanism: tuple[str, str] | None = None
     method: Method | None = None
+    texts: Mapping[str, tuple[Wording, ...]] = field(default_factory=dict)
 
     @property
     def angles(self) -> frozenset[str]:

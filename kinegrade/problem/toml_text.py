@@ -26,6 +26,7 @@ KEYS = (
     "conditions",
     "asks",
     "statement",
+    "text",
     "published",
     "figure",
     "tags",

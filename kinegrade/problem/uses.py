@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 from kinegrade.errors import did_you_mean
 from kinegrade.expression import Expression, names
+from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.conditions import mixed
-from kinegrade.problem.template import Template
+from kinegrade.problem.slots import slot_faults
+from kinegrade.problem.template import Condition, Template, Translated
 
 
 @dataclass(frozen=True)
@@ -33,14 +35,8 @@ class Uses:
             template, {*parameters, *template.lengths, *BRANCHES, *template.points}
         )
         for index, condition in enumerate(template.conditions):
-            for tree in (condition.left, condition.right):
-                self.check_known(f"conditions[{index}]", tree, parameters)
-            if mixed(condition, template.angles):
-                self.fault(
-                    f"conditions[{index}]",
-                    f'"{condition.text}": an angle against a number: '
-                    "write degrees as parts of pi, like phi < pi/2",
-                )
+            self.check_condition(f"conditions[{index}]", condition, template)
+        self.check_texts(template, {*template.parameters, *self.faulty})
         for index, result in enumerate(template.published):
             for name, tree in result.gives.items():
                 if name not in template.asks and name not in self.faulty:
@@ -49,6 +45,46 @@ class Uses:
                         f'no ask "{name}": {did_you_mean(name, template.asks)}',
                     )
                 self.check_known(f"published[{index}].gives.{name}", tree, parameters)
+
+    def check_condition(self, path: str, condition: Condition, template: Template) -> None:
+        """A condition names parameters, and compares angles with angles."""
+        for tree in (condition.left, condition.right):
+            self.check_known(path, tree, {*template.parameters, "pi"})
+        if mixed(condition, template.angles):
+            self.fault(
+                path,
+                f'"{condition.text}": an angle against a number: '
+                "write degrees as parts of pi, like phi < pi/2",
+            )
+
+    def check_texts(self, template: Template, parameters: Collection[str]) -> None:
+        """Statements name parameters and texts, texts name parameters; texts have names of their own.
+
+        `parameters` are all that the file describes, also those that could not be read.
+        """
+        for name, wordings in template.texts.items():
+            if name in parameters:
+                self.fault(f"text.{name}", "one name for two things: rename one of them")
+            for index, wording in enumerate(wordings):
+                path = f"text.{name}[{index}]"
+                if wording.condition is not None:
+                    self.check_condition(path, wording.condition, template)
+                self.check_slots(path, wording.text, parameters, ())
+        self.check_slots("statement", template.statement, parameters, template.texts)
+
+    def check_slots(
+        self,
+        path: str,
+        text: Translated,
+        parameters: Collection[str],
+        texts: Collection[str],
+    ) -> None:
+        """A fault for everything in double braces that is no name known here, once in each language."""
+        for language in LANGUAGES:
+            for problem in dict.fromkeys(
+                slot_faults(text.in_language(language), parameters, texts)
+            ):
+                self.fault(f"{path}.{language}", problem)
 
     def check_order(self, key: str, trees: Mapping[str, Expression], known: set[str]) -> None:
         """Lengths and points may name what stands before them."""

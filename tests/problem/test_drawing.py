@@ -23,8 +23,8 @@ from kinegrade.problem.drawing import (
     Refused,
     address,
     examine,
-    holds,
 )
+from kinegrade.problem.holding import holds
 from kinegrade.problem.template import Template
 from tests.problem.crank import crank
 
@@ -194,6 +194,12 @@ def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
         ("pi/2 < atan(h)", False),
         ("pi/4 < pi/3", True),
         ("0 < atan(h)", True),
+        ("r > 2", False),
+        ("r >= 2", True),
+        ("r > h", True),
+        ("sqrt(3)*r == sqrt(12)", True),
+        ("r == h", False),
+        ("sin(r) == cos(r)", False),
     ],
 )
 def test_conditions_are_decided_exactly_at_their_bounds(condition: str, held: bool) -> None:

@@ -247,8 +247,8 @@ def test_a_template_with_many_faults_reports_all_of_them_each_with_its_place() -
         ('"r < 2"', '"phi < 90"', 'conditions[0]: "phi < 90": an angle against a number'),
         (
             '"r < 2"',
-            '"r > 2"',
-            'conditions[0]: "r > 2": expected "left < right" or "left <= right"',
+            '"r = 2"',
+            'conditions[0]: "r = 2": expected "left < right", with one of <, <=, >, >=, ==',
         ),
         ('half = "r/2"', 'half = "R/2"', 'lengths.half: unknown name "R": did you mean "r"?'),
         (

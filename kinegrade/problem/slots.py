@@ -1,0 +1,74 @@
+"""The text of a statement taken apart: what stands as it is, and the slots that are filled in.
+
+A slot is `{{ name }}` or `{{ name.value }}` and nothing else: there is no language behind it. So a template from a
+stranger can print what it has, and do no more.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+
+from kinegrade.errors import did_you_mean
+
+BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
+NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
+LONGEST_SHOWN = 40
+EXPECTED = "only {{ name }} and {{ name.value }} are filled in"
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A place in a text where something is filled in; with `value` a given without its symbol."""
+
+    name: str
+    value: bool
+
+
+def pieces(text: str) -> tuple[str | Slot, ...]:
+    """A text in pieces, in order; braces that hold anything but a name stay as they are.
+
+    >>> pieces("the crank {{ r }} of {{ l.value }}")
+    ('the crank ', Slot(name='r', value=False), ' of ', Slot(name='l', value=True))
+    """
+    found: list[str | Slot] = []
+    place = 0
+    for match in BRACES.finditer(text):
+        slot = _slot(match)
+        if slot is not None:
+            found += [text[place : match.start()], slot]
+            place = match.end()
+    found.append(text[place:])
+    return tuple(piece for piece in found if piece)
+
+
+def slot_faults(text: str, parameters: Collection[str], texts: Collection[str]) -> Iterator[str]:
+    """What is wrong with the slots of a text that may name these parameters and texts.
+
+    >>> list(slot_faults("{{ 7*7 }} {{ r }}", ["r"], []))
+    ['{{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in']
+    """
+    for match in BRACES.finditer(text):
+        slot = _slot(match)
+        if slot is None:
+            passage = match[0] if match["other"] is None else text[match.start() :]
+            yield f"{_shown(passage)}: {EXPECTED}"
+        elif slot.name in texts:
+            if slot.value:
+                yield f"{_shown(match[0])}: a text has no value: write {{{{ {slot.name} }}}}"
+        elif slot.name not in parameters:
+            known = did_you_mean(slot.name, [*parameters, *texts])
+            yield f"{_shown(match[0])}: no such parameter: {known}"
+
+
+def _slot(match: re.Match[str]) -> Slot | None:
+    """The slot that braces are; None where they are none."""
+    named = NAMED.fullmatch(match["inside"]) if match["other"] is None else None
+    return Slot(named["name"], named["value"] is not None) if named else None
+
+
+def _shown(text: str) -> str:
+    """The beginning of a passage, in one line."""
+    line = " ".join(text[: 2 * LONGEST_SHOWN].split())
+    return line if len(line) <= LONGEST_SHOWN else f"{line[: LONGEST_SHOWN - 1]}…"
