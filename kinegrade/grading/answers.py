@@ -120,10 +120,22 @@ def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: 
     written = sign[1] if sign else ""
     turn, remark = direction(sense, written, convention) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    remarks = "; ".join(filter(None, (found.remark, remark)))
+    remarks = "; ".join(filter(None, (_doubt(found, minus), remark)))
     if isinstance(found, TypedNumber) and factor == Conversion():
         return _as_typed(typed, found, minus, remarks)
     return _worked(typed, found, minus, factor, remarks)
+
+
+def _doubt(found: TypedNumber | Formula, minus: bool) -> str:
+    """What a person should know of how a number was read, with the sign that was typed or said in words."""
+    if isinstance(found, Formula):
+        return found.remark
+    return found.reason and f"read as {_signed(found, minus)}: {found.reason}"
+
+
+def _signed(found: TypedNumber, minus: bool) -> str:
+    """A typed number in plain digits with its sign."""
+    return f"-{found.digits}" if minus else found.digits
 
 
 def _undressed(text: str) -> str:
@@ -145,7 +157,7 @@ def _conversion(rest: str, unit: str, typed: str) -> Conversion:
 
 def _as_typed(typed: str, found: TypedNumber, minus: bool, remark: str) -> Reading:
     value = -found.value if minus else found.value
-    return Reading("number", typed, value, f"{'-' if minus else ''}{found.digits}", remark=remark)
+    return Reading("number", typed, value, _signed(found, minus), remark=remark)
 
 
 def _worked(

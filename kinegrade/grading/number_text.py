@@ -75,13 +75,14 @@ class DecimalStyle:
 class TypedNumber:
     """A number without its sign, exactly as typed: `digits` in plain form with a point, and where it ends.
 
-    `remark` says what a person should know of its reading, "" where there is but one way.
+    `reason` says why it was read so where there are several ways, "" where there is but one. Whoever tells it to a
+    person says first as what the whole answer was read, with its sign.
     """
 
     value: Fraction
     digits: str
     end: int
-    remark: str = ""
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,7 +181,7 @@ def scan(
         raise Unreadable(
             f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was expected'
         )
-    decimal, remark = _decimal_mark(parts, style)
+    decimal, reason = _decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)
     decimals = parts.pieces[-1] if decimal else ""
     power = found["power"] or found["ten"] or "0"
@@ -189,7 +190,7 @@ def scan(
         f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(power)}' if int(power) else ''}"
     )
     value = scaled(int(whole + decimals), int(power) - len(decimals))
-    return TypedNumber(value, digits, found.end(), remark and f"read as {digits}: {remark}")
+    return TypedNumber(value, digits, found.end(), reason)
 
 
 def scaled(digits: int, power_of_ten: int) -> Fraction:
@@ -202,7 +203,7 @@ def scaled(digits: int, power_of_ten: int) -> Fraction:
 
 
 def _decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
-    """The decimal mark of this number, None where it has none, and what is to be remarked."""
+    """The decimal mark of this number, None where it has none, and why where that is open."""
     if not parts.ambiguous:
         certain = parts.marks
         blank = "a blank groups the digits in threes" if " " in parts.separators else ""

@@ -235,7 +235,8 @@ class _Reader:
         """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a hundredth of √3."""
         found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
         if found is not None:
-            self.place, self.remark = found.end, self.remark or found.remark
+            self.remark = self.remark or self.doubt(found)
+            self.place = found.end
         vulgar = self.vulgar() if found is None or found.digits.isdigit() else None
         if found is None and vulgar is None:
             raise Unreadable(
@@ -244,6 +245,11 @@ class _Reader:
         if found is None or vulgar is None:
             return vulgar or _literal(found.value if found else Fraction(0))
         return Operation("+", _literal(found.value), vulgar)
+
+    def doubt(self, found: TypedNumber) -> str:
+        """What a person should know of a number just read, quoted as it was typed; "" where there is no doubt."""
+        typed = shown(self.text[self.place : found.end])
+        return found.reason and f'"{typed}" read as {found.digits}: {found.reason}'
 
     def vulgar(self) -> Expression | None:
         found = _MIXED.match(self.text, self.place)

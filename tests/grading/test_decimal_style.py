@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.grading.answers import Reading, read
+from kinegrade.grading.answers import PAPERS_RULE, Reading, read
 from kinegrade.grading.decimal_style import Mark, evidence, file_style
 
 
@@ -63,6 +63,26 @@ def test_one_lone_mark(
     found = reading(typed, own, others, declared)
     assert float(found.value or 0) == value
     assert found.remark == (said and f"read as {found.read_as}: {said}")
+
+
+@pytest.mark.parametrize(
+    ("typed", "convention", "said"),
+    [
+        ("-2,236", "", "read as -2.236: "),
+        ("−2,236 m/s", "", "read as -2.236: "),
+        ("v = -2,236E0", "", ""),
+        ("-2 236", "", "read as -2236: a blank groups"),
+        ("-2,236 mm/s", "", "read as -2.236: "),
+        ("2,236 rad/s clockwise", "ccw", "read as -2.236: "),
+        ("-2,236*sqrt(3)", "", '"2,236" read as 2.236: '),
+    ],
+)
+def test_a_minus_is_in_the_remark_about_its_number(typed: str, convention: str, said: str) -> None:
+    found = read(typed, "rad/s" if convention else "m/s", PAPERS_RULE, convention)
+    assert found.value is not None
+    assert found.value < 0
+    assert found.remark.startswith(said)
+    assert bool(found.remark) == bool(said)
 
 
 def test_commas_in_both_ways_are_unreadable() -> None:

@@ -243,6 +243,12 @@ def test_a_comma_that_may_be_a_thousands_separator_is_shown_to_a_person(exam_fol
     assert complaints(exam_folder) == [("2", "q1.v_B", "1,732", problem)]
 
 
+def test_a_minus_before_such_a_comma_is_in_what_a_person_is_shown(exam_folder: Path) -> None:
+    marked(exam_folder, HEADER + '007,x,"-2,236",,\n0012,x,,,\nS9,x,,,\n12,x,,,\n')
+    problem = "read as -2.236: a comma is the decimal mark, and nothing in the file says otherwise"
+    assert complaints(exam_folder) == [("2", "q1.v_B", "-2,236", problem)]
+
+
 def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folder: Path) -> None:
     sheet = HEADER + '007,x,"1,732",0.001,\n0012,x,"1,732",0,\nS9,x,,0.001,\n12,x,,,\n'
     marked(exam_folder, sheet)
