@@ -18,6 +18,10 @@ from kinegrade.expression import MAX_DIGITS
 STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
 PLACE = re.compile(r"line (\d+), column \d+")
 LONGEST_SHOWN = 40
+DEEPEST = 30  # no file of ours nests deeper than five
+MOST_DOTS = 200  # in one line, besides those inside of numbers
+DECIMAL = re.compile(r"[0-9]+\.[0-9]+")
+TOO_DEEP = "nested too deeply: write it more simply"
 TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
 PLAIN_VALUE = re.compile(r"[-+]?\d[\d_.eE+-]*|true|false", re.ASCII)
@@ -26,27 +30,41 @@ Advice = Callable[[re.Match[str]], str]
 
 def read_toml(text: str) -> dict[str, Any]:
     """The tables of a TOML text; numbers with a point stay texts. Raises TomlError naming the line and the slip."""
+    require_few_dots(text)
     try:
         tables = tomllib.loads(text, parse_float=str)
-        absurd = too_large(tables)
     except tomllib.TOMLDecodeError as error:
         raise TomlError(named(text, str(error))) from error
     except RecursionError as error:
-        raise TomlError("nested too deeply: write it more simply") from error
+        raise TomlError(TOO_DEEP) from error
     except ValueError as error:  # Python reads no integer of more than 4,300 digits
         raise TomlError(TOO_LARGE) from error
-    if absurd:
-        raise TomlError(TOO_LARGE)
+    require_bounded(tables)
     return tables
 
 
-def too_large(value: Any) -> bool:
-    """Whether a whole number of absurdly many digits stands anywhere in a TOML value."""
-    if isinstance(value, (dict, list)):
-        return any(
-            too_large(part) for part in (value.values() if isinstance(value, dict) else value)
-        )
-    return isinstance(value, int) and abs(value) >= 10**MAX_DIGITS
+def require_few_dots(text: str) -> None:
+    """Raises TomlError for keys of hundreds of parts, on which the parser works for minutes."""
+    for line in text.split("\n"):
+        if line.count(".") > MOST_DOTS and DECIMAL.sub("", line).count(".") > MOST_DOTS:
+            raise TomlError(TOO_DEEP)
+
+
+def require_bounded(tables: dict[str, Any]) -> None:
+    """Raises TomlError where tables and lists are nested deeper than DEEPEST, or a whole number is absurdly large."""
+    level: list[Any] = [tables]
+    for _ in range(DEEPEST):
+        parts = [part for outer in level for part in parts_of(outer)]
+        if any(isinstance(part, int) and abs(part) >= 10**MAX_DIGITS for part in parts):
+            raise TomlError(TOO_LARGE)
+        level = [part for part in parts if isinstance(part, dict | list)]
+    if level:
+        raise TomlError(TOO_DEEP)
+
+
+def parts_of(value: dict[str, Any] | list[Any]) -> list[Any]:
+    """What stands directly in a table or a list."""
+    return list(value.values()) if isinstance(value, dict) else value
 
 
 def named(text: str, fault: str) -> str:

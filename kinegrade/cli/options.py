@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from functools import wraps
 from pathlib import Path
 from typing import Any
 
 import click
 
-from kinegrade.errors import KinegradeError
+from kinegrade.errors import KinegradeError, OutputError
 from kinegrade.language import LANGUAGES
 
 COMPLAINTS = 1
 FAILURE = 2
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(
     "--lang",
     "language",
@@ -48,13 +52,36 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def run(*arguments: Any, **options: Any) -> None:
         try:
-            command(*arguments, **options)
+            with whole_output():
+                command(*arguments, **options)
         except KinegradeError as error:
             for problem in error.problems:
                 click.echo(f"error: {' '.join(problem.split())}", err=True)
             sys.exit(FAILURE)
 
     return run
+
+
+@contextmanager
+def whole_output() -> Iterator[None]:
+    """What is printed on standard output inside arrives, or OutputError is raised: a full disk cuts nothing off in
+    silence. A closed pipe is no such fault."""
+    try:
+        try:
+            yield
+        finally:
+            sys.stdout.flush()
+    except OSError as fault:
+        if fault.errno not in FULL or fault.filename is not None:
+            raise
+        with suppress(
+            OSError, ValueError
+        ):  # what is left in the buffer would fail again at the end
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise OutputError(
+            f"standard output: cannot be written ({fault.strerror}) - expected a place with room - "
+            "send it elsewhere"
+        ) from fault
 
 
 def finish(complaints: tuple[str, ...]) -> None:

@@ -15,7 +15,7 @@ from flint import arb, fmpq, fmpz
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
-from kinegrade.exact.surd import Real, Root, Surd, enclosure, sign, surd
+from kinegrade.exact.surd import MAX_HEIGHT, Real, Root, Surd, enclosure, height, sign, surd
 
 MAX_LEVEL = (
     5  # degree 32: beyond it a solve costs more than by balls (0.3 ms at level 2, 8 ms at level 5)
@@ -87,6 +87,8 @@ class Field(Magnitude):
         if simpler is not None:
             self.sqrt(simpler)
             return self.sqrt(number)
+        if height(number) > MAX_HEIGHT:
+            raise Inexact("the root of a number of too many digits")
         factor, radicand = primitive(number)
         shared = self._shared(radicand)
         if shared is not None:

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.exact.written import written_number, written_text
 from kinegrade.exam.pages import answer_row
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_solution import solution_html
@@ -121,7 +122,10 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
 
 def given_text(entry: Record) -> str:
     """A drawn value as it is written in a template: exactly, or as a decimal where it is known no better."""
-    return str(entry["exact"]) if entry["exact"] is not None else f"{Decimal(entry['value']):f}"
+    if entry["exact"] is not None:
+        return str(entry["exact"])
+    written_number(entry["value"])  # a number of bounded size, or it would be written out at length
+    return f"{Decimal(entry['value']):f}"
 
 
 def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quantity], Mechanism]:
@@ -154,16 +158,16 @@ def _figure(template: Template, mechanism: Mechanism, language: Language) -> Qui
 def _ask(
     template: Template, name: str, entry: Record, wishes: QuizWishes, source: QuizSource
 ) -> QuizAsk:
-    row = answer_row(template.asks[name], Fraction(entry["points"]), source.language)
+    row = answer_row(template.asks[name], written_number(entry["points"]), source.language)
     value = right_value(entry)
     low, high = tolerance_of(entry).interval(value)
-    period = Fraction(entry["period"]) if "period" in entry else None
+    period = written_number(entry["period"]) if "period" in entry else None
     mistakes = tuple(_mistakes(entry, wishes.credit, source)) if wishes.mistakes else ()
     return QuizAsk(
         name,
         row.symbol,
         row.meaning,
-        entry["unit"],
+        written_text(entry["unit"]),
         template.asks[name].sign.in_language(source.language),
         row.points,
         value,
@@ -177,7 +181,9 @@ def _ask(
 def right_value(entry: Record) -> Fraction:
     """The exact value where it is a plain number, else its 40 digits."""
     exact = entry["exact"]
-    return Fraction(exact if exact is not None and _RATIONAL.fullmatch(exact) else entry["decimal"])
+    return written_number(
+        exact if exact is not None and _RATIONAL.fullmatch(exact) else entry["decimal"]
+    )
 
 
 def _mistakes(entry: Record, wished: Fraction | None, source: QuizSource) -> Iterator[QuizMistake]:
@@ -185,7 +191,7 @@ def _mistakes(entry: Record, wished: Fraction | None, source: QuizSource) -> Ite
     tolerance, words = tolerance_of(entry), sentences()
     right = tolerance.interval(right_value(entry))
     for identifier, stated in entry.get("mistakes", {}).items():
-        value = Fraction(stated)
+        value = written_number(stated)
         if not right[0] <= value <= right[1]:
             sentence = words[identifier][source.language] if identifier in words else identifier
             credit = source.credits.get(identifier, NO_CREDIT) if wished is None else wished

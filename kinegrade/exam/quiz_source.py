@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -12,11 +11,13 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from kinegrade.errors import ExamError, TemplateError
+from kinegrade.errors import ExamError, TemplateError, TomlError
+from kinegrade.exact.written import NumberError, written_number, written_text
 from kinegrade.language import Language, exam_language_of
 from kinegrade.problem.library import kept_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.toml_reading import read_toml
 
 FORMAT = 1
 LOOKED_AT = 64  # papers from which the bank's tolerances are seen, which zero answers widen
@@ -57,11 +58,13 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
     title, course = (str(head.get(name, "")) for name in ("title", "course"))
     try:
         templates = _templates(folder, head)
-        names = {str(student["student"]): str(student["name"]) for student in head["students"]}
+        names = {
+            str(student["student"]): written_text(student["name"]) for student in head["students"]
+        }
         first = str(head["students"][0]["paper"])
         versions = tuple(map(str, head.get("versions", ())))
         credits = {
-            str(name): Fraction(share)
+            str(name): written_number(share)
             for name, share in head.get("credit", {}).get("mistakes", {}).items()
         }
     except BROKEN as fault:
@@ -107,16 +110,16 @@ def key_record(folder: Path, number: int, line: str) -> dict[str, Any]:
             **record,
         }
     except BROKEN as fault:
-        raise ExamError(
-            f"{folder / 'key.jsonl'}:{number}: is broken ({type(fault).__name__}) - {MENDING}"
-        ) from fault
+        raise _broken_line(folder, number, fault) from fault
 
 
 def tolerance_of(ask: Mapping[str, Any]) -> Tolerance:
     """The tolerance of an ask's entry in the key."""
     stated = ask["tolerance"]
     figures = int(stated["figures"]) if "figures" in stated else None
-    return Tolerance(Fraction(stated["relative"]), Fraction(stated["absolute"]), figures)
+    return Tolerance(
+        written_number(stated["relative"]), written_number(stated["absolute"]), figures
+    )
 
 
 def unreadable(path: Path, fault: Exception) -> ExamError:
@@ -152,8 +155,8 @@ def _head(path: Path) -> dict[str, Any]:
 def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:
     """Title and course in another language, where the bank has them in it."""
     try:
-        table = tomllib.loads(bank)
-    except ValueError:
+        table = read_toml(bank)
+    except TomlError:
         return texts
     found = (table.get(name) for name in ("title", "course"))
     return tuple(
@@ -182,9 +185,27 @@ def _tolerances(folder: Path) -> dict[tuple[str, str], Tolerance]:
     """By question and ask the least that is allowed: where the answer is no zero, what the bank says."""
     found: dict[tuple[str, str], Tolerance] = {}
     for number, line in islice(key_lines(folder), LOOKED_AT):
-        for question in key_record(folder, number, line)["questions"]:
-            for name, ask in question["asks"].items():
-                place, tolerance = (question["question"], name), tolerance_of(ask)
+        record = key_record(folder, number, line)
+        try:
+            for place, tolerance in _stated_tolerances(record):
                 if place not in found or tolerance.absolute < found[place].absolute:
                     found[place] = tolerance
+        except BROKEN as fault:
+            raise _broken_line(folder, number, fault) from fault
     return found
+
+
+def _stated_tolerances(record: Mapping[str, Any]) -> Iterator[tuple[tuple[str, str], Tolerance]]:
+    """The tolerances of one paper by question and ask; raises one of BROKEN for what is none."""
+    for question in record["questions"]:
+        for name, ask in question["asks"].items():
+            yield (str(question["question"]), name), tolerance_of(ask)
+
+
+def _broken_line(folder: Path, number: int, fault: Exception) -> ExamError:
+    reason = (
+        f"{type(fault).__name__}: {fault}"
+        if isinstance(fault, NumberError)
+        else type(fault).__name__
+    )
+    return ExamError(f"{folder / 'key.jsonl'}:{number}: is broken ({reason}) - {MENDING}")

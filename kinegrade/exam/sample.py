@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from kinegrade.errors import MechanismError
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.exam_secret import FromWords
@@ -12,6 +13,7 @@ from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.setting import set_exam
 from kinegrade.exam.typst import TypstPress
 from kinegrade.language import Language
+from kinegrade.problem.drawing import Refused, require_doubles
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import Method, Template, Translated
@@ -46,6 +48,12 @@ def sample_page(template: Template, seed: str, language: Language) -> bytes:
 def worked_page(solution: Solution, language: Language, method: Method | None = None) -> bytes:
     """The worked solution of an instance for what the template asks, as PDF; the method as in `worked_solution`."""
     template = solution.template
+    try:
+        require_doubles(solution)
+    except Refused as refusal:
+        raise MechanismError(
+            f"{template.name}: {refusal}: too large for a worked solution: give smaller values"
+        ) from refusal
     worked = worked_solution(solution, shown(template), language, method)
     question = WorkedQuestion(
         1,

@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from kinegrade.errors import TableError
+from kinegrade.exact.written import written_number
 from kinegrade.grading.exam_record import ExamRecord, PaperRecord, PaperRecords
 from kinegrade.grading.hints import Hint, hint
 from kinegrade.grading.item_statistics import Points
@@ -183,7 +184,7 @@ def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
     if right is None or not answer.read_as:
         return None
     others = dict(_others(answer, paper))
-    return hint(Fraction(answer.read_as), right.value, right.allowed, right.unit, others)
+    return hint(written_number(answer.read_as), right.value, right.allowed, right.unit, others)
 
 
 def _others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:

@@ -23,6 +23,7 @@ from kinegrade.grading.json_fields import (
     list_of,
     not_negative,
     parsed,
+    shown,
 )
 from kinegrade.grading.key import Ask, Exam, Examinee, Paper, questions
 from kinegrade.grading.key_decoding import PaperDecoder
@@ -244,7 +245,7 @@ def _head(text: str, faults: list[str]) -> Any:
         exam = parsed(text)
         if field(exam, "format", Decimal) != FORMAT:
             raise FieldError(
-                f'"format" is {exam["format"]} - expected {FORMAT}, the only one this kinegrade reads'
+                f'"format" is {shown(exam["format"])} - expected {FORMAT}, the only one this kinegrade reads'
             )
     except FieldError as fault:
         faults.append(f"exam.json: {fault}")

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExamError
+from kinegrade.exact.written import written_number, written_text
 from kinegrade.exam.roster import file_names
 from kinegrade.grading.key import rule
 from kinegrade.grading.key_lines import KeyLines
@@ -101,11 +102,11 @@ def read_exam_record(folder: Path) -> ExamRecord:
 
 def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
     return Sitter(
-        entry["student"],
-        entry["name"],
-        entry.get("email", ""),
-        entry.get("paper", ""),
-        entry.get("version", ""),
+        written_text(entry["student"]),
+        written_text(entry["name"]),
+        written_text(entry.get("email", "")),
+        written_text(entry.get("paper", "")),
+        written_text(entry.get("version", "")),
         stem,
     )
 
@@ -137,7 +138,7 @@ class PaperRecords:
                 "- name the exam folder by which these marks were made"
             )
         try:
-            return _paper(self._lines.paper(student, Fraction))
+            return _paper(self._lines.paper(student, written_number))
         except _BROKEN as fault:
             raise ExamError(
                 f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
@@ -178,7 +179,7 @@ def _paper(record: Mapping[str, Any]) -> PaperRecord:
         for name, entry in question["asks"].items()
     }
     parameters = {
-        (question["question"], name): float(entry["value"])
+        (question["question"], name): float(written_number(entry["value"]))
         for question in questions
         for name, entry in question.get("parameters", {}).items()
     }
@@ -186,13 +187,17 @@ def _paper(record: Mapping[str, Any]) -> PaperRecord:
 
 
 def _right_answer(entry: Mapping[str, Any]) -> RightAnswer:
-    value = Fraction(entry["decimal"] if "decimal" in entry else entry["value"])
+    value = written_number(entry["decimal"] if "decimal" in entry else entry["value"])
     tolerance = entry["tolerance"]
     stated = rule(
-        Fraction(tolerance["relative"]), Fraction(tolerance["absolute"]), tolerance.get("figures")
+        written_number(tolerance["relative"]),
+        written_number(tolerance["absolute"]),
+        tolerance.get("figures"),
     )
     low, high = stated.key(value).interval
-    return RightAnswer(value, entry.get("exact"), entry["unit"], max(value - low, high - value))
+    return RightAnswer(
+        value, entry.get("exact"), written_text(entry["unit"]), max(value - low, high - value)
+    )
 
 
 def _missing(path: Path, fault: OSError) -> ExamError:

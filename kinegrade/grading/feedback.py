@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import assert_never
 
 from kinegrade.errors import ExamError
+from kinegrade.exact.written import written_number
 from kinegrade.grading.amounts import PLACES, amount_text
 from kinegrade.grading.class_tally import hint_of, mistakes_of
 from kinegrade.grading.exam_record import (
@@ -206,7 +207,7 @@ def hint_text(
             symbol = wording.symbols.get(found.column, "")
             text = words.other_ask.format(symbol) if symbol else ""
         case "close":
-            difference = abs(Fraction(answer.read_as) - right.value) / abs(right.value)
+            difference = abs(written_number(answer.read_as) - right.value) / abs(right.value)
             allowed = (
                 words.by_policy
                 if POLICY in answer.reason

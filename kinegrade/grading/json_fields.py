@@ -14,14 +14,16 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, TypeVar
 
+from kinegrade.exact.written import NumberError, written_number
+
 MOST_DIGITS = 100
 NUMBER = rf"-?[0-9]{{1,{MOST_DIGITS}}}(?:\.[0-9]{{1,{MOST_DIGITS}}})?(?:[eE][+-]?[0-9]{{1,2}})?"
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
 _NUMBER = re.compile(NUMBER)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
 _COLUMNS_OF_GRADES = {"student", "name", "total", "out_of", "percent", "status"}
-_LARGEST_POWER = 300
 _KINDS: Mapping[type, str] = {str: "a text", list: "a list", dict: "an object", Decimal: "a number"}
+_LONGEST_SHOWN = 120
 Item = TypeVar("Item")
 
 
@@ -43,6 +45,12 @@ def _refuse_constant(name: str) -> Any:
     raise ValueError(f"{name} is not a number")
 
 
+def shown(found: object) -> str:
+    """What was found as a message shows it: one line, cut where it is long."""
+    text = str(found) if isinstance(found, Decimal) else repr(found)
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}…"
+
+
 def list_of(item: Any, name: str) -> Sequence[Any]:
     """A list, empty where there is none."""
     found = item.get(name) if isinstance(item, dict) else None
@@ -62,7 +70,7 @@ def identifier(item: Any, name: str) -> str:
     found = field(item, name, str)
     if not _IDENTIFIER.fullmatch(found) or found in _COLUMNS_OF_GRADES:
         raise FieldError(
-            f'"{name}" is {found!r} - expected letters, digits, "_" and "-", and no column of grades.csv'
+            f'"{name}" is {shown(found)} - expected letters, digits, "_" and "-", and no column of grades.csv'
         )
     return found
 
@@ -72,22 +80,23 @@ def amount(item: Any, name: str) -> Fraction:
     found = item.get(name) if isinstance(item, dict) else None
     exact = _exactly(found) if isinstance(found, Decimal | str) else None
     if exact is None:
-        raise FieldError(f'"{name}" is {found!r} - expected a number')
+        raise FieldError(f'"{name}" is {shown(found)} - expected a number')
     return exact
 
 
 @lru_cache(maxsize=4096)  # points and tolerances repeat on every paper
 def _exactly(text: Decimal | str) -> Fraction | None:
-    if isinstance(text, Decimal):
-        return (
-            Fraction(text) if text.is_finite() and abs(text.adjusted()) <= _LARGEST_POWER else None
-        )
-    return Fraction(text) if _NUMBER.fullmatch(text) or RATIONAL.fullmatch(text) else None
+    if isinstance(text, str) and not (_NUMBER.fullmatch(text) or RATIONAL.fullmatch(text)):
+        return None
+    try:
+        return written_number(text)
+    except NumberError:
+        return None
 
 
 def not_negative(item: Any, name: str) -> Fraction:
     """A number of zero or more, exactly. Raises FieldError."""
     exact = amount(item, name)
     if exact < 0:
-        raise FieldError(f'"{name}" is {item[name]} - expected zero or more')
+        raise FieldError(f'"{name}" is {shown(item[name])} - expected zero or more')
     return exact

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import TableError
+from kinegrade.exact.written import NumberError, written_number
 from kinegrade.tables import Complaint, written_records
 
 _ANSWERS = (
@@ -33,9 +34,7 @@ _ANSWERS = (
 )
 _TOTALS = ("student", "name", "total", "out_of")
 _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
-_NUMBER = re.compile(  # of a size that is worked with in no time
-    r"-?[0-9]{1,1000}(?:\.[0-9]{1,1000}|/[0-9]{1,1000})?(?:[eE][-+]?[0-9]{1,3})?", re.ASCII
-)
+_PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
 _MENDING = "expected the file as kinegrade grade wrote it - grade again"
 
 
@@ -124,9 +123,15 @@ def complaints(folder: Path) -> tuple[Complaint, ...]:
 
 
 def _number(text: str, path: Path, line: int) -> str:
-    """What an answer was read as, as it stands there; empty where nothing was read."""
-    if text and not _NUMBER.fullmatch(text):
-        raise TableError(f'{path}:{line}: "{text[:40]}" stands where a number should - {_MENDING}')
+    """What an answer was read as, as it stands there, if it is a number of bounded size or empty."""
+    if not text or _PLAIN.fullmatch(text):
+        return text
+    try:
+        written_number(text)
+    except NumberError as fault:
+        raise TableError(
+            f'{path}:{line}: "{text[:40]}" stands where a number should - {_MENDING}'
+        ) from fault
     return text
 
 
@@ -141,6 +146,4 @@ def _amount(text: str, path: Path, line: int) -> Fraction:
 
 @lru_cache(maxsize=4096)
 def _fraction(text: str) -> Fraction:
-    if len(text) > 40 or not _NUMBER.fullmatch(text):
-        raise ValueError(text)
-    return Fraction(text)
+    return written_number(text)

@@ -13,6 +13,7 @@ from kinegrade.exact.text import decimal_text
 from kinegrade.expression import MAX_LENGTH, elementary, evaluate, rational, read
 
 MAX_CHOICES = 2000
+LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
 RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
 
 
@@ -39,6 +40,8 @@ def digits(text: str) -> str:
         value = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)
     if not isinstance(value, arb):
         raise ExpressionError(f'draw: "{text}" is not a number')
+    if not abs(value) < LARGEST:
+        raise ExpressionError(f'draw: "{text}" is beyond 1e100: choose another unit')
     return decimal_text(value, 30)
 
 

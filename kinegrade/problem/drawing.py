@@ -26,7 +26,7 @@ from kinegrade.problem.kept_decimals import RightRange, fitting_factor
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Ask, Template
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective, own_scale
 
 MAX_ATTEMPTS = 400
 SMALLEST, LARGEST = (
@@ -294,7 +294,17 @@ def sensible(
     for name, answer in solution.answers.items():
         if refusal := unfit(template.asks[name], answer):
             raise refusal
+    require_doubles(solution)
     return solution
+
+
+def require_doubles(solution: Solution) -> None:
+    """Raises Refused for an instance with sizes beyond the doubles in which it is worked out again by hand."""
+    try:
+        for answer in solution.answers.values():
+            own_scale(solution.doubles, answer.measure)
+    except OverflowError as error:
+        raise Refused("absurd", "a size beyond 1e308") from error
 
 
 def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:

@@ -1,0 +1,71 @@
+"""Numbers and texts as they stand in files, read exactly and within bounds: the one way from a file to a fraction.
+
+`Fraction("1e9999999999")` would work for days at a number that no exam holds. Every reader of folders, downloads,
+banks and policies that does not bound its numbers by a pattern of its own comes here.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+
+MOST_DIGITS = 600
+LARGEST_POWER = 300  # of ten: what doubles hold
+LONGEST_SHOWN = 40
+_NUMBER = re.compile(
+    r"[+-]?(?P<whole>[0-9]*)(?:\.(?P<decimals>[0-9]*))?(?:[eE](?P<power>[+-]?[0-9]{1,4}))?"
+)
+_RATIO = re.compile(r"[+-]?[0-9]+/[0-9]*[1-9][0-9]*")
+_LIMIT = Fraction(10**LARGEST_POWER)
+
+
+class NumberError(ValueError):
+    """What stands where a number should; the message says what it is and what was expected."""
+
+    def __init__(self, found: object) -> None:
+        text = str(found)[: LONGEST_SHOWN + 1]
+        shown = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
+        super().__init__(
+            f'"{shown}" - expected a number between -1e{LARGEST_POWER} and 1e{LARGEST_POWER}'
+        )
+
+
+def written_number(found: object) -> Fraction:
+    """A number of JSON, TOML or CSV, a decimal or a plain fraction, exactly; a fraction is one already.
+
+    Raises NumberError.
+
+    >>> written_number("-1.25e1"), written_number(0.1), written_number("2/3")
+    (Fraction(-25, 2), Fraction(1, 10), Fraction(2, 3))
+    """
+    if isinstance(found, Fraction):
+        return found
+    if isinstance(found, bool) or not isinstance(found, str | int | float | Decimal):
+        raise NumberError(type(found).__name__)
+    if isinstance(found, int) and found.bit_length() > 4 * LARGEST_POWER:
+        raise NumberError(f"{'-' if found < 0 else ''}a whole number of {found.bit_length()} bits")
+    text = str(found)
+    if len(text) > MOST_DIGITS or not _is_number(text):
+        raise NumberError(text)
+    value = Fraction(text)
+    if abs(value) > _LIMIT:
+        raise NumberError(text)
+    return value
+
+
+def written_text(found: object) -> str:
+    """A text of JSON. Raises TypeError for anything else, which would be printed as Python shows it."""
+    if not isinstance(found, str):
+        raise TypeError(f"a text was expected, not a {type(found).__name__}")
+    return found
+
+
+def _is_number(text: str) -> bool:
+    """Whether a text spells a number whose power of ten is bounded."""
+    if _RATIO.fullmatch(text):
+        return True
+    match = _NUMBER.fullmatch(text)
+    if match is None or not (match["whole"] or match["decimals"]):
+        return False
+    return abs(int(match["power"] or 0)) <= LARGEST_POWER + MOST_DIGITS

@@ -1,0 +1,49 @@
+"""A number in a file is read exactly, whoever wrote it, and never works for days."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+from time import perf_counter
+
+import pytest
+
+from kinegrade.exact.written import NumberError, written_number, written_text
+
+
+@pytest.mark.parametrize(
+    ("found", "value"),
+    [
+        ("0.1", Fraction(1, 10)),
+        (0.1, Fraction(1, 10)),
+        (Decimal("1.50"), Fraction(3, 2)),
+        ("-2/3", Fraction(-2, 3)),
+        ("1e300", Fraction(10**300)),
+        ("+.5", Fraction(1, 2)),
+        (7, Fraction(7)),
+        (Fraction(1, 3), Fraction(1, 3)),
+    ],
+)
+def test_what_stands_there_is_the_value_exactly(found: object, value: Fraction) -> None:
+    assert written_number(found) == value
+
+
+@pytest.mark.parametrize(
+    "found",
+    [
+        "1e9999999999", "-1e9999999999", "1e-9999999999", "1e301", "9" * 10_000, 9**4000, float("nan"), float("inf"),
+        Decimal("1e9999999999"), Decimal("NaN"), "1/0", "", ".", "e5", "x", "1 2", "１", True, None, [], {},
+    ],
+)  # fmt: skip
+def test_anything_else_is_refused_at_once_and_briefly(found: object) -> None:
+    start = perf_counter()
+    with pytest.raises(NumberError, match="expected a number between -1e300 and 1e300") as caught:
+        written_number(found)
+    assert perf_counter() - start < 0.1
+    assert len(str(caught.value)) < 120
+
+
+def test_a_text_is_a_text_and_not_what_python_shows_of_something_else() -> None:
+    assert written_text("Ann") == "Ann"
+    with pytest.raises(TypeError, match="a text was expected, not a dict"):
+        written_text({})
