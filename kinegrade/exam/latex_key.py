@@ -9,6 +9,7 @@ from kinegrade.exam.latex_source import Block, command, environment
 from kinegrade.exam.latex_text import comment, plain, signed, unit
 from kinegrade.exam.layout_call import each, gathered
 from kinegrade.exam.typst_source import points_text
+from kinegrade.question_numbers import bank_number
 
 
 class KeyAnswers(Block):
@@ -40,7 +41,7 @@ def _entry(entry: KeyEntry, where: str) -> str:
         answers=lambda: each(lambda answer: _answer(answer, where), entry.answers),
     )
     given = rf"\wordgiven{', '.join(parts['parameters'])}" if entry.parameters else ""
-    head = command("keyquestion", plain(entry.identifier), parts["title"], given)
+    head = command("keyquestion", plain(bank_number(entry.identifier)), parts["title"], given)
     table = environment(KeyAnswers(), parts["answers"])
     return f"{comment(where)}\n{environment(Together(), [head, table])}"
 

@@ -16,6 +16,7 @@ from kinegrade.exam.layout_call import each, gathered
 from kinegrade.exam.solution_blocks import FORMULA_ALONE, UNKNOWN, has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, solution_words_of
 from kinegrade.figure.tikz import to_tikz
+from kinegrade.question_numbers import other_number
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -47,7 +48,8 @@ def solution_body(sheet: SolutionSheet, number: int) -> str:
 
 def _question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:
     where = named(sheet, question.identifier, question.template)
-    known = words.question if question.identifier == f"q{question.number}" else words.question_known
+    other = other_number(question.identifier, question.number)
+    known = words.question if other is None else words.question_known
     parts = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
@@ -55,7 +57,7 @@ def _question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str
             lambda place: _block(question.blocks, place, where), range(len(question.blocks))
         ),
     )
-    heading = plain(known.format(question.number, question.identifier))
+    heading = plain(known.format(question.number, other))
     return "\n".join(
         (
             comment(where),

@@ -25,6 +25,7 @@ from kinegrade.exam.words import Words, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.tikz import to_tikz
 from kinegrade.language import Language
+from kinegrade.question_numbers import other_number
 
 BESIDE_STUDENT = (
     8  # columns of the marker's table that leave room for the student's name beside them
@@ -179,11 +180,8 @@ def _rule_columns(rules: Sequence[str]) -> list[str]:
 def _question(question: QuestionSheet, words: Words, paper: str) -> str:
     where = named(paper, question.identifier, question.template)
     points = words.point if question.points == 1 else words.points
-    known = (
-        ""
-        if question.identifier == f"q{question.number}"
-        else words.known.format(question.identifier)
-    )
+    other = other_number(question.identifier, question.number)
+    known = "" if other is None else words.known.format(other)
     parts = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),

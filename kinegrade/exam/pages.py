@@ -55,7 +55,7 @@ def paper_pages(
         paper.student.student,
         paper.student.name,
         paper.code,
-        rules(bank, language),
+        rules(bank, language, [each.question.identifier for each in paper.printed]),
         sheets,
     )
 

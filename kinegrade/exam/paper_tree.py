@@ -28,6 +28,7 @@ from kinegrade.exam.pandoc_tree import (
 )
 from kinegrade.exam.typst_source import points_text
 from kinegrade.exam.words import Words, words_of
+from kinegrade.question_numbers import other_number
 
 FIELD_WIDTHS = (0.5, 0.25, 0.25)
 FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
@@ -129,12 +130,9 @@ def _question(question: QuestionSheet, figures: Mapping[int, str], words: Words)
 
 
 def _head(question: QuestionSheet, title: Sequence[Node], words: Words) -> list[Node]:
-    """Number, title, the name of its columns in the answer sheet where that has another number, and points."""
-    known = (
-        ""
-        if question.identifier == f"q{question.number}"
-        else GAP + words.known.format(question.identifier)
-    )
+    """Number, title, the number in the answer sheet where that is another, and points."""
+    other = other_number(question.identifier, question.number)
+    known = "" if other is None else GAP + words.known.format(other)
     points = (words.point if question.points == 1 else words.points).format(
         points_text(question.points)
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
@@ -56,34 +56,43 @@ OR = {"en": " or ", "zh": "或"}
 NUMERALS = {"en": ("four", "five", "six", "seven", "eight", "nine", "ten"), "zh": "四五六七八九十"}
 FEWEST_DIGITS = 4
 EXCEPTION = {"en": "For {what}: {rule}", "zh": "{what}：{rule}"}
+WHOLE = {"en": "question {number}", "zh": "第 {number} 题"}
+PART = {"en": "question {number}, ${symbol}$", "zh": "第 {number} 题 ${symbol}$"}
 
 
-def rules(bank: Bank, language: Language) -> tuple[str, ...]:
-    """The sentences of the rules box, with the tolerances of single questions and asks where they differ."""
+def rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[str, ...]:
+    """The sentences of the rules box, with the tolerances of single questions and asks where they differ.
+
+    `order` are the identifiers of the questions as they follow on the paper, by whose numbers they are called there;
+    the bank's where it is left out.
+    """
+    places = order or [question.identifier for question in bank.questions]
+    numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
     sentences = [
         writing_rule(bank, language),
         AXES[language],
         marking_rule(bank.tolerance, language),
     ]
-    for question in bank.questions:
-        for tolerance, what in exceptions(bank, question):
+    for question in sorted(bank.questions, key=lambda each: numbers[each.identifier]):
+        number = numbers[question.identifier]
+        for tolerance, what in exceptions(bank, question, number, language):
             rule = marking_rule(tolerance, language)
             sentences.append(EXCEPTION[language].format(what=what, rule=rule[0].lower() + rule[1:]))
     return tuple(sentences)
 
 
-def exceptions(bank: Bank, question: BankQuestion) -> Iterator[tuple[Tolerance, str]]:
+def exceptions(
+    bank: Bank, question: BankQuestion, number: int, language: Language
+) -> Iterator[tuple[Tolerance, str]]:
     """The tolerances of a question that are not the bank's, with what they hold for: all of it, or single asks."""
     tolerances = {ask.tolerance for ask in question.asks}
     if len(tolerances) == 1 and tolerances != {bank.tolerance}:
-        yield tolerances.pop(), question.identifier
+        yield tolerances.pop(), WHOLE[language].format(number=number)
         return
     for ask in question.asks:
         if ask.tolerance != bank.tolerance:
-            yield (
-                ask.tolerance,
-                f"{question.identifier}, ${question.template.asks[ask.name].symbol}$",
-            )
+            symbol = question.template.asks[ask.name].symbol
+            yield ask.tolerance, PART[language].format(number=number, symbol=symbol)
 
 
 def writing_rule(bank: Bank, language: Language) -> str:

@@ -18,6 +18,7 @@ from kinegrade.exam.markup import line, prose
 from kinegrade.exam.solution_blocks import has_exact_decimal, stays
 from kinegrade.exam.solution_words import SolutionWords, solution_words_of
 from kinegrade.figure.typst import to_typst
+from kinegrade.question_numbers import other_number
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -60,8 +61,9 @@ def _question(question: WorkedQuestion, words: SolutionWords, size: PaperSize) -
             lambda place: _block(question.blocks, place, where, size), range(len(question.blocks))
         ),
     )
-    known = words.question if question.identifier == f"q{question.number}" else words.question_known
-    return sheet | {"heading": known.format(question.number, question.identifier)}
+    other = other_number(question.identifier, question.number)
+    known = words.question if other is None else words.question_known
+    return sheet | {"heading": known.format(question.number, other)}
 
 
 def _block(blocks: Sequence[Block], place: int, where: str, size: PaperSize) -> Sheet:

@@ -14,7 +14,7 @@ class SolutionWords:
     student: str
     paper: str
     question: str
-    question_known: str  # takes the number on this paper, and the identifier in the answer sheet
+    question_known: str  # takes the number on this paper, and that in the answer sheet
     page: str  # takes the page's number and the number of pages
     statement: str
     magnitude: str
@@ -28,7 +28,7 @@ ENGLISH = SolutionWords(
     student="Student",
     paper="Paper",
     question="Question {}",
-    question_known="Question {} ({})",
+    question_known="Question {} (no. {} in the answer sheet)",
     page="page {} of {}",
     statement="Problem",
     magnitude="magnitude",
@@ -42,7 +42,7 @@ CHINESE = SolutionWords(
     student="学号",
     paper="试卷编号",
     question="第 {} 题",
-    question_known="第 {} 题（{}）",
+    question_known="第 {} 题（登分表第 {} 题）",
     page="第 {} 页，共 {} 页",
     statement="题目",
     magnitude="大小",

@@ -36,6 +36,7 @@ from kinegrade.exam.markup import line, prose
 from kinegrade.exam.words import GalleryWords, Words, gallery_words_of, words_of
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.typst import to_typst, to_typst_picture
+from kinegrade.question_numbers import bank_number, other_number
 from kinegrade.worked.formula_width import width
 
 BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
@@ -142,7 +143,7 @@ def _halves(pieces: Sequence[str], texts: Sequence[str]) -> tuple[Sequence[str],
 def _question(question: QuestionSheet, words: Words) -> Sheet:
     where = question.identifier
     points = words.point if question.points == 1 else words.points
-    figure = question.figure
+    figure, other = question.figure, other_number(where, question.number)
     sheet = gathered(
         title=lambda: line(question.title, f"{where}, title"),
         statement=lambda: prose(question.statement, f"{where}, statement"),
@@ -150,7 +151,7 @@ def _question(question: QuestionSheet, words: Words) -> Sheet:
     )
     return sheet | {
         "number": str(question.number),
-        "known": None if where == f"q{question.number}" else words.known.format(where),
+        "known": None if other is None else words.known.format(other),
         "points": points.format(points_text(question.points)),
         "source": words.source.format(question.source) if question.source else None,
         "short": _height_at_most(question) <= PAGE,
@@ -228,7 +229,7 @@ def _key_entry(entry: KeyEntry, where: str) -> Sheet:
         ),
         answers=lambda: each(lambda answer: _key_answer(answer, where), entry.answers),
     )
-    return sheet | {"identifier": entry.identifier}
+    return sheet | {"number": bank_number(entry.identifier)}
 
 
 def _key_parameter(parameter: KeyParameter, where: str) -> str:

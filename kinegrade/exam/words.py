@@ -18,7 +18,7 @@ class Words:
     mark: str
     rules: str
     version: str
-    known: str  # takes the question's identifier in the answer sheet where it differs from the number on the paper
+    known: str  # takes the question's number in the answer sheet where it differs from that on the paper
     point: str  # takes the number one
     points: str  # takes any other number
     asked: str
@@ -47,7 +47,7 @@ ENGLISH = Words(
     mark="Mark",
     rules="How to answer, and how answers are marked",
     version="Version {}",
-    known="({})",
+    known="(no. {} in the answer sheet)",
     point="{} point",
     points="{} points",
     asked="Find",
@@ -76,7 +76,7 @@ CHINESE = Words(
     mark="得分",
     rules="作答与评分说明",
     version="{} 卷",
-    known="（{}）",
+    known="（登分表第 {} 题）",
     point="{} 分",
     points="{} 分",
     asked="求",

@@ -38,6 +38,7 @@ from kinegrade.grading.plots import bar, box_plot, histogram_plot, stacked_bar
 from kinegrade.grading.report_words import ReportWords, report_words_of
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.question_numbers import bank_number
 
 Page = dict[str, Any]  # what a layout reads
 HARD, EASY, FLAT = 0.3, 0.9, 0.1
@@ -65,6 +66,7 @@ def class_report(marks: Path, exam: Path, wording: Wording, language: Language) 
     page: Page = {
         "words": words,
         "exam": record,
+        "heads": [words.numbered.format(bank_number(name)) for name in record.questions],
         "answered": len(counts.answered),
         "silent": [f"{each.name} ({each.student})" for each in counts.silent],
         "roster": len(counts.answered) + len(counts.silent),
@@ -117,7 +119,7 @@ def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterat
         )
         question = column.split(".")[0]
         yield {
-            "question": question,
+            "question": words.numbered.format(bank_number(question)),
             "title": wording.titles.get(question, ""),
             "first": place == 0 or counts.columns[place - 1].split(".")[0] != question,
             "symbol": symbol_of(column, wording),
@@ -210,7 +212,11 @@ def loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Itera
             for reason, count in ordered
         ]
         if rows:
-            yield {"question": question, "title": wording.titles.get(question, ""), "rows": rows}
+            yield {
+                "question": words.numbered.format(bank_number(question)),
+                "title": wording.titles.get(question, ""),
+                "rows": rows,
+            }
 
 
 def by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
@@ -245,7 +251,7 @@ def hardness_part(
         verdict = (
             f"{words.trends.format(len(trends))} {words.trend_found if clear else words.no_trend}"
         )
-    rows = [trend_row(trend, wording) for trend in trends[:MOST_TRENDS]]
+    rows = [trend_row(trend, wording, words) for trend in trends[:MOST_TRENDS]]
     return part | {"trends": rows, "verdict_on_papers": verdict}
 
 
@@ -297,12 +303,12 @@ def version_share(counts: ClassTally, letter: str, question: str) -> str:
     return share_text(None if isnan(share) else share)
 
 
-def trend_row(trend: ParameterTrend, wording: Wording) -> Page:
+def trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> Page:
     """One drawn number and how points go with it."""
     known = wording.parameters.get((trend.question, trend.parameter))
     thirds = [(share_text(third.share), span_text(third), third.count) for third in trend.thirds]
     return {
-        "question": trend.question,
+        "question": words.numbered.format(bank_number(trend.question)),
         "symbol": symbol_html(known) if known else trend.parameter,
         "thirds": thirds,
         "correlation": decimal(trend.correlation),

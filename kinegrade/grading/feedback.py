@@ -34,6 +34,7 @@ from kinegrade.grading.math_html import unit_text
 from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.question_numbers import other_number
 
 LONGEST_TYPED = 80  # characters: more of a cell says nothing more
 LONGEST_EXACT = 32
@@ -134,11 +135,11 @@ def _questions(
     }
     for number, question in enumerate(paper.printed, start=1):
         own = by_question.get(question, ())
-        known = question == f"q{number}"
+        other = other_number(question, number)
         heading = (
             words.question.format(number)
-            if known
-            else words.question_known.format(number, question)
+            if other is None
+            else words.question_known.format(number, other)
         )
         points = sum((answer.points for answer in own), Fraction(0))
         out_of = sum((answer.out_of for answer in own), Fraction(0))

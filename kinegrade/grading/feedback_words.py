@@ -18,9 +18,7 @@ class FeedbackWords:
     student: str
     paper: str
     question: str  # takes the number on the paper
-    question_known: (
-        str  # takes the number, and the identifier in the answer sheet where that is another
-    )
+    question_known: str  # takes the number, and that in the answer sheet where it is another
     asked: str
     yours: str
     read_as: str  # takes the number that was read
@@ -55,7 +53,7 @@ ENGLISH = FeedbackWords(
     student="Student",
     paper="Paper",
     question="Question {}",
-    question_known="Question {} ({})",
+    question_known="Question {} (no. {} in the answer sheet)",
     asked="Asked for",
     yours="Your answer",
     read_as="read as {}",
@@ -115,7 +113,7 @@ CHINESE = FeedbackWords(
     student="学号",
     paper="试卷编号",
     question="第 {} 题",
-    question_known="第 {} 题（{}）",
+    question_known="第 {} 题（登分表第 {} 题）",
     asked="所求",
     yours="你的答案",
     read_as="读作 {}",

@@ -29,6 +29,9 @@ class ReportWords:
     marks_on_axis: str
     asks: str
     question: str
+    numbered: (
+        str  # takes a question's number in the bank's order, by which the whole class is spoken of
+    )
     ask: str
     points: str
     facility: str
@@ -94,6 +97,7 @@ ENGLISH = ReportWords(
     marks_on_axis="▲ median   ○ mean",
     asks="The asks one by one",
     question="Question",
+    numbered="Question {}",
     ask="Asked",
     points="Points",
     facility="Facility",
@@ -201,6 +205,7 @@ CHINESE = ReportWords(
     marks_on_axis="▲ 中位数   ○ 平均分",
     asks="各小问分析",
     question="题目",
+    numbered="第 {} 题",
     ask="所求",
     points="分值",
     facility="得分率",

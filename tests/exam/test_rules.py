@@ -117,10 +117,10 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     english, chinese = rules(bank, "en"), rules(bank, "zh")
     assert len(english) == len(chinese) == 4
     assert english[-1] == (
-        "For q1, $a_{B}$: an answer is right if it differs from the exact value by at most 0.05 "
+        "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at most 0.05 "
         "in the unit of the table."
     )
-    assert chinese[-1].startswith("q1, $a_{B}$：答案与精确值之差不超过 0.05")
+    assert chinese[-1].startswith("第 1 题 $a_{B}$：答案与精确值之差不超过 0.05")
 
 
 def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -> None:
@@ -134,7 +134,7 @@ def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -
     english = rules(read_bank(file), "en")
     assert len(english) == 4
     assert english[-1].startswith(
-        "For q1: an answer is right if it differs from the exact value by at most 2 %"
+        "For question 1: an answer is right if it differs from the exact value by at most 2 %"
     )
 
 

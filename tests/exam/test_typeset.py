@@ -125,9 +125,9 @@ def test_a_question_with_another_number_in_the_answer_sheet_says_which(
 ) -> None:
     question = replace(ENGLISH_QUESTION, identifier="q3")
     (page,) = pages_of(press.paper(replace(ENGLISH, questions=(question,))), tmp_path)
-    assert "(q3)7points" in page
+    assert "(no.3intheanswersheet)7points" in page
     (page,) = pages_of(press.paper(ENGLISH), tmp_path)
-    assert "(q1)" not in page
+    assert "intheanswersheet" not in page
 
 
 def test_every_page_tells_whose_it_is_and_whether_it_is_the_last(

@@ -212,8 +212,8 @@ def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
     )
     ((_, sheet),) = feedback_sheets(marks, exam, WORDING, "en")
     assert [question.heading for question in sheet.questions] == [
-        "Question 1 (q2)",
-        "Question 2 (q1)",
+        "Question 1 (no. 2 in the answer sheet)",
+        "Question 2 (no. 1 in the answer sheet)",
     ]
 
 

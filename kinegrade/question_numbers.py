@@ -1,0 +1,23 @@
+"""The number by which people know a question: files name it q3, whatever people read says 3."""
+
+from __future__ import annotations
+
+
+def bank_number(identifier: str) -> str:
+    """The number of a question in the bank's order; an identifier of another shape is its own number.
+
+    >>> bank_number("q3"), bank_number("bonus")
+    ('3', 'bonus')
+    """
+    number = identifier.removeprefix("q")
+    return number if number.isdecimal() else identifier
+
+
+def other_number(identifier: str, number: int) -> str | None:
+    """The number in the bank's order where it is not the one on the paper.
+
+    >>> other_number("q3", 1), other_number("q3", 3)
+    ('3', None)
+    """
+    own = bank_number(identifier)
+    return None if own == str(number) else own

@@ -1,0 +1,107 @@
+"""People know a question by the number printed on their paper; the names q1, q2 of files stand on no page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from kinegrade.language import Language
+from kinegrade.question_numbers import bank_number, other_number
+from tests.small_class import asks_of, generate, key_lines, kinegrade, write_class
+from tests.tex import needs_tex
+
+INTERNAL = re.compile(r"(?<![A-Za-z0-9])q[0-9]")
+RULE = {"en": "Forquestion{}:", "zh": "第{}题："}
+ELSEWHERE = {"en": "(no.{}intheanswersheet)", "zh": "登分表第{}题"}
+
+
+def words(file: Path) -> str:
+    """The text of a page or a PDF without blanks."""
+    if file.suffix == ".pdf":
+        text = "".join(page.extract_text() for page in PdfReader(file).pages)
+    else:
+        text = re.sub(
+            r"<style.*?</style>|<[^>]*>", "", file.read_text(encoding="utf-8"), flags=re.S
+        )
+    return text
+
+
+def squeezed(file: Path) -> str:
+    return "".join(words(file).split())
+
+
+def shuffled_class(folder: Path, *options: str) -> Path:
+    """An exam of two students whose papers have their own orders, with exceptions to the rule in two questions."""
+    write_class(folder)
+    bank = (folder / "bank.toml").read_text(encoding="utf-8")
+    (folder / "bank.toml").write_text(f"shuffle = true\n{bank}", encoding="utf-8")
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n0012,Bob\n", encoding="utf-8")
+    result = generate(folder, "EXAM", *options)
+    assert result.exit_code == 0, result.stderr
+    return folder / "EXAM"
+
+
+def marked(exam: Path, language: Language) -> Iterator[Path]:
+    """The feedback of the class in all formats and its report; every other answer is wrong."""
+    folder, asks = exam.parent, asks_of(exam)
+    columns = list(dict.fromkeys(column for _, column in asks))
+    rows = [
+        [line["student"], *(f"{asks[line['student'], column]['value'] + place % 2:.6g}"
+                            for place, column in enumerate(columns))]
+        for line in key_lines(exam)
+    ]  # fmt: skip
+    table = [["student", *columns], *rows]
+    (folder / "typed.csv").write_text("\n".join(map(",".join, table)), encoding="utf-8")
+    assert kinegrade("grade", exam, folder / "typed.csv", "-o", folder / "MARKS").exit_code == 0
+    for form in ("pdf", "html", "md"):
+        target = folder / f"FEEDBACK-{form}"
+        result = kinegrade(
+            *("feedback", exam, folder / "MARKS", "-o", target, "--format", form),
+            *("--lang", language),
+        )
+        assert result.exit_code == 0, result.stderr
+        yield from (target / "sheets").iterdir()
+    report = folder / "report.html"
+    arguments = ("report", exam, folder / "MARKS", "-o", report, "--lang", language)
+    assert kinegrade(*arguments).exit_code == 0
+    yield report
+
+
+def require_numbers(exam: Path, language: Language) -> None:
+    """Rules name the questions as that paper prints them, and say where their number is another."""
+    for line in key_lines(exam):
+        text = squeezed(exam / "papers" / f"{line['student']}.pdf")
+        printed = line["printed"]
+        assert RULE[language].format(printed.index("q3") + 1) in text
+        for number, name in enumerate(printed, start=1):
+            told = ELSEWHERE[language].format(name[1:]) in text
+            assert told == (name != f"q{number}")
+    assert len({tuple(line["printed"]) for line in key_lines(exam)}) == 2
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_page_names_a_question_by_the_name_of_its_column(
+    language: Language, tmp_path: Path
+) -> None:
+    exam = shuffled_class(tmp_path, "--lang", language, "--solutions")
+    require_numbers(exam, language)
+    pages = [*exam.rglob("*.pdf"), *marked(exam, language)]
+    assert len(pages) >= 12
+    assert [file.name for file in pages if INTERNAL.search(words(file))] == []
+    assert {"en": "Question3", "zh": "第3题"}[language] in squeezed(tmp_path / "report.html")
+
+
+@needs_tex
+def test_no_page_that_latex_sets_does_either(tmp_path: Path) -> None:
+    exam = shuffled_class(tmp_path, "--engine", "latex", "--solutions")
+    require_numbers(exam, "en")
+    assert [file.name for file in exam.rglob("*.pdf") if INTERNAL.search(words(file))] == []
+
+
+def test_a_number_is_told_apart_only_where_it_is_another() -> None:
+    assert (bank_number("q12"), bank_number("bonus"), bank_number("q")) == ("12", "bonus", "q")
+    assert (other_number("q12", 12), other_number("q12", 1)) == (None, "12")
