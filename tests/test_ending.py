@@ -191,10 +191,11 @@ def test_help_for_a_closed_pipe_is_silent_too(room: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="Linux has a full device")
-def test_a_full_disk_behind_standard_output_is_one_line(room: Path) -> None:
+@pytest.mark.parametrize("asked", ["list", "--help"])
+def test_a_full_disk_behind_standard_output_is_one_line(room: Path, asked: str) -> None:
     with Path("/dev/full").open("wb") as full:
         process = subprocess.run(
-            [sys.executable, "-m", "kinegrade", "list"],
+            [sys.executable, "-m", "kinegrade", asked],
             cwd=room,
             stdout=full,
             stderr=subprocess.PIPE,

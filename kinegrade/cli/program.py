@@ -6,7 +6,6 @@ ends a run is none of these: a fault of kinegrade is 70, and a signal 128 and it
 
 from __future__ import annotations
 
-import errno
 import os
 import signal
 import sys
@@ -18,12 +17,11 @@ from typing import Any, NoReturn
 import click
 
 from kinegrade.cli.crash import crash_line
-from kinegrade.cli.options import FAILURE
+from kinegrade.cli.options import FAILURE, FULL
 from kinegrade.cli.signals import BY_SIGNAL, Signalled, signals_obeyed
 
 CRASH = 70  # EX_SOFTWARE of sysexits.h
 CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does not have
-_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class ClosedPipe(Exception):
@@ -81,7 +79,7 @@ def _status(run: Callable[[], object]) -> int:
     except UnexpectedEnd as fault:
         return _crashed(fault.__cause__ or fault)
     except OSError as fault:
-        if fault.errno not in _FULL or fault.filename is not None:
+        if fault.errno not in FULL or fault.filename is not None:
             return _crashed(fault)
         _echo(
             f"error: standard output: cannot be written ({fault.strerror}) - expected a place with room - "
