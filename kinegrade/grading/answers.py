@@ -128,9 +128,13 @@ def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: 
 
 def _doubt(found: TypedNumber | Formula, minus: bool) -> str:
     """What a person should know of how a number was read, with the sign that was typed or said in words."""
-    if isinstance(found, Formula):
-        return found.remark
-    return found.reason and f"read as {_signed(found, minus)}: {found.reason}"
+    match found:
+        case TypedNumber():
+            return found.reason and f"read as {_signed(found, minus)}: {found.reason}"
+        case Formula():
+            return found.remark
+        case _:
+            assert_never(found)
 
 
 def _signed(found: TypedNumber, minus: bool) -> str:
