@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ import pytest
 import kinegrade
 from tests.defaults import Vocabulary, defaults, vocabulary
 
+pytestmark = pytest.mark.xdist_group("exhaustive")  # one worker reads the package, once
 PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
     "cli/export.py: if system == 'xlsx'": "the rest goes on to `_dialect`, which names every system",
@@ -183,6 +185,7 @@ match token:
 }
 
 
+@cache
 def words_of_package() -> tuple[Mapping[str, ast.Module], Vocabulary]:
     """The syntax trees of the package by file, and what they define."""
     trees = {
@@ -217,20 +220,24 @@ def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
     assert {"WORDS", "ROLES", "_FILLS"} <= words.tables
 
 
-def test_a_new_joint_word_or_language_never_takes_the_place_of_an_old_one() -> None:
+@cache
+def defaults_of_package() -> Mapping[str, str]:
+    """Every default in the package, by its file and its text, with its file and line."""
     trees, words = words_of_package()
-    found = {
+    return {
         f"{file}: {text}": f"{file}:{line}"
         for file, tree in trees.items()
         for line, text in defaults(tree, words)
     }
+
+
+def test_a_new_joint_word_or_language_never_takes_the_place_of_an_old_one() -> None:
+    found = defaults_of_package()
     assert {text: found[text] for text in found.keys() - EXCEPTIONS} == {}
 
 
 def test_every_exception_is_still_there() -> None:
-    trees, words = words_of_package()
-    found = {f"{file}: {text}" for file, tree in trees.items() for _, text in defaults(tree, words)}
-    assert EXCEPTIONS.keys() - found == set()
+    assert EXCEPTIONS.keys() - defaults_of_package().keys() == set()
 
 
 def test_every_table_by_language_has_all_languages() -> None:
