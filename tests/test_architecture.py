@@ -27,6 +27,7 @@ FLOORS = {
     "files": 0,
     "leftovers": 0,
     "temporary": 0,
+    "printed_order": 0,
     "question_numbers": 0,
     "tables": 0,
     "csv_writing": 0,

@@ -24,11 +24,12 @@ from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
 from kinegrade.grading.pool import VARIANTS, pool_of
+from kinegrade.printed_order import PRINTED, write_printed
 from kinegrade.grading.report import POLICY, write_grades, write_marks
 from kinegrade.tables import Table, read_table
 
 MARKER = "complaints.csv"
-FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT, VARIANTS)
+FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT, VARIANTS, PRINTED)
 Export = Callable[[Path], str]  # a folder with these files -> the text of one more
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
@@ -70,9 +71,15 @@ def grade(
         if never_lower:
             grades, kept = with_kept_totals(grades, read_totals(never_lower))
         write_grades(folder, grades, rules, kept)
-        for name, export in exports.items():
-            (folder / name).write_text(export(folder), encoding="utf-8", newline="")
+        write_printed(folder, exam, grades.questions)
+        _write_exports(folder, exports)
     return grades
+
+
+def _write_exports(folder: Path, exports: Mapping[str, Export]) -> None:
+    """Files for other systems, made of what stands in the folder."""
+    for name, export in exports.items():
+        (folder / name).write_text(export(folder), encoding="utf-8", newline="")
 
 
 def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]:

@@ -20,8 +20,10 @@ from typing import Any, assert_never
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
+from kinegrade.printed_order import read_printed
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.lms.dialect import Field
+from kinegrade.question_numbers import bank_number
 from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 
 Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
@@ -38,6 +40,7 @@ class StudentGrade:
     """One student's points by question and in all (item TOTAL), and what there was to get of each.
 
     `name` stands as in grades.csv, neutralised against spreadsheets; `email` is empty where no exam was read.
+    `printed` are the questions as they followed on the paper, empty where they did as in the bank.
     """
 
     student: str
@@ -46,6 +49,7 @@ class StudentGrade:
     points: Mapping[str, Fraction]
     out_of: Mapping[str, Fraction]
     handed_in: bool
+    printed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +91,7 @@ def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
     available, filled = _marked(folder / "marks.csv")
     kept = _kept(folder / "kept.csv")
     questions = tuple(name for name in grades.header if name not in _NOT_QUESTIONS)
+    orders = read_printed(folder, questions)
     students = []
     for row in grades.rows:
         cells = {name: row.cell(place) for place, name in enumerate(grades.header)}
@@ -99,20 +104,32 @@ def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
             if "status" in cells
             else student in filled or points[TOTAL] > 0
         )
-        students.append(StudentGrade(student, cells["name"], "", points, out_of, handed_in))
+        printed = orders.get(student, ())
+        students.append(
+            StudentGrade(student, cells["name"], "", points, out_of, handed_in, printed)
+        )
     found = ClassGrades(questions, tuple(students))
     return found if exam is None else _with_exam(found, exam)
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
-    """What the system tells a student: points by question, nothing that the student typed.
+    """What the system tells a student: points by the number of the question on the student's own paper, and nothing
+    that the student typed.
 
-    >>> feedback_text(StudentGrade("7", "", "", {"q1": Fraction(5, 2)}, {"q1": Fraction(4)}, True), ("q1",))
-    'q1: 2.5/4'
+    >>> points, out_of = {"q1": Fraction(5, 2), "q2": Fraction(0)}, {"q1": Fraction(4), "q2": Fraction(3)}
+    >>> feedback_text(StudentGrade("7", "", "", points, out_of, True), ("q1", "q2"))
+    '1: 2.5/4; 2: 0/3'
+    >>> feedback_text(StudentGrade("7", "", "", points, out_of, True, ("q2", "q1")), ("q1", "q2"))
+    '1: 0/3; 2: 2.5/4'
     """
+    numbered = (
+        [(str(number), name) for number, name in enumerate(grade.printed, 1)]
+        if grade.printed
+        else [(bank_number(name), name) for name in questions]
+    )
     parts = [
-        f"{name}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
-        for name in questions
+        f"{number}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
+        for number, name in numbered
     ]
     return "; ".join(parts)
 

@@ -11,7 +11,7 @@ from pypdf import PdfReader
 
 from kinegrade.language import Language
 from kinegrade.question_numbers import bank_number, other_number
-from tests.small_class import asks_of, generate, key_lines, kinegrade, write_class
+from tests.small_class import asks_of, generate, key_lines, kinegrade, table, write_class
 from tests.tex import needs_tex
 
 INTERNAL = re.compile(r"(?<![A-Za-z0-9])q[0-9]")
@@ -105,3 +105,43 @@ def test_no_page_that_latex_sets_does_either(tmp_path: Path) -> None:
 def test_a_number_is_told_apart_only_where_it_is_another() -> None:
     assert (bank_number("q12"), bank_number("bonus"), bank_number("q")) == ("12", "bonus", "q")
     assert (other_number("q12", 12), other_number("q12", 1)) == (None, "12")
+
+
+def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path: Path) -> None:
+    """With "q1: 0/5" beside the grade, students of shuffled papers complained about another question."""
+    exam = shuffled_class(tmp_path, "--no-solutions")
+    list(marked(exam, "en"))
+    marks = tmp_path / "MARKS"
+    again = tmp_path / "again.csv"
+    assert kinegrade("export", marks, "--to", "moodle", "-o", again).exit_code == 0
+    grades = {row["student"]: row for row in table(marks / "grades.csv")}
+    worth = {"q1": "5.5", "q2": "3", "q3": "7"}
+    for file in (marks / "moodle.csv", again):
+        told = {row["ID number"]: row["Feedback"] for row in table(file)}
+        for line in key_lines(exam):
+            student = line["student"]
+            assert told[student] == "; ".join(
+                f"{number}: {grades[student][name]}/{worth[name]}"
+                for number, name in enumerate(line["printed"], start=1)
+            )
+
+
+def test_a_damaged_order_of_questions_is_one_line(tmp_path: Path) -> None:
+    exam = shuffled_class(tmp_path, "--no-solutions")
+    list(marked(exam, "en"))
+    marks = tmp_path / "MARKS"
+    (marks / "printed.csv").write_text("student,questions\n007,q1 q2 q9\n", encoding="utf-8")
+    refused = kinegrade("export", marks, "--to", "moodle", "-o", tmp_path / "again.csv")
+    assert refused.exit_code == 2
+    assert refused.stderr.strip() == (
+        f'error: {marks}/printed.csv:2: questions is "q1 q2 q9" - expected the questions of '
+        "grades.csv in the order of the paper - grade again"
+    )
+    key = exam / "key.jsonl"
+    key.write_text(key.read_text(encoding="utf-8").replace('"printed": ["q', '"printed": ["r'))
+    refused = kinegrade("grade", exam, tmp_path / "typed.csv", "-o", tmp_path / "MARKS2")
+    assert refused.exit_code == 2
+    assert refused.stderr.strip() == (
+        f'error: {key}: line 1: "printed" is not an order of the questions - expected it as '
+        "kinegrade generate wrote it - restore the exam folder"
+    )

@@ -194,7 +194,7 @@ def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
     assert "nobody is lowered: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
         compare(first, second)
     )
-    assert moodle.export(second).splitlines()[1] == "007,王伟,3.7632,q1: 0/4; q2: 2.5/2.5"
+    assert moodle.export(second).splitlines()[1] == "007,王伟,3.7632,1: 0/4; 2: 2.5/2.5"
 
 
 def test_with_equal_points_the_earlier_total_itself_stands(answered: Path) -> None:

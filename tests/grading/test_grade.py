@@ -107,8 +107,8 @@ def test_moodle_gets_exact_ids_and_short_feedback(exam_folder: Path) -> None:
         :3
     ] == [
         "ID number,Full name,Grade,Feedback",
-        "007,王伟,9.5,q1: 7/7; q2: 2.5/2.5",
-        '0012,"O\'Neil, Zoë",4,q1: 4/7; q2: 0/2.5',
+        "007,王伟,9.5,1: 7/7; 2: 2.5/2.5",
+        '0012,"O\'Neil, Zoë",4,1: 4/7; 2: 0/2.5',
     ]
 
 

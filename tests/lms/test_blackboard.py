@@ -95,6 +95,6 @@ def test_a_file_of_one_column_takes_feedback_and_its_format(tmp_path: Path) -> N
     )
     assert changed(tmp_path) == {
         (2, QUIZ): "8.25",
-        (2, "Feedback to Learner"): "q1: 7/7; q2: 1.25/3",
+        (2, "Feedback to Learner"): "1: 7/7; 2: 1.25/3",
         (2, "Feedback Format"): "PLAIN_TEXT",
     }

@@ -54,8 +54,8 @@ def test_filling_in_with_complaints_ends_with_status_1(tmp_path: Path) -> None:
         SAMPLE.read_text(encoding="utf-8"),
         (tmp_path / "out.csv").read_text(encoding="utf-8"),
     )
-    assert after == before.replace('2.94,"29.41 %",,', '4,"29.41 %",q1: 4/7; q2: 0/3,', 1).replace(
-        '5.29,"52.94 %",,', '8.25,"52.94 %",q1: 7/7; q2: 1.25/3,'
+    assert after == before.replace('2.94,"29.41 %",,', '4,"29.41 %",1: 4/7; 2: 0/3,', 1).replace(
+        '5.29,"52.94 %",,', '8.25,"52.94 %",1: 7/7; 2: 1.25/3,'
     )
 
 

@@ -52,8 +52,8 @@ def sample(language: str) -> bytes:
 def test_the_file_is_what_moodle_imports(tmp_path: Path) -> None:
     assert export(folder(tmp_path)) == (
         "ID number,Full name,Grade,Feedback\n"
-        "0012345,王伟,7,q1: 4/7; q2: 3/3\n"
-        '=9,"O\'Neil, ""Zoë""",0.3333,q1: 0/7; q2: 0.3333/3\n'
+        "0012345,王伟,7,1: 4/7; 2: 3/3\n"
+        '=9,"O\'Neil, ""Zoë""",0.3333,1: 0/7; 2: 0.3333/3\n'
     )
 
 
@@ -71,7 +71,7 @@ def test_who_handed_in_nothing_is_left_out_because_an_empty_grade_erases_one(
 ) -> None:
     assert "0012347" not in export(write_marks(tmp_path))
     everybody = fresh(tmp_path, MOODLE, ExportOptions(ungraded=True))
-    assert "0012347,'=HYPERLINK(1),0,q1: 0/7; q2: 0/3\n" in everybody.text
+    assert "0012347,'=HYPERLINK(1),0,1: 0/7; 2: 0/3\n" in everybody.text
     assert (everybody.students, fresh(tmp_path, MOODLE).students) == (4, 3)
 
 
@@ -119,12 +119,12 @@ def test_a_downloaded_gradebook_keeps_every_byte_but_grades_and_feedback(
     grade, feedback = (f"{title} ({word})" for word in LANGUAGES[language])
     expected = {
         (3, grade): "4",
-        (3, feedback): "q1: 4/7; q2: 0/3",
+        (3, feedback): "1: 4/7; 2: 0/3",
         (5, grade): "8.25",
-        (5, feedback): "q1: 7/7; q2: 1.25/3",
+        (5, feedback): "1: 7/7; 2: 1.25/3",
     }
     if by == "id":
-        expected |= {(4, grade): "9.6667", (4, feedback): "q1: 6.6667/7; q2: 3/3"}
+        expected |= {(4, grade): "9.6667", (4, feedback): "1: 6.6667/7; 2: 3/3"}
     assert changed(tmp_path) == expected
     assert result.students == len(expected) // 2
     told = [str(each) for each in result.complaints]
@@ -179,14 +179,14 @@ def test_the_assignment_worksheet_is_filled_by_email_and_keeps_its_marks(tmp_pat
     result = filled(tmp_path, MOODLE, WORKSHEET)
     assert changed(tmp_path) == {
         (2, "Grade"): "8.25",
-        (2, "Feedback comments"): "q1: 7/7; q2: 1.25/3",
+        (2, "Feedback comments"): "1: 7/7; 2: 1.25/3",
         (3, "Grade"): "4",
-        (3, "Feedback comments"): "q1: 4/7; q2: 0/3",
+        (3, "Feedback comments"): "1: 4/7; 2: 0/3",
     }
     assert result.content.startswith(b"\xef\xbb\xbfIdentifier")
     assert (
         '3.00,10.00,Yes,-,-,"old, and ""long"""'.replace("3.00", "4")
-        .replace('old, and ""long""', "q1: 4/7; q2: 0/3")
+        .replace('old, and ""long""', "1: 4/7; 2: 0/3")
         .encode()
         in result.content
     )

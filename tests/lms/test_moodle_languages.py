@@ -42,7 +42,7 @@ PEOPLE = {  # in the order of Moodle, not of the class
     "0012345": "w1@example.invalid",
 }
 GRADED = ("8.25", "4", "9.6667")  # 0012345, 0012346, 0012348
-COMMENTS = ("q1: 7/7; q2: 1.25/3", "q1: 4/7; q2: 0/3", "q1: 6.6667/7; q2: 3/3")
+COMMENTS = ("1: 7/7; 2: 1.25/3", "1: 4/7; 2: 0/3", "1: 6.6667/7; 2: 3/3")
 Cells = tuple[str, ...]
 
 
@@ -150,7 +150,7 @@ def test_words_of_a_scale_behind_the_points_are_no_feedback(tmp_path: Path, miss
 
 def test_feedback_that_was_filled_in_for_everybody_is_filled_in_again(tmp_path: Path) -> None:
     head = header("invented", ("Real", "Feedback"))
-    path = download(tmp_path, head, alike(("10.00", "q1: 7/7; q2: 3/3")))
+    path = download(tmp_path, head, alike(("10.00", "1: 7/7; 2: 3/3")))
     assert exported(tmp_path, path).exit_code == 0
     assert columns(tmp_path, *head[6:8])[1] == (GRADED[1], COMMENTS[1])
 

@@ -29,11 +29,11 @@ def test_grades_and_comments_are_filled_in(tmp_path: Path) -> None:
     filled(tmp_path, SAKAI, DOWNLOAD)
     assert changed(tmp_path) == {
         (2, ITEM): "8.25",
-        (2, COMMENT): "q1: 7/7; q2: 1.25/3",
+        (2, COMMENT): "1: 7/7; 2: 1.25/3",
         (3, ITEM): "4",
-        (3, COMMENT): "q1: 4/7; q2: 0/3",
+        (3, COMMENT): "1: 4/7; 2: 0/3",
         (4, ITEM): "9.67",
-        (4, COMMENT): "q1: 6.6667/7; q2: 3/3",
+        (4, COMMENT): "1: 6.6667/7; 2: 3/3",
     }
 
 
