@@ -23,6 +23,7 @@ from pathlib import Path
 
 from kinegrade.errors import OutputError
 from kinegrade.leftovers import clear_leftovers, own_name, remove
+from kinegrade.temporary import clear_temporary_folders
 
 _CURRENT_FOLDER = -100  # AT_FDCWD
 _LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
@@ -163,11 +164,15 @@ def _unwritable(path: Path, fault: Exception) -> OutputError:
 
 @contextmanager
 def _partial(path: Path, target: Path) -> Iterator[Path]:
-    """A hidden name beside `target`; whatever stands under it at the end is removed."""
+    """A hidden name beside `target`; whatever stands under it at the end is removed.
+
+    What killed runs left behind is cleared first, their temporary folders too: they may hold the key.
+    """
     partial = target.with_name(own_name(_beginning(target)))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         clear_leftovers(target.parent, _beginning(target))
+        clear_temporary_folders()
         yield partial
     except OSError as fault:
         raise _unwritable(path, fault) from fault

@@ -16,6 +16,7 @@ import pytest
 from kinegrade import files
 from kinegrade.errors import OutputError
 from kinegrade.files import output_folder, write_file
+from kinegrade.leftovers import own_name
 
 FILES = 25
 WRITE_VERSIONS = f"""
@@ -236,3 +237,19 @@ def test_a_folder_without_a_marker_is_known_by_its_contents_alone(tmp_path: Path
     ):
         pass
     assert (tmp_path / "A" / "1.pdf").read_text() == "two"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="whether a process runs")
+def test_the_key_in_a_temporary_folder_of_a_killed_run_goes_with_the_next_output(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    room = tmp_path / "temporary"
+    room.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(room))
+    with subprocess.Popen([sys.executable, "-c", "pass"]) as ended:
+        ended.wait()
+    left = own_name("kinegrade").replace(f"-{os.getpid()}-", f"-{ended.pid}-")
+    (room / left).mkdir()
+    (room / left / "key.jsonl").write_text("the key", encoding="utf-8")
+    write_file(tmp_path / "quiz.xml", b"")
+    assert not list(room.iterdir())

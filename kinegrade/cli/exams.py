@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import (
     FILE,
     FORCE,
@@ -197,5 +198,6 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     """
     from kinegrade.exam.handout import hand_out
 
+    expect_folders((exam, "EXAM"))
     count = hand_out(exam, output, force=force)
     click.echo(f"{output}: {count} papers, and nothing that gives the key away", err=True)

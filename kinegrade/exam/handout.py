@@ -85,6 +85,11 @@ def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
 
 def content(file: Path) -> bytes:
     """The bytes of a paper. Raises ExamError."""
+    if file.is_symlink():
+        raise ExamError(
+            f"{file}: is a link - expected the paper of a student, as a link may lead to what is "
+            "not for students - restore the exam folder"
+        )
     try:
         return file.read_bytes()
     except OSError as fault:

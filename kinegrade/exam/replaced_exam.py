@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from kinegrade.answer_file import POOL
-from kinegrade.errors import ExamError, OutputError, TableError
+from kinegrade.errors import ExamError, OutputError, TableError, one_line
 from kinegrade.exam.exam_secret import MARKER, ExamSecret, kept_secret
 from kinegrade.tables import header_key, read_table, trimmed
 
@@ -29,6 +29,10 @@ OWN_COLUMNS = ("student", "name")  # of the answer sheet; in all others answers 
 EDITED_BY_HAND = (".tex", ".docx", ".html", ".toml", ".xlsx")
 UNRECORDED = (".tex", ".docx", ".html")  # of those, what earlier versions wrote to be edited
 UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
+RESTORING = (
+    "expected it as kinegrade generate wrote it - restore the exam folder, choose another one, or "
+    "add --new-numbers"
+)
 NAMED = 5  # students or files that a message names
 
 
@@ -103,7 +107,9 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
     if answered(folder / ANSWERS):
         raise edited_since(folder, [ANSWERS])
     try:
-        return ReplacedExam(folder, kept_secret(folder), paper_digests(folder / KEY))
+        secret, papers = kept_secret(folder), paper_digests(folder / KEY)
+        require_everybody(folder, papers)
+        return ReplacedExam(folder, secret, papers)
     except ExamError:
         if not new_numbers:
             raise
@@ -146,9 +152,29 @@ def paper_digests(key: Path) -> dict[str, str]:
         reason = type(fault).__name__
     raise ExamError(
         f"{key}: cannot be read ({reason}), so that nobody knows which papers would be replaced - "
-        "expected it as kinegrade generate wrote it - restore the exam folder, choose another "
-        "one, or add --new-numbers"
+        f"{RESTORING}"
     )
+
+
+def require_everybody(folder: Path, papers: Collection[str]) -> None:
+    """Raises ExamError where the key lacks a student who has a paper by exam.json: that paper would
+    be replaced unnoticed.
+    """
+    try:
+        head = json.loads((folder / MARKER).read_text(encoding="utf-8"))
+        students = [str(entry["student"]) for entry in head["students"]]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as fault:
+        raise ExamError(
+            f"{folder / MARKER}: does not say who has a paper ({type(fault).__name__}), so that "
+            f"nobody knows which would be replaced - {RESTORING}"
+        ) from fault
+    lacking = [student for student in students if student not in papers]
+    if lacking:
+        raise ExamError(
+            f'{folder / KEY}: no line for student "{one_line(lacking[0])}" ({len(lacking)} of '
+            f"{len(students)} are not there), so that nobody knows whether these papers would be "
+            f"replaced - {RESTORING}"
+        )
 
 
 def paper_digest(line: Mapping[str, Any]) -> tuple[str, str]:

@@ -100,3 +100,24 @@ def test_a_folder_that_is_no_exam_hands_out_nothing(tmp_path: Path) -> None:
     (tmp_path / "MARKS").mkdir()
     line = refusal(tmp_path / "MARKS", "-o", tmp_path / "OUT")
     assert "expected an exam folder made by kinegrade generate" in line
+
+
+def test_a_link_in_a_strangers_folder_hands_nothing_else_out(exam: Path, tmp_path: Path) -> None:
+    paper = exam / "papers" / "007.pdf"
+    paper.unlink()
+    paper.symlink_to(exam / "key.pdf")
+    assert refusal(exam, "-o", tmp_path / "OUT") == (
+        f"error: {paper}: is a link - expected the paper of a student, as a link may lead to what "
+        "is not for students - restore the exam folder"
+    )
+    assert not (tmp_path / "OUT").exists()
+
+
+def test_marks_in_place_of_the_exam_are_named(tmp_path: Path) -> None:
+    marks = tmp_path / "MARKS"
+    marks.mkdir()
+    (marks / "marks.csv").write_text("student\n", encoding="utf-8")
+    assert refusal(marks, "-o", tmp_path / "OUT") == (
+        f"error: {marks}: you gave MARKS where EXAM is expected - expected an exam folder made by "
+        "kinegrade generate - name that folder"
+    )

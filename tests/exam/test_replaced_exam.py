@@ -255,3 +255,26 @@ def test_the_words_of_a_reproducible_exam_are_kept(folder: Path) -> None:
         assert generate(folder, "--force", *options).exit_code == 0
         assert contents(folder / "EXAM") == before
     assert "3 of 3 papers would change" in refused(folder, "--seed", "other")
+
+
+@pytest.mark.parametrize("lines", [0, 2])
+def test_a_printed_paper_that_the_key_has_lost_is_not_replaced_as_if_it_were_new(
+    folder: Path, lines: int
+) -> None:
+    key = folder / "EXAM" / "key.jsonl"
+    key.write_text("".join(key.read_text(encoding="utf-8").splitlines(keepends=True)[:lines]))
+    write_inputs(folder, "abc", points=4)
+    assert refused(folder) == (
+        f'error: {key}: no line for student "{"abc"[lines]}" ({3 - lines} of 3 are not there), so '
+        "that nobody knows whether these papers would be replaced - expected it as kinegrade "
+        "generate wrote it - restore the exam folder, choose another one, or add --new-numbers"
+    )
+
+
+def test_an_exam_that_does_not_say_who_has_a_paper_is_replaced_on_purpose_only(
+    folder: Path,
+) -> None:
+    head = folder / "EXAM" / "exam.json"
+    record = json.loads(head.read_text(encoding="utf-8"))
+    head.write_text(json.dumps(record | {"students": 3}), encoding="utf-8")
+    assert "exam.json: does not say who has a paper (TypeError)" in refused(folder)
