@@ -24,8 +24,8 @@ from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
 from kinegrade.grading.pool import VARIANTS, pool_of
-from kinegrade.printed_order import PRINTED, write_printed
 from kinegrade.grading.report import POLICY, write_grades, write_marks
+from kinegrade.printed_order import PRINTED, write_printed
 from kinegrade.tables import Table, read_table
 
 MARKER = "complaints.csv"

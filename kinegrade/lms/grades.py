@@ -20,9 +20,9 @@ from typing import Any, assert_never
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.printed_order import read_printed
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.lms.dialect import Field
+from kinegrade.printed_order import read_printed
 from kinegrade.question_numbers import bank_number
 from kinegrade.tables import Row, Table, read_table, trimmed, written_records
 

@@ -74,6 +74,7 @@ MOODLE = Dialect(
 def export(marks_folder: Path) -> str:
     """The text of moodle.csv from grades.csv and marks.csv of a folder; raises TableError.
 
-    Feedback is a line such as "1: 4/7; 2: 3/3", by the numbers on the student's own paper. Names stay neutralised against spreadsheets.
+    Feedback is a line such as "1: 4/7; 2: 3/3", by the numbers on the student's own paper. Names stay neutralised
+    against spreadsheets.
     """
     return new_file(MOODLE, read_grades(marks_folder), ExportOptions()).text
