@@ -27,7 +27,8 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.problem.template import Method
 
-COST = "--reproducible: whoever guesses these words can print every paper and its key; for tests and demonstrations only"
+GUESSABLE = "whoever guesses these words can print every paper and its key"
+COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
 
 
 @click.command()
@@ -141,8 +142,9 @@ def generate(
         extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
         progress=progress,
     )
-    if words is not None:
-        click.echo(COST, err=True)
+    if written.setting.secret.guessable:
+        kept = f"{output}: keeps numbers that come from words: {GUESSABLE}; --new-numbers is safe"
+        click.echo(kept if words is None else COST, err=True)
     _say(written, output)
     finish(written.complaints)
 

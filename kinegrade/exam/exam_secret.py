@@ -37,6 +37,11 @@ class RandomSecret:
     label: str = ""
 
     @property
+    def guessable(self) -> bool:
+        """Whether somebody may find it by trying words."""
+        return False
+
+    @property
     def drawing(self) -> str:
         """The key under which numbers, templates, versions and the order of questions are drawn."""
         return digest(bytes.fromhex(self.draws), self.label.encode(), "sha256").hex()
@@ -59,6 +64,11 @@ class FromWords:
     """
 
     words: str = field(repr=False)
+
+    @property
+    def guessable(self) -> bool:
+        """Whether somebody may find it by trying words."""
+        return True
 
     @property
     def drawing(self) -> str:

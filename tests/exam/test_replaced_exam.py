@@ -278,3 +278,20 @@ def test_an_exam_that_does_not_say_who_has_a_paper_is_replaced_on_purpose_only(
     record = json.loads(head.read_text(encoding="utf-8"))
     head.write_text(json.dumps(record | {"students": 3}), encoding="utf-8")
     assert "exam.json: does not say who has a paper (TypeError)" in refused(folder)
+
+
+def test_numbers_that_can_be_guessed_are_not_kept_without_a_word(folder: Path) -> None:
+    """Exams of earlier versions were drawn from words that somebody typed, like "spring"."""
+    head = folder / "EXAM" / "exam.json"
+    record = json.loads(head.read_text(encoding="utf-8"))
+    for name in ("secret", "label", "codes"):
+        del record[name]
+    head.write_text(json.dumps(record | {"seed": "spring"}), encoding="utf-8")
+    words = generate(folder, "--force", "--new-numbers", "--reproducible", "spring")
+    assert words.exit_code == 0
+    again = generate(folder, "--force")
+    said = (
+        f"{folder}/EXAM: keeps numbers that come from words: whoever guesses these words can print"
+    )
+    assert [line for line in again.stderr.splitlines() if line.startswith(said)]
+    assert "come from words" not in generate(folder, "--force", "--new-numbers").stderr
