@@ -29,7 +29,7 @@ _CURRENT_FOLDER = -100  # AT_FDCWD
 _LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
 _MACOS_SWAP, _MACOS_EXCLUSIVE = 2, 4
 _UNSUPPORTED = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP)
-_DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
+DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ def _check_folder(
         )
     if not force:
         raise _taken(path, "folder")
-    names = {entry.name for entry in target.iterdir()} - _DESKTOP_DROPPINGS
+    names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
     if names and marker is not None and marker not in names:
         raise OutputError(
             f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty folder, "

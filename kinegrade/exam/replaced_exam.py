@@ -19,6 +19,7 @@ from typing import Any
 from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError, OutputError, TableError, one_line
 from kinegrade.exam.exam_secret import MARKER, ExamSecret, kept_secret
+from kinegrade.files import DESKTOP_DROPPINGS
 from kinegrade.tables import header_key, read_table, trimmed
 
 KEY = "key.jsonl"
@@ -26,7 +27,7 @@ VARIANTS = POOL
 SOLUTIONS = ("solutions", "solutions.pdf")
 ANSWERS = "answers.csv"
 OWN_COLUMNS = ("student", "name")  # of the answer sheet; in all others answers are typed
-EDITED_BY_HAND = (".tex", ".docx", ".html", ".toml", ".xlsx")
+EDITED_BY_HAND = (".tex", ".sty", ".docx", ".html", ".toml", ".xlsx")
 UNRECORDED = (".tex", ".docx", ".html")  # of those, what earlier versions wrote to be edited
 UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"
 RESTORING = (
@@ -228,7 +229,7 @@ def require_nothing_edited(old: Path, new: Path) -> None:
     """Raises OutputError where the folder `old` holds work of people's hands that the folder `new`
     does not hold.
     """
-    lost = [*edited(old, new), *([ANSWERS] if answered(old / ANSWERS) else [])]
+    lost = [*edited(old, new), *added(old, new), *([ANSWERS] if answered(old / ANSWERS) else [])]
     if lost:
         raise edited_since(old, lost)
 
@@ -236,8 +237,8 @@ def require_nothing_edited(old: Path, new: Path) -> None:
 def edited_since(folder: Path, names: Sequence[str]) -> OutputError:
     """The refusal to replace a folder that holds these files."""
     return OutputError(
-        f"{folder}: holds {', '.join(names[:NAMED])}, edited since it was generated, which would "
-        "be lost - expected only what is written again - move it elsewhere or choose another "
+        f"{folder}: holds {', '.join(names[:NAMED])}, edited or added since it was generated, which "
+        "would be lost - expected only what is written again - move it elsewhere or choose another "
         "folder"
     )
 
@@ -257,6 +258,30 @@ def edited(old: Path, new: Path) -> Iterator[str]:
             continue
         if stated is None or found != stated.get(name):
             yield name
+
+
+def added(old: Path, new: Path) -> Iterator[str]:
+    """The files below the folders of an exam that `generate` did not write there, such as notes
+    beside the papers; of those that people edit, `edited` knows.
+    """
+    stems = paper_stems(old)
+    for file in sorted(old.glob("*/**/*")) if stems else ():
+        own = file.stem in stems and file.suffix == ".pdf"
+        known = own or file.suffix in EDITED_BY_HAND or file.name in DESKTOP_DROPPINGS
+        name = file.relative_to(old)
+        if file.is_file() and not known and not (new / name).exists():
+            yield name.as_posix()
+
+
+def paper_stems(folder: Path) -> frozenset[str]:
+    """How the files of each student are called by exam.json, without their kinds; empty where it
+    does not say.
+    """
+    try:
+        head = json.loads((folder / MARKER).read_text(encoding="utf-8"))
+        return frozenset(Path(entry["file"]).stem for entry in head["students"])
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return frozenset()
 
 
 def editable_as_stated(folder: Path) -> Mapping[str, str] | None:

@@ -143,7 +143,10 @@ def test_typed_answers_are_not_overwritten_by_a_blank_sheet(
     sheet = folder / "EXAM" / "answers.csv"
     sheet.write_text("student,name,q1.v_B,q1.a_B\na,x,,\nb,y,1.5,\nc,z,,\n", encoding="utf-8")
     line = refused(folder, *options)
-    assert "EXAM: holds answers.csv, edited since it was generated, which would be lost" in line
+    assert (
+        "EXAM: holds answers.csv, edited or added since it was generated, which would be lost"
+        in line
+    )
     assert line.endswith("move it elsewhere or choose another folder")
 
 
@@ -172,13 +175,13 @@ def test_a_blank_sheet_that_a_spreadsheet_saved_again_holds_nothing(folder: Path
 
 def test_a_paper_edited_in_word_is_not_overwritten(folder: Path) -> None:
     (folder / "EXAM" / "papers" / "a.docx").write_bytes(b"an own question")
-    assert "holds papers/a.docx, edited since it was generated" in refused(folder)
+    assert "holds papers/a.docx, edited or added since it was generated" in refused(folder)
 
 
 def test_a_bank_edited_in_the_folder_is_not_overwritten(folder: Path) -> None:
     kept = folder / "EXAM" / "bank.toml"
     kept.write_text(kept.read_text(encoding="utf-8") + "# mine\n", encoding="utf-8")
-    assert "holds bank.toml, edited since it was generated" in refused(folder)
+    assert "holds bank.toml, edited or added since it was generated" in refused(folder)
     again = kinegrade(
         "generate",
         kept,
@@ -204,8 +207,8 @@ def test_edited_sources_are_not_overwritten(folder: Path) -> None:
     source = sorted((folder / "EXAM" / "tex").rglob("*.tex"))[0]
     source.write_text(source.read_text(encoding="utf-8") + "% mine\n", encoding="utf-8")
     name = source.relative_to(folder / "EXAM").as_posix()
-    assert f"holds {name}, edited since" in refused(folder, "--engine", "latex")
-    assert f"holds {name}, edited since" in refused(folder)
+    assert f"holds {name}, edited or added since" in refused(folder, "--engine", "latex")
+    assert f"holds {name}, edited or added since" in refused(folder)
 
 
 def test_sources_of_a_folder_that_does_not_say_what_was_generated_are_not_overwritten(
@@ -218,7 +221,7 @@ def test_sources_of_a_folder_that_does_not_say_what_was_generated_are_not_overwr
     write_inputs(folder, "abc", more="# the bank may have another text\n")
     (folder / "EXAM" / "tex").mkdir()
     (folder / "EXAM" / "tex" / "a.tex").write_text("mine", encoding="utf-8")
-    assert "holds tex/a.tex, edited since" in refused(folder)
+    assert "holds tex/a.tex, edited or added since" in refused(folder)
     (folder / "EXAM" / "tex" / "a.tex").unlink()
     assert generate(folder, "--force").exit_code == 0
 
@@ -295,3 +298,14 @@ def test_numbers_that_can_be_guessed_are_not_kept_without_a_word(folder: Path) -
     )
     assert [line for line in again.stderr.splitlines() if line.startswith(said)]
     assert "come from words" not in generate(folder, "--force", "--new-numbers").stderr
+
+
+@pytest.mark.parametrize("name", ["papers/notes.txt", "templates/sketch.pdf"])
+def test_own_files_beside_the_papers_are_not_lost(folder: Path, name: str) -> None:
+    (folder / "EXAM" / name).write_text("mine", encoding="utf-8")
+    for options in ((), ("--new-numbers",)):
+        assert refused(folder, *options) == (
+            f"error: {folder}/EXAM: holds {name}, edited or added since it was generated, which "
+            "would be lost - expected only what is written again - move it elsewhere or choose "
+            "another folder"
+        )
