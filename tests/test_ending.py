@@ -190,6 +190,14 @@ def test_help_for_a_closed_pipe_is_silent_too(room: Path) -> None:
     assert process.wait() == 128 + 13
 
 
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
+def test_a_closed_standard_output_is_no_crash(room: Path, closed: str) -> None:
+    """As under some job runners: what a command writes into a file is written all the same."""
+    command = f'"{sys.executable}" -m kinegrade new mine -o mine.toml {closed}'
+    assert subprocess.run(["sh", "-c", command], cwd=room, check=False).returncode == 0
+    assert (room / "mine.toml").exists()
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="Linux has a full device")
 @pytest.mark.parametrize("asked", ["list", "--help"])
 def test_a_full_disk_behind_standard_output_is_one_line(room: Path, asked: str) -> None:

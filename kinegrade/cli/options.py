@@ -70,7 +70,8 @@ def whole_output() -> Iterator[None]:
         try:
             yield
         finally:
-            sys.stdout.flush()
+            if sys.stdout is not None:  # as after >&-
+                sys.stdout.flush()
     except OSError as fault:
         if fault.errno not in FULL or fault.filename is not None:
             raise

@@ -125,7 +125,7 @@ def _echo(line: str) -> None:
 def _discard_output() -> None:
     """Let what is still to be written go nowhere, or Python would complain of it when it ends."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
-    for stream in (sys.stdout, sys.stderr):
+    for stream in filter(None, (sys.stdout, sys.stderr)):
         try:
             stream.flush()
         except OSError:

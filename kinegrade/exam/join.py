@@ -32,7 +32,8 @@ def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], 
                 whole.add_blank_page(page_size=(right - left, top - bottom))
 
         yield append
-        whole.save(target, deterministic_id=True)
+        with target.open("wb") as stream:  # whose name pikepdf takes as UTF-8 only
+            whole.save(stream, deterministic_id=True)
 
 
 def joined(pdfs: Iterable[bytes]) -> bytes:
@@ -52,7 +53,8 @@ def page_count(pdf: bytes) -> int:
 
 
 def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
+    source = BytesIO(pdf.read_bytes()) if isinstance(pdf, Path) else pdf
     with pikepdf.open(
-        pdf, access_mode=pikepdf.AccessMode.stream
+        source, access_mode=pikepdf.AccessMode.stream
     ) as part:  # sooner than mapping so small a file
         whole.pages.extend(part.pages)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import codecs
 import json
+import os
 import sys
 from fractions import Fraction
 from pathlib import Path
@@ -469,3 +470,13 @@ def test_a_missing_pandoc_is_reported_before_anything_is_drawn(
         monkeypatch.setitem(sys.modules, "pypandoc", module)
         (line,) = refused(folder, "--also", "html", "--also", "docx")
         assert line == f"error: html, docx: {MISSING}"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names of any bytes")
+def test_a_folder_whose_name_is_no_utf8_gets_its_exam(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    target = tmp_path / os.fsdecode(b"EXAM-\xff")
+    result = kinegrade("generate", *(tmp_path / "bank.toml", tmp_path / "roster.csv"), *(
+        "-o", target, "--no-solutions", "--allow-odd-ids"))  # fmt: skip
+    assert result.exit_code == 0, result.stderr
+    assert (target / "papers.pdf").read_bytes().startswith(b"%PDF")
