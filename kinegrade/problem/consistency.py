@@ -6,7 +6,7 @@ velocity. `reading` reports what is found here with the place where it stands.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, assert_never
 
@@ -40,7 +40,7 @@ from kinegrade.problem.meaning import Scope
 from kinegrade.problem.radians import radians_slip
 from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
-from kinegrade.problem.template import Ask, Condition, Published, Template
+from kinegrade.problem.template import Ask, Condition, Published, Template, Wording
 
 Fault = tuple[str, str]  # a path in the template's tables, and what is wrong there
 VECTOR = "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
@@ -96,6 +96,8 @@ class Consistency:
             yield from tried(driver.text, self.driver, scope, driver)
         for index, condition in enumerate(self.template.conditions):
             yield from tried(f"conditions[{index}]", self.condition, condition)
+        for name, wordings in self.template.texts.items():
+            yield from self.wordings(f"text.{name}", wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
         for name, ask in self.template.asks.items():
@@ -173,6 +175,12 @@ class Consistency:
             number(scope.kind(condition.left)),
             number(scope.kind(condition.right)),
         )
+
+    def wordings(self, path: str, wordings: Sequence[Wording]) -> Iterator[Fault]:
+        """The conditions by which the wording of a text is chosen."""
+        for index, one in enumerate(wordings):
+            if one.condition is not None:
+                yield from tried(f"{path}[{index}]", self.condition, one.condition)
 
     def ask(self, scope: Scope, ask: Ask) -> None:
         """An ask: a number of the dimension of its unit."""

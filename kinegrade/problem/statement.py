@@ -104,7 +104,7 @@ def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -
 
 
 def check_statements(template: Template) -> None:
-    """Raises TemplateError for statements that leave a parameter out, and for texts that stand in none."""
+    """Raises TemplateError for statements that leave a parameter or a text out, and for texts that stand in none."""
     faults = statement_faults(template)
     if faults:
         raise TemplateError(*faults)
@@ -135,15 +135,22 @@ def left_out(template: Template, language: Language) -> list[str]:
 
 
 def unused_texts(template: Template) -> list[str]:
-    """The texts that stand in the statement of no language."""
-    used = {
-        name for language in LANGUAGES for name in named(template.statement.in_language(language))
-    }
-    return [
-        f"{template.name}.toml: text.{name}: stands in no statement: write {{{{ {name} }}}} there"
-        for name in template.texts
-        if name not in used
-    ]
+    """The texts that a statement lacks: its readers are not told what the other ones are."""
+    faults = []
+    for name in template.texts:
+        lacking = [
+            language
+            for language in LANGUAGES
+            if name not in named(template.statement.in_language(language))
+        ]
+        if len(lacking) == len(LANGUAGES):
+            faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")
+        else:
+            faults += [
+                f"statement.{language}: the text {name} does not stand in it: write {{{{ {name} }}}}"
+                for language in lacking
+            ]
+    return [f"{template.name}.toml: {fault}" for fault in faults]
 
 
 def named(text: str) -> frozenset[str]:

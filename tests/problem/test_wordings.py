@@ -94,6 +94,23 @@ def test_a_text_that_stands_nowhere_is_a_fault() -> None:
         check_statements(crank(("[parameters]", PLACE)))
 
 
+def test_a_text_that_one_language_lacks_leaves_no_student_without_it_in_silence() -> None:
+    with pytest.raises(TemplateError) as refusal:
+        check_statements(placed(("{{ h.value }}，{{ place }}。", "{{ h.value }}。")))
+    assert refusal.value.problems == (
+        "crank.toml: statement.zh: the text place does not stand in it: write {{ place }}",
+    )
+
+
+def test_a_wording_that_could_never_apply_for_its_units_is_refused_on_reading() -> None:
+    with pytest.raises(TemplateError) as refusal:
+        placed(('"2*h < r"', '"h < omega"'))
+    assert refusal.value.problems == (
+        'crank.toml: text.place[0]: "h < omega": a length (m) and an angular velocity (rad/s) '
+        "do not go together: check the units",
+    )
+
+
 def test_a_parameter_may_be_given_by_a_text_if_every_wording_gives_it() -> None:
     every = (
         ("{{ h.value }} above $O$", ""),
