@@ -181,6 +181,7 @@ def check(template_names: tuple[str, ...], sample: int) -> None:
     \b
     Example: kinegrade check slider-crank --sample 1000
     """
+    from kinegrade.exam.printable import printing_faults
     from kinegrade.problem.checking import check as prove
     from kinegrade.problem.library import load_template
     from kinegrade.problem.library import template_names as shipped_names
@@ -189,6 +190,7 @@ def check(template_names: tuple[str, ...], sample: int) -> None:
     sound = True
     for name in template_names or shipped_names():
         report = prove(load_template(name), sample)
+        report.faults += printing_faults(report.template)
         for line in report_lines(report):
             click.echo(line)
         sound &= not report.faults

@@ -99,6 +99,10 @@ class TypstPress:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is told of `where`."""
         return self._explaining(gallery_source(gallery, self._size), where)
 
+    def require_printable(self, source: str, where: str) -> None:
+        """Raises TypesetError, naming `where`, for Typst code that cannot be typeset."""
+        self._explaining(source, where)
+
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one look for a whole roster."""
         characters = {

@@ -15,6 +15,7 @@ from kinegrade.errors import did_you_mean
 BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
 NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
 LONGEST_SHOWN = 40
+DOLLARS = re.compile(r"(?<!\\)\$\$?")
 EXPECTED = "only {{ name }} and {{ name.value }} are filled in"
 
 
@@ -41,6 +42,32 @@ def pieces(text: str) -> tuple[str | Slot, ...]:
             place = match.end()
     found.append(text[place:])
     return tuple(piece for piece in found if piece)
+
+
+def slots_in_formulas(text: str) -> tuple[Slot, ...]:
+    """The slots that stand between dollar signs; what is filled in has dollar signs of its own.
+
+    >>> slots_in_formulas("$r$ is {{ r.value }}, and $v = {{ v.value }}$")
+    (Slot(name='v', value=True),)
+    """
+    found: list[Slot] = []
+    opened = ""
+    for piece in pieces(text):
+        if isinstance(piece, Slot):
+            found += [piece] if opened else []
+        else:
+            for mark in DOLLARS.findall(piece):
+                opened = after_dollars(opened, mark)
+    return tuple(found)
+
+
+def after_dollars(opened: str, mark: str) -> str:
+    """What formula is open after dollar signs: "" for none. Two signs also end one formula and begin another."""
+    if not opened:
+        return mark
+    if opened == mark:
+        return ""
+    return opened
 
 
 def slot_faults(text: str, parameters: Collection[str], texts: Collection[str]) -> Iterator[str]:

@@ -16,7 +16,7 @@ from kinegrade.exact.text import LATEX, angle_text
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.problem.holding import wording
 from kinegrade.problem.quantity import Quantity
-from kinegrade.problem.slots import Slot, pieces
+from kinegrade.problem.slots import Slot, pieces, slots_in_formulas
 from kinegrade.problem.template import Template, Translated
 
 LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
@@ -95,6 +95,21 @@ def filled(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]) -> 
     )
 
 
+def specimens(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+    """The statement and every wording in it, with their places: filled in as they are printed, at a value of 1.
+
+    Without those that `statement_faults` reports for a slot inside a formula.
+    """
+    givens = {name: Given(given.symbol, "1") for name, given in template.parameters.items()}
+    first = {
+        name: filled(wordings[0].text.in_language(language), givens, {})
+        for name, wordings in template.texts.items()
+    }
+    for where, text in written(template, language):
+        if not slots_in_formulas(text):
+            yield where, filled(text, givens, first)
+
+
 def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
     """What stands in place of a slot."""
     if slot.name in texts:
@@ -104,7 +119,7 @@ def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -
 
 
 def check_statements(template: Template) -> None:
-    """Raises TemplateError for statements that leave a parameter or a text out, and for texts that stand in none."""
+    """Raises TemplateError for all of `statement_faults`."""
     faults = statement_faults(template)
     if faults:
         raise TemplateError(*faults)
@@ -115,6 +130,7 @@ def statement_faults(template: Template) -> list[str]:
     faults = unused_texts(template)
     for language in LANGUAGES:
         faults += left_out(template, language)
+        faults += in_formulas(template, language)
     return faults
 
 
@@ -132,6 +148,24 @@ def left_out(template: Template, language: Language) -> list[str]:
         for name in template.parameters
         if name not in given
     ]
+
+
+def in_formulas(template: Template, language: Language) -> list[str]:
+    """The slots between dollar signs, which would cut a formula in two."""
+    return [
+        f"{template.name}.toml: {where}: {{{{ {slot.name} }}}} stands inside a formula: it brings dollar "
+        "signs of its own, so write it outside"
+        for where, text in written(template, language)
+        for slot in slots_in_formulas(text)
+    ]
+
+
+def written(template: Template, language: Language) -> Iterator[tuple[str, str]]:
+    """The statement and the wordings of its texts, as the author wrote them, with their places."""
+    for name, wordings in template.texts.items():
+        for index, one in enumerate(wordings):
+            yield f"text.{name}[{index}].{language}", one.text.in_language(language)
+    yield f"statement.{language}", template.statement.in_language(language)
 
 
 def unused_texts(template: Template) -> list[str]:
