@@ -99,6 +99,18 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     return f'did you mean "{near[0]}"? (known here: {listing})'
 
 
+def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
+    """Those of the missing names that an unknown one was probably meant to be: one slip, to be reported once.
+
+    >>> misspelt(["titel", "colour"], ["title", "course"])
+    frozenset({'title'})
+    """
+    from difflib import get_close_matches  # as above
+
+    absent = list(missing)
+    return frozenset(near for word in unknown for near in get_close_matches(word, absent, n=1))
+
+
 def either(words: Sequence[str]) -> str:
     """Words to choose from, each in quotation marks.
 

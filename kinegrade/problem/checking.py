@@ -230,13 +230,13 @@ def prove(report: Report, published: Published) -> None:
             problem = error.problems[0]
         if len(solutions) == INSTANCES:
             break
+    wrong: dict[str, str] = {}
     for solution in solutions:
-        faults = [
-            f"{where} at {at(solution)}: {fault}"
-            for fault in differences(report.template, published, solution)
-        ]
-        report.faults += faults
-        report.proved += len(gives) - len(faults)
+        found = dict(differences(report.template, published, solution))
+        report.proved += len(gives) - len(found)
+        for name, fault in found.items():
+            wrong.setdefault(name, f"{where} at {at(solution)}: {fault}")
+    report.faults += wrong.values()
     if not solutions:
         report.faults.append(f"{where}: no instance can be solved: {problem}")
 
@@ -256,8 +256,10 @@ def at(solution: Solution) -> str:
     )
 
 
-def differences(template: Template, published: Published, solution: Solution) -> Iterator[str]:
-    """The published results that the engine's answers do not equal exactly."""
+def differences(
+    template: Template, published: Published, solution: Solution
+) -> Iterator[tuple[str, str]]:
+    """The published results that the engine's answers do not equal exactly, by name, and how."""
     for name, answer in solution.answers.items():
         ask, tree = template.asks[name], published.gives[name]
         try:
@@ -265,12 +267,15 @@ def differences(template: Template, published: Published, solution: Solution) ->
                 tree, quoted(solution), elementary(solution.arithmetic), solution.arithmetic
             )
         except ExpressionError as error:
-            yield f"{name}: {error.problems[0]}"
+            yield name, f"{name}: {error.problems[0]}"
             continue
         if not solution.arithmetic.exact:
-            yield f"{name}: the stated values lie in no small exact field: state values that prove it exactly"
+            yield (
+                name,
+                f"{name}: the stated values lie in no small exact field: state values that prove it exactly",
+            )
         elif not equal(expected, answer.number, ask, solution.arithmetic):
-            yield f"{name} = {published.texts[name]}, but the engine gives {answer.exact}"
+            yield name, f"{name} = {published.texts[name]}, but the engine gives {answer.exact}"
 
 
 def quoted(solution: Solution) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from itertools import combinations
 from typing import Any, TypeVar
 
-from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean
+from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean, misspelt
 from kinegrade.expression import Expression, read
 from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
@@ -100,12 +100,15 @@ class Reader:
         return table
 
     def need(self, table: Mapping[str, Any], keys: Iterable[str]) -> None:
-        """A fault for every key that is not there."""
+        """A fault for every key that is not there; without the tables of names reading ends, as all would be unknown."""
+        missing = [key for key in keys if key not in table]
         self.faults += [
             f"{self.where}: {key} is missing: every template needs it"
-            for key in keys
-            if key not in table
+            for key in missing
+            if key not in misspelt(set(table) - set(KNOWN), missing)
         ]
+        if not {"parameters", "points", "bodies"}.isdisjoint(missing):
+            raise TemplateError(*self.faults)
 
     def share(self, mechanisms: Mechanisms) -> None:
         """Lay the tables over those of the mechanism; one that cannot be read ends here, as its names are unknown."""
@@ -237,7 +240,8 @@ class Reader:
         for key in unknown:
             self.fault(path, f'unknown key "{key}": {did_you_mean(key, known)}')
         for key in missing:
-            self.fault(path, f"{key} is missing")
+            if key not in misspelt(unknown, missing):
+                self.fault(path, f"{key} is missing")
         return not missing
 
     def expressions(self, key: str) -> dict[str, Expression]:

@@ -70,23 +70,27 @@ def after_dollars(opened: str, mark: str) -> str:
     return opened
 
 
-def slot_faults(text: str, parameters: Collection[str], texts: Collection[str]) -> Iterator[str]:
-    """What is wrong with the slots of a text that may name these parameters and texts.
+def slot_faults(
+    text: str, parameters: Collection[str], texts: Collection[str]
+) -> Iterator[tuple[str, str]]:
+    """What is wrong with the slots of a text that may name these parameters and texts: the unknown name, the fault.
+
+    The name is "" where the fault is another one.
 
     >>> list(slot_faults("{{ 7*7 }} {{ r }}", ["r"], []))
-    ['{{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in']
+    [('', '{{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in')]
     """
     for match in BRACES.finditer(text):
         slot = _slot(match)
         if slot is None:
             passage = match[0] if match["other"] is None else text[match.start() :]
-            yield f"{_shown(passage)}: {EXPECTED}"
+            yield "", f"{_shown(passage)}: {EXPECTED}"
         elif slot.name in texts:
             if slot.value:
-                yield f"{_shown(match[0])}: a text has no value: write {{{{ {slot.name} }}}}"
+                yield "", f"{_shown(match[0])}: a text has no value: write {{{{ {slot.name} }}}}"
         elif slot.name not in parameters:
-            known = did_you_mean(slot.name, [*parameters, *texts])
-            yield f"{_shown(match[0])}: no such parameter: {known}"
+            known = did_you_mean(slot.name, {*parameters, *texts})
+            yield slot.name, f"{_shown(match[0])}: no such parameter: {known}"
 
 
 def _slot(match: re.Match[str]) -> Slot | None:

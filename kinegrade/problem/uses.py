@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kinegrade.errors import did_you_mean
 from kinegrade.expression import Expression, names
@@ -20,11 +20,13 @@ class Uses:
     """Checks names where they are used; `fault` takes a path in the template's tables and what is wrong there.
 
     `faulty` are names that the file declares by something that cannot be read: that is reported once, there, and not
-    again wherever the name is used.
+    again wherever the name is used. `unknown` collects the names that are not there, with the places and what is to
+    be said at each; the first one stands for all.
     """
 
     fault: Callable[[str, str], None]
     faulty: frozenset[str] = frozenset()
+    unknown: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
 
     def check(self, template: Template) -> None:
         """Names in expressions are known where they are used; published results and asks belong together."""
@@ -45,6 +47,18 @@ class Uses:
                         f'no ask "{name}": {did_you_mean(name, template.asks)}',
                     )
                 self.check_known(f"published[{index}].gives.{name}", tree, parameters)
+        self.report_unknown()
+
+    def miss(self, name: str, path: str, problem: str) -> None:
+        """Note that a name is used and not there."""
+        self.unknown.setdefault(name, []).append((path, problem))
+
+    def report_unknown(self) -> None:
+        """A fault for every name that is not there, at the first place where it is used."""
+        for (path, problem), *others in self.unknown.values():
+            places = len(dict.fromkeys(others))
+            more = f" (and at {places} more place{'' if places == 1 else 's'})" if places else ""
+            self.fault(path, problem + more)
 
     def check_condition(self, path: str, condition: Condition, template: Template) -> None:
         """A condition names parameters, and compares angles with angles."""
@@ -81,10 +95,13 @@ class Uses:
     ) -> None:
         """A fault for everything in double braces that is no name known here, once in each language."""
         for language in LANGUAGES:
-            for problem in dict.fromkeys(
+            for name, problem in dict.fromkeys(
                 slot_faults(text.in_language(language), parameters, texts)
             ):
-                self.fault(f"{path}.{language}", problem)
+                if name:
+                    self.miss(name, f"{path}.{language}", problem)
+                else:
+                    self.fault(f"{path}.{language}", problem)
 
     def check_order(self, key: str, trees: Mapping[str, Expression], known: set[str]) -> None:
         """Lengths and points may name what stands before them."""
@@ -116,10 +133,10 @@ class Uses:
         """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
         for name in named:
             if name and name not in there and name not in self.faulty:
-                self.fault(path, f'no {kind} "{name}": {did_you_mean(name, there)}')
+                self.miss(name, path, f'no {kind} "{name}": {did_you_mean(name, there)}')
 
     def check_known(self, path: str, tree: Expression | None, known: set[str]) -> None:
         """A fault for every name that is not known at this place."""
         for name in dict.fromkeys(names(tree)) if tree is not None else ():
             if name not in known and name not in self.faulty:
-                self.fault(path, f'unknown name "{name}": {did_you_mean(name, known)}')
+                self.miss(name, path, f'unknown name "{name}": {did_you_mean(name, known)}')

@@ -44,8 +44,8 @@ def test_shipped_templates_are_sound(name: str) -> None:
 )
 def test_a_wrong_published_result_is_found(ask: str, right: str, wrong: str) -> None:
     report = checked(f'{ask} = "{right}"', f'{ask} = "{wrong}"')
-    assert len(report.faults) == 5
-    assert all(f"{ask} = {wrong}, but the engine gives " in fault for fault in report.faults)
+    [fault] = report.faults  # one cause, though it shows at five instances
+    assert f"{ask} = {wrong}, but the engine gives " in fault
     assert report.proved == 15  # of 20, at five instances each
 
 

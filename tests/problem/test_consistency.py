@@ -361,3 +361,34 @@ def test_kinds_in_words() -> None:
 @pytest.mark.parametrize("text", ["0", "pi/3", "phi", "phi + pi", "2*3 - 6", "1/0", "2**2"])
 def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
     radians_slip(read(text))
+
+
+@pytest.mark.parametrize(
+    ("changes", "fault"),
+    [
+        (
+            [("h     = {", "height = {")],
+            'points.P: unknown name "h": known here: O, clockwise, counterclockwise and 8 more '
+            "(and at 3 more places)",
+        ),
+        (
+            [('OA = "O A"', 'CA = "O A"')],
+            'pin O: ground OA: no body "OA": known here: CA, ground (and at 1 more place)',
+        ),
+        (
+            [('quantity = "x(v', 'qantity = "x(v')],
+            'asks.v_x: unknown key "qantity": did you mean "quantity"? (known here: cyclic, means, '
+            "points, quantity, sign, symbol, unit, vanishes)",
+        ),
+    ],
+)
+def test_one_misspelt_name_does_not_flood_its_author(
+    changes: list[tuple[str, str]], fault: str
+) -> None:
+    assert faults(*changes) == [f"crank.toml: {fault}"]
+
+
+def test_one_misspelt_table_does_not_make_every_name_unknown() -> None:
+    assert faults(("[parameters]", "[parameter]")) == [
+        "crank.toml: unknown table or key 'parameter': did you mean \"parameters\"?"
+    ]

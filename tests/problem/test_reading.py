@@ -116,7 +116,6 @@ def test_a_template_with_many_faults_reports_all_of_them_each_with_its_place() -
     )
     places = [
         "crank.toml: unknown table or key 'familie': did you mean \"family\"?",
-        "crank.toml: family is missing: every template needs it",
         'crank.toml: parameters.r: unit "ft"',
         'crank.toml: parameters.phi: draw: "0 .. 90 step 0": the step',
         "crank.toml: parameters.omega: draw is missing",

@@ -100,8 +100,8 @@ def test_a_passage_that_is_no_name_is_refused_in_a_text_as_well() -> None:
         )
     assert caught.value.problems == (
         "crank.toml: text.speed[0].en: {{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in",
-        "crank.toml: text.speed[0].zh: {{ speed }}: no such parameter: known here: h, omega, r",
         "crank.toml: statement.en: {{ speed.value }}: a text has no value: write {{ speed }}",
+        "crank.toml: text.speed[0].zh: {{ speed }}: no such parameter: known here: h, omega, r",
     )
 
 
