@@ -108,7 +108,7 @@ def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
     from difflib import get_close_matches  # as above
 
     absent = list(missing)
-    return frozenset(near for word in unknown for near in get_close_matches(word, absent, n=1))
+    return frozenset(near for word in unknown for near in get_close_matches(word, absent, 1, 0.7))
 
 
 def either(words: Sequence[str]) -> str:

@@ -21,6 +21,7 @@ LONGEST_SHOWN = 40
 DEEPEST = 30  # no file of ours nests deeper than five
 MOST_DOTS = 200  # in one line, besides those inside of numbers
 DECIMAL = re.compile(r"[0-9]+\.[0-9]+")
+TWICE = "Cannot overwrite a value"  # the parser's words for a key that stands twice
 TOO_DEEP = "nested too deeply: write it more simply"
 TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
@@ -73,7 +74,11 @@ def named(text: str, fault: str) -> str:
     if place is None:
         return one_line(fault)
     number = int(place[1])
-    slip = slip_in(text.split("\n")[number - 1])
+    line = text.split("\n")[number - 1]
+    slip = slip_in(line)
+    if not slip and fault.startswith(TWICE):
+        key = line.partition("=")[0].strip()
+        slip = f"{one_line(key[:LONGEST_SHOWN])}: stands in this table before: leave one of the two out"
     return f"line {number}: {slip}" if slip else one_line(fault)
 
 
@@ -117,6 +122,10 @@ SLIPS: tuple[tuple[re.Pattern[str], Advice], ...] = (
         lambda found: f'{found[0]}: a curly quotation mark: write straight ones, "..."',
     ),
     (
+        re.compile(r"""(?<!["'])["'](?!["']).*"""),  # outside of the texts that are closed
+        lambda found: f"{found[0][:LONGEST_SHOWN]}: a quotation mark without its partner: close it",
+    ),
+    (
         re.compile(r"(-?\d+(?:\.\d+)?)\s*[°º˚]"),
         lambda found: (
             f'{found[0]}: a number without its unit is expected: write {found[1]}, and unit = "deg"'
@@ -128,6 +137,14 @@ SLIPS: tuple[tuple[re.Pattern[str], Advice], ...] = (
     ),
     (re.compile(r"(?<![\d.])(\d{1,2})\.\s?(\d{1,2})\.\s?(\d{4})(?!\d)"), dotted_date),
     (re.compile(r"\d{1,2}/\d{1,2}/\d{4}|\d{4}[-./]\d{1,2}[-./]\d{1,2}"), other_date),
+    (
+        re.compile(r"[\d\"'\]}]\s*;"),
+        lambda _: ";: write a comma between entries, not a semicolon",
+    ),
+    (
+        re.compile(r"^[^{}]*\{[^{}]*$"),
+        lambda _: "{ is not closed: write } at the end of the table, in the same line",
+    ),
     (
         re.compile(r"=\s*(-?\d+),(\d+)\s*(?:$|[,}])"),
         lambda found: (
@@ -143,6 +160,8 @@ SLIPS: tuple[tuple[re.Pattern[str], Advice], ...] = (
         lambda found: f"{found[1]}: write = between a name and its value, not a colon",
     ),
 )
+TRUE, FALSE = ("true", "yes", "on"), ("false", "no", "off")
+BOOLEANS = {**dict.fromkeys(TRUE, "true"), **dict.fromkeys(FALSE, "false")}
 VALUE = re.compile(r"(?:=|\[|,)\s*([^\s\"'\[\]{},=#][^\"'\[\]{},=#]*)")
 
 
@@ -150,8 +169,11 @@ def unquoted(outside: str) -> str:
     """The first value that is a text without quotation marks; "" where there is none."""
     for found in VALUE.finditer(outside):
         value = found[1].strip()
-        if value.lower() in ("true", "false") and value != value.lower():
-            return f"{value}: write {value.lower()}"
+        plain = BOOLEANS.get(value.lower(), value)
+        if plain != value:
+            return f"{value}: write {plain}"
+        if outside[found.end() :].lstrip().startswith("="):
+            continue  # a name, which follows a comma in a table
         if not PLAIN_VALUE.fullmatch(value) and len(value) <= LONGEST_SHOWN:
             return f'{value}: a text or an expression needs quotation marks: write "{value}"'
     return ""

@@ -45,6 +45,21 @@ from tests.problem.crank import crank_text
         ("unit = m", 'm: a text or an expression needs quotation marks: write "m"'),
         ("draw = [1/2, 3]", '1/2: a text or an expression needs quotation marks: write "1/2"'),
         ("shuffle = True", "True: write true"),
+        ("shuffle = yes", "yes: write true"),
+        ("solutions = No", "No: write false"),
+        ('date = "2026', '"2026: a quotation mark without its partner: close it'),
+        ("a = 'it's'", "': a quotation mark without its partner: close it"),
+        ('t = "slider”', '”: a curly quotation mark: write straight ones, "..."'),
+        ("a = { v = 3; w = 2 }", ";: write a comma between entries, not a semicolon"),
+        (
+            "asks = { v_B = 3, omega_AB = 2",
+            "{ is not closed: write } at the end of the table, in the same line",
+        ),
+        (
+            'i = { m = "OA turns", velocity = omega, acceleration = "0" }',
+            'omega: a text or an expression needs quotation marks: write "omega"',
+        ),
+        ("first = 1", "first: stands in this table before: leave one of the two out"),
     ],
 )
 def test_a_usual_slip_is_named_with_its_line(text: str, slip: str) -> None:

@@ -80,7 +80,10 @@ class Values:
                 'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }',
             )
             return default
-        self.unknown_keys(place, value, ("relative", "absolute", "figures"))
+        known = ("relative", "absolute", "figures")
+        self.unknown_keys(place, value, known)
+        if value and set(value).isdisjoint(known):
+            return default
         relative = self.share(f"{place}.relative", value.get("relative", 0))
         absolute = self.amount(f"{place}.absolute", value.get("absolute", 0))
         figures = (
