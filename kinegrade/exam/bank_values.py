@@ -9,7 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from kinegrade.errors import did_you_mean
+from kinegrade.errors import did_you_mean, misspelt
 from kinegrade.language import LANGUAGES
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import Tolerance
@@ -22,21 +22,28 @@ SHARE = re.compile(NUMBER + r"\s*(%?)", re.ASCII)
 
 
 class Values:
-    """Reads values of one file, collecting its faults."""
+    """Reads values of one file, collecting its faults; what is missing under a misspelt key is not one more."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self.faults: list[str] = []
+        self.misspelt: set[str] = set()
 
     def fault(self, place: str, problem: str) -> None:
         """Note a fault."""
+        if place in self.misspelt:
+            return
         place = f"{short_line(place)}: " if place else ""
         self.faults.append(f"{self.path}: {place}{short_line(problem)}")
 
     def unknown_keys(self, place: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
-        """A fault for every key that is not known."""
-        for key in sorted(set(table) - set(known)):
+        """A fault for every key that is not known; the one that it was meant to be is not missed any more."""
+        known = list(known)
+        unknown = sorted(set(table) - set(known))
+        for key in unknown:
             self.fault(place, f'unknown key "{key}": {did_you_mean(key, known)}')
+        before = f"{place}." if place else ""
+        self.misspelt.update(f"{before}{key}" for key in misspelt(unknown, set(known) - set(table)))
 
     def translated(self, place: str, value: Any) -> Translated:
         """A text in both languages; one text serves for both."""

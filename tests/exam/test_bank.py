@@ -245,7 +245,6 @@ number = 2
         'questions[2].draw.r: unknown name "x": known here: pi',
         'questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, the last value not before the '
         "first, and there may be at most 2000 values",
-        'title: expected a text, or texts { en = "...", zh = "..." }',
         'course: expected a text, or texts { en = "...", zh = "..." }',
         'date: expected a text or a date, like "spring 2026" or 2026-05-01',
         "shuffle: expected true or false, not 'yes'",
@@ -455,3 +454,30 @@ def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
 def test_faults_of_credit_are_told(tmp_path: Path, written: str, fault: str) -> None:
     (found,) = faults(tmp_path, f"{HEAD}credit = {written}\n{QUESTION}")
     assert found.startswith(fault)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ("title =", "titel =", 'unknown key "titel": did you mean "title"?'),
+        (
+            "[[questions]]",
+            "[[question]]",
+            'unknown key "question": did you mean "questions" or "versions"?',
+        ),
+        (
+            "relative =",
+            "realtive =",
+            'tolerance: unknown key "realtive": did you mean "relative"? '
+            "(known here: absolute, figures, relative)",
+        ),
+    ],
+)
+def test_one_misspelt_key_of_a_bank_is_one_message(
+    tmp_path: Path, old: str, new: str, fault: str
+) -> None:
+    text = (
+        'title = "Quiz"\ncourse = "Mechanics"\ntolerance = { relative = "1 %" }\n'
+        '[[questions]]\ntemplate = "slider-crank"\n'
+    )
+    assert faults(tmp_path, text.replace(old, new)) == [fault]
