@@ -20,7 +20,7 @@ from typing import Any, assert_never
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.language import LANGUAGES, Language
+from kinegrade.language import Language, exam_language_of
 from kinegrade.lms.dialect import Field
 from kinegrade.printed_order import read_printed
 from kinegrade.question_numbers import bank_number
@@ -209,16 +209,11 @@ def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
         exam: Any = json.loads(path.read_text(encoding="utf-8"))
         emails = {str(entry["student"]): str(entry.get("email", "")) for entry in exam["students"]}
         title = str(exam.get("title", ""))
-        language = exam.get("language", "en")
     except OSError as fault:
         raise ExamError(f"{path}: cannot be read ({fault.strerror}) - {_MENDING}") from fault
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as fault:
         raise ExamError(f"{path}: is broken ({type(fault).__name__}) - {_MENDING}") from fault
-    if language not in LANGUAGES:
-        raise ExamError(
-            f'{path}: language is "{one_line(str(language)[:40])}" - expected {" or ".join(LANGUAGES)} - '
-            "restore the exam folder"
-        )
+    language = exam_language_of(exam, path)
     strangers = [each.student for each in grades.students if each.student not in emails]
     if strangers:
         raise ExamError(

@@ -67,11 +67,11 @@ def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> P
     return folder
 
 
-def write_exam(folder: Path, title: str = "Kinematics quiz") -> Path:
+def write_exam(folder: Path, title: str = "Kinematics quiz", language: str = "en") -> Path:
     """An exam folder with what an export reads of it."""
     folder.mkdir(parents=True, exist_ok=True)
     students = [{"student": student, "email": email} for student, (_, email) in STUDENTS.items()]
-    text = json.dumps({"title": title, "students": students})
+    text = json.dumps({"title": title, "language": language, "students": students})
     (folder / "exam.json").write_text(text, encoding="utf-8")
     return folder
 

@@ -31,14 +31,12 @@ def header(folder: Path, *options: str | Path) -> str:
 
 def test_the_headers_of_an_english_exam_are_english(tmp_path: Path) -> None:
     exam = write_exam(tmp_path / "EXAM")
-    text = (exam / "exam.json").read_text(encoding="utf-8")
-    (exam / "exam.json").write_text(text.replace("{", '{"language": "en", ', 1), encoding="utf-8")
     english, chinese = "Student ID,Name,Grade,Comment", "学号,姓名,成绩,评语"
     assert header(tmp_path) == english
     assert header(tmp_path, "--exam", exam) == english
     assert header(tmp_path, "--exam", exam, "--lang", "zh") == chinese
     assert header(tmp_path, "--lang", "zh") == chinese
-    (exam / "exam.json").write_text(text.replace("{", '{"language": "zh", ', 1), encoding="utf-8")
+    write_exam(exam, language="zh")
     assert header(tmp_path, "--exam", exam) == chinese
     assert header(tmp_path, "--exam", exam, "--lang", "en") == english
 

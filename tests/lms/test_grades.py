@@ -38,10 +38,14 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
         ('{"students": [1]}', r"exam.json: is broken \(TypeError\)"),
         (
             '{"language": "fr", "students": []}',
-            'exam.json: language is "fr" - expected en or zh - restore the exam folder',
+            'exam.json: language: "fr" - expected one of en, zh - restore the exam folder',
         ),
         (
-            '{"students": []}',
+            '{"title": "x", "students": []}',
+            "exam.json: language: no language - expected one of en, zh - restore the exam folder",
+        ),
+        (
+            '{"language": "en", "students": []}',
             r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by which',
         ),
     ],
