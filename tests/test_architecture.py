@@ -33,6 +33,7 @@ FLOORS = {
     "csv_writing": 0,
     "spreadsheet": 0,
     "collection": 0,
+    "counting": 0,
     "mechanics": 1,
     "problem": 2,
     "figure": 3,

@@ -18,6 +18,7 @@ from kinegrade.cli.options import (
     refusing,
     writable,
 )
+from kinegrade.counting import counted
 
 if TYPE_CHECKING:
     from kinegrade.exam.document import PaperSize
@@ -178,8 +179,8 @@ def _say(written: Generated, output: Path) -> None:
     for remark in written.remarks:
         click.echo(f"{output}: {remark}", err=True)
     click.echo(
-        f"{output}: {written.papers} papers; to hand them out: kinegrade papers {output} -o DIR; "
-        f"nothing else in {output} is for students",
+        f"{output}: {counted(written.papers, 'paper')}; to hand them out: "
+        f"kinegrade papers {output} -o DIR; nothing else in {output} is for students",
         err=True,
     )
 
@@ -202,4 +203,6 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
 
     expect_folders((exam, "EXAM"))
     count = hand_out(exam, output, force=force)
-    click.echo(f"{output}: {count} papers, and nothing that gives the key away", err=True)
+    click.echo(
+        f"{output}: {counted(count, 'paper')}, and nothing that gives the key away", err=True
+    )

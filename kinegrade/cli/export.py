@@ -10,6 +10,7 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
+from kinegrade.counting import counted
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -171,8 +172,14 @@ def _write(
     for note in notes:
         click.echo(note, err=True)
     absent = len(grades.students) - len(grades.exported(ungraded=options.ungraded))
-    left = f"; {absent} handed in nothing and are left alone" if absent else ""
-    click.echo(f"{output}: grades of {students} students for {dialect.name}{left}", err=True)
+    left = (
+        f"; {absent} handed in nothing and {'is' if absent == 1 else 'are'} left alone"
+        if absent
+        else ""
+    )
+    click.echo(
+        f"{output}: grades of {counted(students, 'student')} for {dialect.name}{left}", err=True
+    )
     finish(tuple(map(str, complaints)))
 
 

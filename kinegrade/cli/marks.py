@@ -10,6 +10,7 @@ import click
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
+from kinegrade.counting import counted
 from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
@@ -135,11 +136,12 @@ def grade(
 
 def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
     """What `grade` says at its end, a line each."""
-    count, complaints = len(marks.grades), len(marks.complaints)
-    yield f"{output}: {count} students marked, {complaints} complaints"
+    students = counted(len(marks.grades), "student")
+    yield f"{output}: {students} marked, {counted(len(marks.complaints), 'complaint')}"
     if kept:
         who = sum(each.kept is not None for each in marks.grades)
-        yield f"{output / 'kept.csv'}: {who} students keep an earlier total"
+        keep = "keeps" if who == 1 else "keep"
+        yield f"{output / 'kept.csv'}: {counted(who, 'student')} {keep} an earlier total"
 
 
 @click.command()
@@ -274,4 +276,7 @@ def feedback(
         solutions=wanted,
         force=force,
     )
-    click.echo(f"{output}: {count} sheets; {output / 'feedback.csv'} says which is whose", err=True)
+    click.echo(
+        f"{output}: {counted(count, 'sheet')}; {output / 'feedback.csv'} says which is whose",
+        err=True,
+    )

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
+from kinegrade.counting import counted
 from kinegrade.grading.number_text import DecimalStyle, MarkUse, folded, mantissa
 
 Mark = Literal["comma", "point"]
@@ -27,6 +28,11 @@ _USUAL_LINES = re.compile(
 )
 _DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
+_OWN_COMMAS = "the comma is the decimal mark in the same student's other answers"
+_AGAINST_OWN_POINTS = (
+    "a comma is the decimal mark, as the papers say; "
+    "but this student's other answers have a decimal point"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +59,8 @@ class FileStyle:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """What was declared or decided for the whole file, as remarks say it."""
-        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason)))
+        """What was declared or decided for the whole file, or holds of many students alike, as remarks say it."""
+        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show themselves, else the file's."""
@@ -77,10 +83,12 @@ class FileStyle:
                 "this student uses commas in both ways; ask, or declare the decimal mark",
             )
         if "," in own.decimal:
-            return "decimal", "the comma is the decimal mark in this student's other answers"
+            return "decimal", _OWN_COMMAS
         if "," in own.groups:
             return "groups", "this student groups digits by commas elsewhere"
-        if "." in own.decimal and not self.commas:
+        if "." in own.decimal:
+            if self.commas:
+                return self.style.comma, _AGAINST_OWN_POINTS
             return "groups", "the point is the decimal mark in this student's other answers"
         return self.style.comma, self.style.comma_reason
 
@@ -148,15 +156,11 @@ def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
     if not commas and 2 * points > rows:
         return (
             "groups",
-            f"the point is the decimal mark in the answers of {_students(points)}, and nobody's the comma",
+            f"the point is the decimal mark in the answers of {counted(points, 'student')}, and nobody's the comma",
         )
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason
     return "decimal", (
         "a comma is the decimal mark, as the papers say; "
-        f"so it is in the answers of {_students(commas)}, the point in those of {_students(points)}"
+        f"so it is in the answers of {counted(commas, 'student')}, the point in those of {counted(points, 'student')}"
     )
-
-
-def _students(count: int) -> str:
-    return "1 student" if count == 1 else f"{count} students"

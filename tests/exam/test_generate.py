@@ -337,7 +337,7 @@ def test_what_was_done_is_said_on_standard_error(folder: Path) -> None:
     assert result.exit_code == 0
     assert result.stdout == ""
     assert "q1: 21780 combinations, refused draws: " in result.stderr
-    assert "1 papers; to hand them out: kinegrade papers " in result.stderr
+    assert "1 paper; to hand them out: kinegrade papers " in result.stderr
 
 
 def test_an_existing_folder_is_kept_unless_it_is_kinegrades_own(folder: Path) -> None:

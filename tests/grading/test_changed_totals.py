@@ -110,7 +110,7 @@ def test_a_kept_total_is_held_against_what_was_kept(marks: Path) -> None:
         *("grade", folder / "EXAM", answers, "-o", marks, "--force"),
         *("--policy", folder / "policy.toml", "--never-lower", folder / "FIRST"),
     )
-    assert "1 students keep an earlier total" in again.stderr
+    assert "1 student keeps an earlier total" in again.stderr
     out = folder / "report.html"
     kept = kinegrade("report", folder / "EXAM", marks, "-o", out)
     assert kept.exit_code == 0, kept.stderr

@@ -31,8 +31,8 @@ def reading(
 @pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "said"), [
     ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says otherwise"),
     ("1.234", [], [], None, 1.234, ""),
-    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in this student's other answers"),
-    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in this student's other answers"),
+    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in the same student's other answers"),
+    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in the same student's other answers"),
     ("1,234", ["0.5"], [], None, 1234, "the point is the decimal mark in this student's other answers"),
     ("1,234", ["0.5"], [["12"]] * 9, None, 1234, "the point is the decimal mark in this student's other answers"),
     ("1,234", ["2,345.6"], [["0,5"]] * 9, None, 1234, "this student groups digits by commas elsewhere"),
@@ -42,8 +42,7 @@ def reading(
      "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, the point in those of "
      "1 student"),
     ("1,234", ["0.5"], [["0,5"]], None, 1.234,
-     "a comma is the decimal mark, as the papers say; so it is in the answers of 1 student, the point in those of "
-     "1 student"),
+     "a comma is the decimal mark, as the papers say; but this student's other answers have a decimal point"),
     ("1.234", ["0,5"], [["0.5"]], None, 1.234, ""),
     ("1.234", ["0,5"], [["2,5"]], None, 1.234,
      "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"),

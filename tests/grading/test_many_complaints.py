@@ -26,11 +26,13 @@ def large(tmp_path: Path) -> Path:
     )
 
 
-def graded(exam: Path, cell: str, *options: str) -> tuple[list[str], list[list[str]]]:
-    """What the terminal shows and the rows of complaints.csv, where everybody's first answer is that cell."""
+def graded(
+    exam: Path, cell: str, *options: str, second: str = ""
+) -> tuple[list[str], list[list[str]]]:
+    """What the terminal shows and the rows of complaints.csv, where everybody's first answers are those cells."""
     folder = exam.parent
     lines = ["student;q1.v_B;q1.omega_AB;q2.a_B"]
-    lines += [f"{number:04};{cell};;" for number in range(COUNT)]
+    lines += [f"{number:04};{cell};{second};" for number in range(COUNT)]
     (folder / "answers.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     done = kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "MARKS", *options)
     assert done.exit_code == 1
@@ -52,6 +54,32 @@ def test_what_was_decided_for_the_whole_file_is_said_once(large: Path) -> None:
         "40 answers, such as 1,732 read as 1.732: a comma is the decimal mark, and nothing in the "
         "file says otherwise"
     ]
+
+
+def test_a_class_that_writes_decimal_commas_throughout_is_no_flood_of_complaints(
+    large: Path,
+) -> None:
+    _, rows = graded(large, "1,732", second="-0,5")
+    assert [row[4] for row in rows] == [
+        "40 answers, such as 1,732 read as 1.732: the comma is the decimal mark in the same "
+        "student's other answers"
+    ]
+
+
+def test_a_lone_comma_of_somebody_who_writes_points_is_reported_for_itself(large: Path) -> None:
+    with_points = "\n".join(f'{number:04},"1,732",0.5,' for number in range(2))
+    answers = large.parent / "mixed.csv"
+    answers.write_text(
+        f'student,q1.v_B,q1.omega_AB,q2.a_B\n{with_points}\n0002,"0,5",,\n', encoding="utf-8"
+    )
+    kinegrade("grade", large, answers, "-o", large.parent / "M")
+    said = (large.parent / "M" / "complaints.csv").read_text(encoding="utf-8-sig")
+    for line in (2, 3):
+        assert (
+            f'mixed.csv,{line},q1.v_B,"1,732","read as 1.732: a comma is the decimal mark, as the '
+            "papers say; but this student's other answers have a decimal point\",judged right"
+            in said
+        )
 
 
 def test_the_terminal_shows_ten_of_a_kind_and_the_file_has_them_all(large: Path) -> None:

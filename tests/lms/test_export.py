@@ -32,7 +32,7 @@ def test_every_system_gets_a_file_from_scratch(tmp_path: Path, system: str) -> N
 
 def test_it_says_who_is_left_alone(tmp_path: Path) -> None:
     assert (
-        "out.csv: grades of 3 students for Moodle; 1 handed in nothing and are left alone"
+        "out.csv: grades of 3 students for Moodle; 1 handed in nothing and is left alone"
         in export(tmp_path, "--to", "moodle").stderr
     )
     assert (
