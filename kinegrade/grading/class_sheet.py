@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
 
 from kinegrade.answer_file import AnswerFile, LeftOut
 from kinegrade.grading.key import Sitting
@@ -71,7 +72,7 @@ def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
     conflicts: list[Complaint] = []
     for student, several in found.items():
         if any(len(entries) > 1 for entries in several):  # several attempts: the policy chooses
-            together[student] = tuple(entry for entries in several for entry in entries)
+            together[student] = _attempts(several)
             continue
         first, *others = (entries[0] for entries in several)
         for other in others:
@@ -79,6 +80,35 @@ def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
             first = _united(first, other)
         together[student] = (first,)
     return together, conflicts
+
+
+def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
+    """The attempts of one student in all files, in their order.
+
+    Where one file has the attempts at some answers and the others hold other answers, each attempt has those too.
+    """
+    repeated_in = [entries for entries in several if len(entries) > 1]
+    if len(repeated_in) > 1 or not _answers_differ(several):
+        return tuple(entry for entries in several for entry in entries)
+    (attempts,) = repeated_in
+    others = [entries[0] for entries in several if len(entries) == 1]
+    return tuple(reduce(_united, others, attempt) for attempt in attempts)
+
+
+def _answers_differ(several: Sequence[tuple[Entry, ...]]) -> bool:
+    """Whether no answer has been given in two of the files."""
+    seen: set[int] = set()
+    for entries in several:
+        here = {
+            number
+            for entry in entries
+            for number, cell in enumerate(entry.responses)
+            if is_answered(cell)
+        }
+        if seen & here:
+            return False
+        seen |= here
+    return True
 
 
 def _united(first: Entry, other: Entry) -> Entry:

@@ -188,8 +188,13 @@ def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> 
         for reason, alike in block.general.items():
             general[reason] += alike
     complaints += map(_said_once, general.values())
-    complaints.sort(key=lambda complaint: complaint.line or 0)
+    complaints.sort(key=_place)
     return ClassGrades(questions(exam.asks), tuple(grades), tuple(complaints))
+
+
+def _place(complaint: Complaint) -> tuple[str, int]:
+    """Where to list it: first what is about no single line, then file by file."""
+    return ("", 0) if complaint.line is None else (complaint.file, complaint.line)
 
 
 def _said_once(alike: Sequence[Complaint]) -> Complaint:

@@ -57,6 +57,50 @@ def test_two_different_answers_for_one_cell_are_a_complaint_that_names_both(
     ]
 
 
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_who_was_typed_twice_in_one_part_keeps_the_answers_of_the_other_part(
+    exam_folder: Path, order: tuple[int, int]
+) -> None:
+    parts = FIRST, "student,q2.a_B\n007,7\n0012,7\nS9,-\n12,-0.125\n007,-0.125\n"
+    marks, complaints = graded(exam_folder, *(parts[number] for number in order))
+    assert totals(marks) == {"007": "9.5", "0012": "3", "S9": "7", "12": "9.5"}
+    file = f"part{order.index(1) + 1}.csv"
+    said = "another row for this student stands on line 6"
+    done = "line 6 counts; this row is kept here only"
+    assert complaints == [[file, "2", "", "007,7", said, done]]
+
+
+def test_attempts_at_the_same_answers_in_two_files_are_left_to_the_policy(
+    exam_folder: Path,
+) -> None:
+    again = "student,q1.v_B\n007,1.99\n007,1.98\n"
+    marks, complaints = graded(exam_folder, FIRST, again)
+    assert totals(marks)["007"] == "0"
+    assert [row[:2] for row in complaints if "another row" in row[4]] == [
+        ["part1.csv", "2"],
+        ["part2.csv", "2"],
+    ]
+
+
+def test_a_file_that_is_given_twice_is_refused_because_another_was_meant(exam_folder: Path) -> None:
+    file = exam_folder.parent / "anna.csv"
+    file.write_text(FIRST, encoding="utf-8")
+    again = exam_folder / ".." / "anna.csv"
+    done = kinegrade("grade", exam_folder, file, again, "-o", exam_folder.parent / "MARKS")
+    assert done.exit_code == 2
+    assert f"{again}: is given twice - expected each file of the class once" in done.stderr
+
+
+def test_complaints_are_listed_file_by_file(exam_folder: Path) -> None:
+    _, complaints = graded(
+        exam_folder,
+        FIRST.replace("0012,1.7", "0012,?").replace("007,", "8,"),
+        SECOND.replace("12,-0.125", "12,?", 1),
+    )
+    places = [(row[0], row[1]) for row in complaints]
+    assert places == [("part1.csv", "2"), ("part1.csv", "3"), ("part2.csv", "2")]
+
+
 def test_a_complaint_about_a_cell_names_the_file_in_which_it_stands(exam_folder: Path) -> None:
     _, complaints = graded(exam_folder, FIRST, SECOND.replace("0012,7", "0012,1+1"))
     assert [row[:4] for row in complaints] == [["part2.csv", "4", "q2.a_B", "1+1"]]

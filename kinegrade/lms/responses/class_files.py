@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinegrade.answer_file import AnswerFile
+from kinegrade.errors import TableError
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.typed_rows import Attempts
 
@@ -32,6 +33,7 @@ class ClassFiles:
 
 def read_class(paths: Sequence[Path], exam: Path, wishes: ReadingWishes) -> ClassFiles:
     """Reads the files of one class. Raises TableError, ExamError."""
+    _refuse_one_file_twice(paths)
     read = [
         read_responses(
             path,
@@ -46,6 +48,17 @@ def read_class(paths: Sequence[Path], exam: Path, wishes: ReadingWishes) -> Clas
     ]
     assumed = tuple(line for each in read for line in each.assumed)
     return ClassFiles(tuple(each.answers for each in read), assumed)
+
+
+def _refuse_one_file_twice(paths: Sequence[Path]) -> None:
+    seen: set[Path] = set()
+    for path in paths:
+        if path.resolve() in seen:
+            raise TableError(
+                f"{path}: is given twice - expected each file of the class once - "
+                "leave one out, or name the file that was meant"
+            )
+        seen.add(path.resolve())
 
 
 def told_apart(paths: Sequence[Path]) -> tuple[str, ...]:
