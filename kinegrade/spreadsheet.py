@@ -38,6 +38,7 @@ _OVERLAP = 16
 _ZIP = b"PK\x03\x04"
 _COMPOUND = b"\xd0\xcf\x11\xe0"
 _ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
+_TEXT_FORMULA = re.compile(r'=\s*"([^"]*)"')  # keeps the zeros of an id
 _FORMULA = re.compile(rb"<(?:\w+:)?f[ />]")
 _DOCUMENT_TYPE = b"<!DOCTYPE"
 _ENCODING = re.compile(rb"""^(?:\xef\xbb\xbf)?\s*<\?xml[^>]*\bencoding\s*=\s*["']([^"']*)""")
@@ -313,6 +314,9 @@ def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
 def _told(cell: _Cell, formula: str | None) -> _Cell:
     if formula is None:
         return cell
+    text = _TEXT_FORMULA.fullmatch(formula)
+    if text and cell.text in ("", text[1]):
+        return _Cell(text[1])
     value = "" if cell.text else " which was never computed"
     return _Cell(cell.text, f"is computed by the formula {shortened(formula)}{value}")
 

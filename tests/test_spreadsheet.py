@@ -141,6 +141,14 @@ def test_a_formula_gives_the_value_that_was_computed(tmp_path: Path) -> None:
     assert told(table) == [(2, "student", "3", "the cell is computed by the formula =SUM(1,2)")]
 
 
+def test_an_id_wrapped_in_a_formula_is_that_id_computed_or_not(tmp_path: Path) -> None:
+    table = read_workbook(book(tmp_path / "a.xlsx", ["student", "b"], ['="0012345"', 1]))
+    assert (table.rows[0].cells[0], told(table)) == ("0012345", [])
+    cell = '<c r="A2" t="str"><f>"0012345"</f><v>0012345</v></c>'
+    table = read_workbook(with_cells(tmp_path / "b.xlsx", f'<row r="2">{cell}</row>'))
+    assert (table.rows[0].cells[0], told(table)) == ("0012345", [])
+
+
 def test_surplus_cells_and_other_sheets_are_told(tmp_path: Path) -> None:
     written = Workbook()
     written.active.title = "Notes"

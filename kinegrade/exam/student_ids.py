@@ -13,6 +13,9 @@ from collections.abc import Collection, Iterable, Mapping
 from kinegrade.exam.roster import student_key
 from kinegrade.tables import shortened, trimmed
 
+_WRITTEN_AS_FRACTION = re.compile(
+    r"([0-9]+)\.0+"
+)  # as programs write a column of numbers with gaps
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
@@ -48,7 +51,7 @@ class StudentIds:
         return known.get(cell) or known.get(student_key(cell)) or known.get(unwrapped(cell))
 
     def near(self, cell: str) -> tuple[str, ...]:
-        """The students whose ids differ from a cell by leading zeros or case alone."""
+        """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
         bare = _bare(unwrapped(cell))
         return self._near.get(bare, ()) if bare else ()
 
@@ -78,16 +81,15 @@ def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     """
     cell, student = next(iter(restored.items()))
     example = f'"{shortened(trimmed(cell))}" for "{student}"'
-    found = (
-        f"1 student id is not as in the exam: {example}"
-        if len(restored) == 1
-        else f"{len(restored)} student ids are not as in the exam, such as {example}"
-    )
-    return (
-        found,
-        "taken for these students, as each can mean one only; keep ids as text, as in answers.xlsx",
-    )
+    if len(restored) == 1:
+        found = f"1 student id is not as in the exam: {example}"
+        taken = "taken for this student, as it can mean nobody else"
+    else:
+        found = f"{len(restored)} student ids are not as in the exam, such as {example}"
+        taken = "taken for these students, as each can mean one only"
+    return found, f"{taken}; keep ids as text, as in answers.xlsx"
 
 
 def _bare(key: str) -> str:
-    return key.casefold().lstrip("0")
+    number = _WRITTEN_AS_FRACTION.fullmatch(key)
+    return (number[1] if number else key.casefold()).lstrip("0")

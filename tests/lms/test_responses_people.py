@@ -79,6 +79,22 @@ def test_ids_without_zeros_or_in_another_case_are_restored_and_said_once(tmp_pat
     )
 
 
+def test_a_file_without_any_student_of_the_exam_is_refused_and_not_a_class_of_absentees(
+    tmp_path: Path,
+) -> None:
+    people = [("", f"4.1{number}E+05") for number in range(3)]
+    message = r'none of its 3 rows is of a student of the exam \("4.10E\+05" ...\) - expected ids like "0012345"'
+    with pytest.raises(TableError, match=message):
+        responses(tmp_path, form(*people))
+    assert len(told(responses(tmp_path, form(*people, ("", "S9"))))) == 3
+
+
+def test_ids_that_a_program_wrote_as_fractions_are_restored(tmp_path: Path) -> None:
+    read = responses(tmp_path, form(("", "12345.0"), ("", "12346.0"), ("", "S9")))
+    assert [row.cells[0] for row in read.table.rows] == ["0012345", "0012346", "S9"]
+    assert '"12345.0" for "0012345"' in read.assumed[-1]
+
+
 @pytest.mark.parametrize("cell", ['="0012345"', "'0012345", "#0012345", "００12345"])
 def test_an_id_in_a_wrapper_or_in_wide_digits_is_said_once_too(tmp_path: Path, cell: str) -> None:
     read = responses(tmp_path, form(("", cell), ("", "S9")))

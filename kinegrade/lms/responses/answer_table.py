@@ -15,17 +15,26 @@ from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
 from kinegrade.exam.student_ids import restoration
 from kinegrade.lms.responses.detection import DIALECTS, detected
-from kinegrade.lms.responses.exam_asks import read_exam_asks
+from kinegrade.lms.responses.exam_asks import Person, read_exam_asks
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 from kinegrade.spreadsheet import is_workbook, read_workbook
-from kinegrade.tables import Complaint, Row, Table, read_table, without_headers
+from kinegrade.tables import (
+    Complaint,
+    Row,
+    Table,
+    read_table,
+    shortened,
+    trimmed,
+    without_headers,
+)
 
 if TYPE_CHECKING:
     from kinegrade.exam.variants import Variants
 
 SOURCES = tuple(DIALECTS)
+FEW = 3  # rows of strangers may be a typing error each; more are another class
 POOLED = ("moodle", "canvas")  # what draws questions from pools
 
 
@@ -85,10 +94,29 @@ def read_responses(
             "addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
+    _refuse_another_class(table, everybody, columns, found, asks.students)
     variants = None if own_papers or system not in POOLED else pool_of(exam_folder)
     answers = _answers(_Read(table, typed, columns, found), variants, exam_folder)
     assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
     return Responses(answers, system, assumed)
+
+
+def _refuse_another_class(
+    table: Table,
+    rows: Sequence[Row],
+    columns: Columns,
+    found: Sequence[Found],
+    students: Sequence[Person],
+) -> None:
+    """Raises TableError where a file has rows and none is of a student who can be found."""
+    if len(found) < FEW or any(each.student is not None or each.hint for each in found):
+        return
+    shown = trimmed(rows[0].cell(columns.indices[0]))
+    raise TableError(
+        f'{table.file}: none of its {len(found)} rows is of a student of the exam ("{shortened(shown)}" ...) - '
+        f'expected ids like "{shortened(students[0].student)}", or e-mail addresses of the roster - '
+        "name the file of this class, or correct the ids"
+    )
 
 
 @dataclass(frozen=True, slots=True)
