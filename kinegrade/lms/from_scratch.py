@@ -159,6 +159,13 @@ def _title_faults(
             shapes = [download.item for download in dialect.downloads]
             if not any(shape.fullmatch(header) for shape in shapes):
                 way = f"--column {item}=HEADER" if item else "--column HEADER"
+                if not header:
+                    what = f"question {item}" if item else "the total"
+                    yield (
+                        f"{dialect.name}: the column for {what} is not named - expected its header, with the id "
+                        f"that only {dialect.name} gives - copy it from a download and give it by {way}"
+                    )
+                    continue
                 yield (
                     f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - expected it with '
                     f"the id that only {dialect.name} gives - copy it from a download and give it by {way}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -11,8 +12,10 @@ from kinegrade.lms.cells import CellTable, Record
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
 from kinegrade.lms.grades import TOTAL, ClassGrades
 from kinegrade.lms.implied_maximum import implied_maximum
-from kinegrade.lms.item_groups import ItemGroup, item_groups
+from kinegrade.lms.item_groups import ItemGroup, content_below, item_groups
 from kinegrade.tables import trimmed
+
+_KIND = re.compile(r"^[^:\uff1a]*[:\uff1a]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +188,15 @@ def number(text: str) -> Fraction | None:
     )
 
 
+def _without_kind(title: str) -> str:
+    """A title without the activity before it, in any language.
+
+    >>> _without_kind("Test : Cinématique"), _without_kind("测验：Quiz 1")
+    ('Cinématique', 'Quiz 1')
+    """
+    return trimmed(_KIND.sub("", title))
+
+
 @dataclass(frozen=True, slots=True)
 class _Chooser:
     table: CellTable
@@ -204,6 +216,10 @@ class _Chooser:
         else:
             title = item_title(options.title, item)
             fits = [each for each in self.candidates if title in (each.title, each.header)]
+            if (
+                not fits
+            ):  # "Quiz: Midterm (Real)"; what kind of activity it is stands before the title
+                fits = [each for each in self.candidates if _without_kind(each.title) == title]
             what = f'called "{one_line(title)}"'
         if len(fits) == 1:
             return fits[0]
@@ -252,7 +268,10 @@ class _Chooser:
             if column.kind not in ("points", "open")
         ]
         return (
-            place not in self.keys and place not in others and self.table.titles[place] not in known
+            place not in self.keys
+            and place not in others
+            and self.table.titles[place] not in known
+            and content_below(self.table, place) in ("numbers", "dashes", "nothing")
         )
 
     def listing(self) -> str:

@@ -17,7 +17,7 @@ from kinegrade.lms.cells import CellTable
 from kinegrade.lms.dialect import ItemKind, ItemWords
 from kinegrade.tables import trimmed
 
-_Content = Literal["numbers", "shares", "texts", "dashes", "nothing"]
+Content = Literal["numbers", "shares", "texts", "dashes", "nothing"]
 _HEADER = re.compile(r"(?P<title>.*\S)\s*[(（\[【](?P<word>[^()（）\[\]【】]+)[)）\]】]", re.DOTALL)
 _NUMBER = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?")
 _SHARE = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?\s*[%％]")
@@ -58,6 +58,11 @@ def is_item_header(header: str) -> bool:
     (True, False)
     """
     return _HEADER.fullmatch(header) is not None
+
+
+def content_below(table: CellTable, place: int) -> Content:
+    """What the cells of a column show: only where they are grades, or nothing yet, may grades be written."""
+    return _content(_cells(table, place))
 
 
 def item_groups(table: CellTable, keys: Collection[int], known: ItemWords) -> tuple[ItemGroup, ...]:
@@ -171,7 +176,7 @@ def _are_comments(cells: Sequence[str]) -> bool:
     return 2 * len(set(long)) > len(cells) or any(_DIGIT.search(cell) for cell in long)
 
 
-def _content(cells: Sequence[str]) -> _Content:
+def _content(cells: Sequence[str]) -> Content:
     filled = [cell for cell in cells if cell not in ("", _DASH)]
     if not filled:
         return "dashes" if _DASH in cells else "nothing"

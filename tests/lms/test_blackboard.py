@@ -65,7 +65,7 @@ def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
 
 
 @pytest.mark.parametrize(
-    "header", ["", "Kinematics quiz", "Kinematics quiz [Total Pts: 10 Score]", HEADER[8]]
+    "header", ["Kinematics quiz", "Kinematics quiz [Total Pts: 10 Score]", HEADER[8]]
 )
 def test_a_column_without_an_id_would_become_a_text_column_of_no_points(
     tmp_path: Path, header: str
@@ -74,6 +74,14 @@ def test_a_column_without_an_id_would_become_a_text_column_of_no_points(
         TableError, match="is no header of a grade column there - expected it with the id that"
     ):
         fresh(tmp_path, BLACKBOARD, ExportOptions(columns={"": header}))
+
+
+def test_a_column_that_nobody_named_is_asked_for(tmp_path: Path) -> None:
+    with pytest.raises(
+        TableError,
+        match="Blackboard: the column for the total is not named - expected its header, with the id that",
+    ):
+        fresh(tmp_path, BLACKBOARD)
 
 
 def test_a_header_states_the_maximum(tmp_path: Path) -> None:

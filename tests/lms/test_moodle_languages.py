@@ -196,8 +196,21 @@ def test_of_several_items_one_has_to_be_named_and_gets_its_own_feedback(tmp_path
     assert columns(tmp_path, *both[6:12])[1] == ("2.94", "29.41 %", "", GRADED[1], "-", COMMENTS[1])
 
 
-@pytest.mark.parametrize("place", [2, 5, 7, 8])
-def test_points_are_not_written_over_ids_per_cent_or_feedback(tmp_path: Path, place: int) -> None:
+@pytest.mark.parametrize("language", ["fr", "ru", "zh_cn"])
+def test_an_item_is_found_by_its_title_whatever_the_activity_is_called_there(
+    tmp_path: Path, language: str
+) -> None:
+    head = header(language)
+    path = download(tmp_path, head, some_graded())
+    title = HEADERS[language].split("|")[6].replace("：", ":").split(":")[1].strip()
+    assert exported(tmp_path, path, "--title", title).exit_code == 0
+    assert columns(tmp_path, head[6])[1] == (GRADED[1],)
+
+
+@pytest.mark.parametrize("place", [0, 1, 2, 5, 7, 8])
+def test_points_are_not_written_over_names_ids_per_cent_or_feedback(
+    tmp_path: Path, place: int
+) -> None:
     head = header("pt")
     path = download(tmp_path, head, some_graded())
     result = exported(tmp_path, path, "--column", head[place])
