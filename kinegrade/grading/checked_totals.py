@@ -134,7 +134,7 @@ class _Grades:
             *self._wrong_total(row, sums, lines),
             *self._wrong_out_of(row, sums, lines),
             *self._wrong_status(row, sums),
-        ]
+        ] or [*self._wrong_percent(row)]
         if problems:
             self._fault(row, "; ".join(problems))
 
@@ -156,6 +156,19 @@ class _Grades:
         if "out_of" in self.table.header and lines == self.full:
             expected = sum(sums.out_of.values())
             yield from _difference("out_of", self._cell(row, "out_of"), expected, lines)
+
+    def _wrong_percent(self, row: Row) -> Iterator[str]:
+        """The share is held against the total and the maximum beside it; all three are rounded."""
+        if not {"percent", "out_of"} <= set(self.table.header):
+            return
+        stated = Fraction(self._cell(row, "percent"), _UNIT)
+        out_of = Fraction(self._cell(row, "out_of"), _UNIT)
+        total = Fraction(self._cell(row, "total"), _UNIT)
+        expected = 100 * total / out_of if out_of else Fraction(0)
+        rounding = Fraction(1, 100) * (1 + (1 / out_of if out_of else 0))
+        if abs(stated - expected) > rounding:
+            shown = amount_text(expected, places=2)
+            yield f"percent is {amount_text(stated)}, {shown} by the total"
 
     def _wrong_status(self, row: Row, sums: _Sums) -> Iterator[str]:
         if "status" not in self.table.header:

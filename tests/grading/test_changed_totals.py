@@ -62,6 +62,11 @@ def test_all_rows_are_named_with_all_that_is_wrong(marks: Path) -> None:
     ]
 
 
+def test_a_percentage_that_the_total_contradicts_is_refused(marks: Path) -> None:
+    change(marks, ",9.5,9.5,100,", ",9.5,9.5,99,")
+    assert refused(marks)[0] == 'grades.csv:2: student "7": percent is 99, 100 by the total'
+
+
 def test_students_who_were_left_out_added_or_doubled_are_named(marks: Path) -> None:
     lines = (marks / "grades.csv").read_text(encoding="utf-8").splitlines(keepends=True)
     head, seven, eight, _ = lines

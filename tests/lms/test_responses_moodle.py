@@ -163,10 +163,18 @@ def test_an_attempt_in_progress_is_to_be_closed_in_moodle_first(tmp_path: Path) 
     assert told(read) == [
         (
             2,
-            "the attempt is still in progress, and Moodle gives out nothing of it",
-            "not graded: close the attempt in Moodle first, then download again",
+            'the attempt was not handed in ("In progress"), and Moodle gives out nothing of it',
+            "not graded: close the attempt in Moodle first where it is in progress, then download again",
         )
     ]
+
+
+def test_an_abandoned_attempt_is_not_called_one_in_progress(tmp_path: Path) -> None:
+    abandoned = ("Wang", "Wei", "S9", "Never submitted", "1 May", "-", "-", "-", "-", "-")
+    content = csv_text((*HEADER, *NAMES), abandoned, attempt("0012346", cloze("1", "2"), "3"))
+    assert told(responses(tmp_path, content))[0][1].startswith(
+        'the attempt was not handed in ("Never submitted")'
+    )
 
 
 def test_a_row_of_averages_is_nobody(tmp_path: Path) -> None:

@@ -98,8 +98,11 @@ def _not_taken(
             return NotTaken(
                 row, column, "no attempt, or one without answers", "not graded", attempted=False
             )
-        problem = "the attempt is still in progress, and Moodle gives out nothing of it"
-        done = "not graded: close the attempt in Moodle first, then download again"
+        state = (
+            f' ("{shortened(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
+        )
+        problem = f"the attempt was not handed in{state}, and Moodle gives out nothing of it"
+        done = "not graded: close the attempt in Moodle first where it is in progress, then download again"
         return NotTaken(row, column, problem, done, attempted=True)
     if attempts == "finished":
         problem = "the attempt has no grade: it is not finished"
