@@ -15,7 +15,7 @@ from kinegrade.exam.pages import answer_row
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_solution import solution_html
 from kinegrade.exam.quiz_source import BROKEN, MENDING, QuizSource, tolerance_of
-from kinegrade.exam.quiz_words import FIGURE, digits_to_type, marking_rules
+from kinegrade.exam.quiz_words import FIGURE, AskRule, digits_to_type, marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
@@ -54,13 +54,12 @@ def quiz_paper(
     """
     try:
         student = str(record["student"])
-        questions = tuple(
-            _question(source, wishes, str(record["paper"]), entry) for entry in record["questions"]
-        )
+        code = str(record.get("version", record["paper"]))  # a version is of nobody in particular
+        questions = tuple(_question(source, wishes, code, entry) for entry in record["questions"])
         owner = ("", "") if pooled else (student, source.names[student])
     except BROKEN as fault:
         raise _broken(source, record, fault) from fault
-    return QuizPaper(str(record["paper"]), *owner, questions)
+    return QuizPaper(code, *owner, questions)
 
 
 def paper_asks(source: QuizSource, record: Record) -> Iterator[tuple[str, QuizAsk]]:
@@ -95,8 +94,11 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
         asks = tuple(
             _ask(template, ask, stated, wishes, source) for ask, stated in entry["asks"].items()
         )
-        tolerances = {
-            template.asks[ask].symbol: source.tolerances[name, ask] for ask in entry["asks"]
+        rules = {
+            template.asks[ask].symbol: AskRule(
+                source.tolerances[name, ask], written_text(stated["unit"])
+            )
+            for ask, stated in entry["asks"].items()
         }
         solution = (
             solution_html(template, given, tuple(entry["asks"]), language, wishes.method)
@@ -111,8 +113,8 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
             _figure(template, mechanism, language),
             asks,
             solution,
-            marking_rules(tolerances, language),
-            digits_to_type(tolerances),
+            marking_rules(rules, language),
+            digits_to_type(rule.tolerance for rule in rules.values()),
         )
     except KinegradeError as error:
         raise type(error)(

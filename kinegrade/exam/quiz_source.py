@@ -7,12 +7,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from hashlib import sha256
+from hmac import digest
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import ExamError, TemplateError, TomlError
 from kinegrade.exact.written import NumberError, written_number, written_text
+from kinegrade.exam.exam_secret import secret_of
 from kinegrade.language import Language, exam_language_of
 from kinegrade.problem.library import kept_template
 from kinegrade.problem.template import Template
@@ -20,6 +22,7 @@ from kinegrade.problem.tolerance import Tolerance
 from kinegrade.toml_reading import read_toml
 
 FORMAT = 1
+DIGITS = 8  # hexadecimal, of the identifier
 LOOKED_AT = 64  # papers from which the bank's tolerances are seen, which zero answers widen
 BROKEN = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
 MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
@@ -27,10 +30,11 @@ MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 
 @dataclass(frozen=True)
 class QuizSource:
-    """An exam folder; `identifier` tells it from other exams, and tells nothing of its secret.
+    """An exam folder; `identifier` tells it from other exams.
 
-    It is of the bank and of the first paper's code: another class's exam of the same bank is another one, and
-    students appended to the roster change nothing.
+    It is of the bank and of what the papers' codes are made from, which tells nothing of the secret that draws the
+    numbers: another exam of the same bank is another one, and whoever is on the roster in whatever order changes
+    nothing.
 
     `templates` and `names` go by question and by student, `tolerances` by question and ask, `credits`, the shares of
     the points that the bank gives for known mistakes, by mistake.
@@ -61,7 +65,7 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         names = {
             str(student["student"]): written_text(student["name"]) for student in head["students"]
         }
-        first = str(head["students"][0]["paper"])
+        identifier = _identifier(head, bank)
         versions = tuple(map(str, head.get("versions", ())))
         credits = {
             str(name): written_number(share)
@@ -76,7 +80,7 @@ def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSour
         title, course = _translated(bank, language, title, course)
     return QuizSource(
         folder,
-        sha256(f"{first}\n{bank}".encode()).hexdigest()[:8],
+        identifier,
         language or spoken,
         title,
         course,
@@ -150,6 +154,14 @@ def _head(path: Path) -> dict[str, Any]:
             f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
         ) from fault
     return head
+
+
+def _identifier(head: Mapping[str, Any], bank: str) -> str:
+    """What tells the exam from others; of a folder whose secret was taken out of it, by the first paper's code."""
+    secret = secret_of(head)
+    if secret is None:
+        return sha256(f"{head['students'][0]['paper']}\n{bank}".encode()).hexdigest()[:DIGITS]
+    return digest(secret.coding.encode(), f"quiz\n{bank}".encode(), "sha256").hex()[:DIGITS]
 
 
 def _translated(bank: str, language: Language, *texts: str) -> tuple[str, ...]:

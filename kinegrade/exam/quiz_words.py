@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.exam.rules import EXCEPTION, FEWEST_DIGITS, marking_rule
@@ -13,25 +14,30 @@ FIGURE = {"en": "Figure to scale: {}", "zh": "附图（按比例绘制）：{}"}
 BETWEEN = {"en": " ", "zh": ""}
 
 
-def digits_to_type(tolerances: Mapping[str, Tolerance]) -> int:
+def digits_to_type(tolerances: Iterable[Tolerance]) -> int:
     """The fewest significant digits with which every answer can be told right from wrong."""
-    return max(
-        FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances.values())
-    )
+    return max(FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances))
 
 
-def marking_rules(tolerances: Mapping[str, Tolerance], language: Language) -> str:
-    """When the answers of a question are right; tolerances go by the asks' symbols (math)."""
-    return BETWEEN[language].join(_marking(tolerances, language))
+@dataclass(frozen=True)
+class AskRule:
+    """How far from right an ask's answer may be, and the unit in which that is said: a quiz has no table of units."""
+
+    tolerance: Tolerance
+    unit: str
+
+    def text(self, language: Language) -> str:
+        """When the answer is right."""
+        return marking_rule(self.tolerance, language, self.unit)
 
 
-def _marking(tolerances: Mapping[str, Tolerance], language: Language) -> list[str]:
-    """One rule for all asks, or one for each."""
-    distinct = set(tolerances.values())
+def marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
+    """When the answers of a question are right; the rules go by the asks' symbols (math)."""
+    texts = {symbol: rule.text(language) for symbol, rule in asks.items()}
+    distinct = set(texts.values())
     if len(distinct) == 1:
-        return [marking_rule(distinct.pop(), language)]
-    rules = {symbol: marking_rule(tolerance, language) for symbol, tolerance in tolerances.items()}
-    return [
+        return distinct.pop()
+    return BETWEEN[language].join(
         EXCEPTION[language].format(what=f"${symbol}$", rule=rule[0].lower() + rule[1:])
-        for symbol, rule in rules.items()
-    ]
+        for symbol, rule in texts.items()
+    )

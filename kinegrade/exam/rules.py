@@ -39,19 +39,21 @@ ZERO = {
     "zh": "精确值为零或小于该机构中同类量最大值的 {share} 时，允许偏差为该最大值的 {share}。",
 }
 ABSOLUTE = {
-    "en": "An answer is right if it differs from the exact value by at most {amount} in the unit of the table.",
-    "zh": "答案与精确值之差不超过 {amount}（以表中单位计）即判为正确。",
+    "en": "An answer is right if it differs from the exact value by at most {amount}{table}.",
+    "zh": "答案与精确值之差不超过 {amount}{table}即判为正确。",
 }
 OR_ABSOLUTE = {
-    "en": ", or by at most {amount} in the unit of the table, whichever is more",
-    "zh": "（或不超过 {amount}，以表中单位计，取其大者）",
+    "en": ", or by at most {amount}{table}, whichever is more",
+    "zh": "（或不超过 {amount}{table}，取其大者）",
 }
 OR_WITHIN = {
     "en": ", or differs from it by at most {amounts}",
     "zh": "，或与其之差不超过{amounts}，",
 }
 OF_VALUE = {"en": "{relative} of it", "zh": "精确值的 {relative}"}
-IN_UNIT = {"en": "{amount} in the unit of the table", "zh": " {amount}（以表中单位计）"}
+IN_UNIT = {"en": "{amount}{table}", "zh": " {amount}{table}"}
+IN_TABLE = {"en": " in the unit of the table", "zh": "（以表中单位计）"}
+IN_TABLE_ASIDE = {"en": " in the unit of the table", "zh": "，以表中单位计"}  # inside brackets
 OR = {"en": " or ", "zh": "或"}
 NUMERALS = {"en": ("four", "five", "six", "seven", "eight", "nine", "ten"), "zh": "四五六七八九十"}
 FEWEST_DIGITS = 4
@@ -108,20 +110,26 @@ def writing_rule(bank: Bank, language: Language) -> str:
     )
 
 
-def marking_rule(tolerance: Tolerance, language: Language) -> str:
-    """When an answer is right, in words a first-year reads."""
+def marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> str:
+    """When an answer is right, in words a first-year reads.
+
+    An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there is no table.
+    """
     zero = ZERO[language].format(share=percent(tolerance.share))
     if tolerance.figures:
-        return figures_rule(tolerance, tolerance.figures, zero, language)
+        return figures_rule(tolerance, tolerance.figures, zero, language, unit)
+    amount = amount_text(tolerance.absolute, unit)
     if tolerance.relative == 0:
-        return ABSOLUTE[language].format(amount=plain(tolerance.absolute))
-    also = (
-        OR_ABSOLUTE[language].format(amount=plain(tolerance.absolute)) if tolerance.absolute else ""
-    )
+        return ABSOLUTE[language].format(amount=amount, table="" if unit else IN_TABLE[language])
+    aside = "" if unit else IN_TABLE_ASIDE[language]
+    absolute = OR_ABSOLUTE[language].format(amount=amount, table=aside)
+    also = absolute if tolerance.absolute else ""
     return RELATIVE[language].format(relative=percent(tolerance.relative), absolute=also, zero=zero)
 
 
-def figures_rule(tolerance: Tolerance, figures: int, zero: str, language: Language) -> str:
+def figures_rule(
+    tolerance: Tolerance, figures: int, zero: str, language: Language, unit: str = ""
+) -> str:
     """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to 1.235."""
     example = f"{'1.23456'[: figures + 1]}04"
     low, high = figures_interval(Fraction(example), figures)
@@ -129,11 +137,28 @@ def figures_rule(tolerance: Tolerance, figures: int, zero: str, language: Langua
     if tolerance.relative:
         amounts.append(OF_VALUE[language].format(relative=percent(tolerance.relative)))
     if tolerance.absolute:
-        amounts.append(IN_UNIT[language].format(amount=plain(tolerance.absolute)))
+        amount = amount_text(tolerance.absolute, unit)
+        table = "" if unit else IN_TABLE[language]
+        amounts.append(IN_UNIT[language].format(amount=amount, table=table))
     others = OR_WITHIN[language].format(amounts=OR[language].join(amounts)) if amounts else ""
     return FIGURES[language].format(
         figures=figures, example=example, low=plain(low), high=plain(high), others=others, zero=zero
     )
+
+
+def amount_text(amount: Fraction, unit: str) -> str:
+    r"""A tolerance as prose, with its unit where one is named: a pure number has none.
+
+    >>> amount_text(Fraction(1, 4), "m/s"), amount_text(Fraction(1, 4), "deg")
+    ('$0.25\\,\\unit{m/s}$', '$0.25^\\circ$')
+    """
+    match unit:
+        case "" | "1":
+            return plain(amount)
+        case "deg":
+            return rf"${plain(amount)}^\circ$"
+        case _:
+            return rf"${plain(amount)}\,\unit{{{unit}}}$"
 
 
 def percent(share: Fraction) -> str:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from html import unescape
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from kinegrade.answer_file import POOL
 from kinegrade.errors import ExamError
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import given_text, shown
+from kinegrade.exam.quiz_prose import prose_html
 from kinegrade.exam.quiz_source import BROKEN, QuizSource, read_quiz_source, unreadable
 from kinegrade.files import write_file
 from kinegrade.language import LANGUAGES
@@ -26,6 +28,8 @@ from kinegrade.problem.statement import statement
 
 _MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
+_SIGN = re.compile(rf"({_NUMBER.pattern})|[^\W\d_]")
+_TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 Numbers = tuple[str, ...]
 
 
@@ -55,6 +59,22 @@ def numbers_in(text: str) -> Numbers:
     return tuple(_NUMBER.findall(text))
 
 
+def plain_text(shown: str) -> str:
+    """A text as a download has it, without what a system may have left of its HTML."""
+    return unescape(_TAG.sub(" ", shown))
+
+
+def letters_in(text: str) -> str:
+    r"""The letters and numbers of a text, which no layout changes; numbers stand between blanks.
+
+    >>> letters_in(r"The **crank** of \\(r = 0.25\\,m\\)")
+    'thecrankofr 0.25 m'
+    """
+    return "".join(
+        f" {sign[1]} " if sign[1] else sign[0].casefold() for sign in _SIGN.finditer(text)
+    )
+
+
 @dataclass(frozen=True)
 class Variant:
     """One question of a pool: `source` is the student on whose line of the key it stands, `right` is by ask."""
@@ -65,19 +85,43 @@ class Variant:
     exam: QuizSource
 
     @cached_property
-    def texts(self) -> frozenset[Numbers]:
-        """The numbers of its statement, in each language."""
+    def texts(self) -> frozenset[str]:
+        """Its statement in each language as a quiz shows it, without mark-up."""
         template = self.exam.templates[self.entry["question"]]
         given = {name: given_text(value) for name, value in self.entry["parameters"].items()}
         parameters, _ = shown(template, given)
         return frozenset(
-            numbers_in(statement(template, parameters, language)) for language in LANGUAGES
+            plain_text(prose_html(statement(template, parameters, language)))
+            for language in LANGUAGES
         )
 
-    def is_text(self, text: str) -> bool:
-        """Whether its statement stands in a text, by its numbers."""
-        numbers = numbers_in(text)
-        return any(_holds(numbers, own) for own in self.texts)
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """The letters and numbers of its statement in each language."""
+        return frozenset(map(letters_in, self.texts))
+
+    @cached_property
+    def numbers(self) -> frozenset[Numbers]:
+        """The numbers of its statement in each language."""
+        return frozenset(map(numbers_in, self.texts))
+
+
+def of_text(variants: Sequence[Variant], shown: str) -> list[Variant]:
+    """The variants whose statement stands in the text of a question: letter by letter, else by its numbers.
+
+    Of statements of which one begins like the other the longest is meant. Numbers alone tell a text that somebody
+    corrected in the system, and not whether the crank in it speeds up or slows down.
+    """
+    text = plain_text(shown)
+    letters, numbers = letters_in(text), numbers_in(text)
+    lengths = {
+        place: max((len(own) for own in variant.letters if own in letters), default=0)
+        for place, variant in enumerate(variants)
+    }
+    longest = max(lengths.values(), default=0)
+    if longest:
+        return [variants[place] for place, length in lengths.items() if length == longest]
+    return [variant for variant in variants if any(_holds(numbers, own) for own in variant.numbers)]
 
 
 @dataclass(frozen=True)

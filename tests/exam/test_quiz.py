@@ -127,10 +127,11 @@ def test_the_rule_is_the_banks_even_where_zero_answers_have_more_room(small_clas
     assert "at most 1 % of that value" in rules[0]
     assert [question.digits for question in questions] == [4, 4, 4]
     assert (
-        "For $v_{y}$: an answer is right if it differs from the exact value by at most 0.25 in the unit"
-        in rules[1]
+        "For $v_{y}$: an answer is right if it differs from the exact value by at most "
+        r"$0.25\,\unit{m/s}$." in rules[1]
     )
-    assert "0.5 % of that value, or by at most 0.001" in rules[2]
+    assert r"0.5 % of that value, or by at most $0.001\,\unit{rad/s^2}$, whichever" in rules[2]
+    assert not any("table" in rule for rule in rules)
 
 
 def test_a_quiz_in_the_other_language(small_class: Path) -> None:
@@ -364,6 +365,58 @@ def test_a_late_student_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) ->
     quiz = read_quiz(tmp_path / "EXAM")
     assert quiz.identifier == before
     assert len({student.student for student in quiz.papers}) == 5
+
+
+def test_a_reordered_roster_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    head, *students = (tmp_path / "roster.csv").read_text(encoding="utf-8").splitlines()
+    reordered = "\n".join([head, *reversed(students)])
+    (tmp_path / "roster.csv").write_text(f"{reordered}\n", encoding="utf-8")
+    assert generate(tmp_path, "AGAIN").exit_code == 0
+    first, again = (read_quiz(tmp_path / name) for name in ("EXAM", "AGAIN"))
+    assert first.identifier == again.identifier
+    assert next(iter(first.papers)).code != next(iter(again.papers)).code
+
+
+def test_versions_are_identified_by_their_letters_and_by_no_student(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    bank = (tmp_path / "bank.toml").read_text(encoding="utf-8")
+    (tmp_path / "bank.toml").write_text(f"versions = 2\n{bank}", encoding="utf-8")
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    for variants in (None, 2):
+        quiz = read_quiz(tmp_path / "EXAM", variants=variants)
+        found = [question.identifier for paper in quiz.papers for question in paper.questions]
+        assert found == [
+            f"{quiz.identifier}-{letter}-q{place}" for letter in "AB" for place in (1, 2, 3)
+        ]
+
+
+def test_the_identifier_does_not_come_from_the_secret_that_draws(tmp_path: Path) -> None:
+    write_class(tmp_path)
+    assert generate(tmp_path, "EXAM", "--seed", "s").exit_code == 0
+    before = read_quiz(tmp_path / "EXAM").identifier
+    head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
+    other = dict(head, secret="0" * 64)
+    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps(other), encoding="utf-8")
+    assert read_quiz(tmp_path / "EXAM").identifier == before
+    for name in ("secret", "codes"):
+        assert before not in head[name]
+    renewed = dict(head, codes="1" * 64)
+    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps(renewed), encoding="utf-8")
+    assert read_quiz(tmp_path / "EXAM").identifier != before
+
+
+@pytest.mark.parametrize("kept", [{"seed": "spring"}, {}])
+def test_folders_of_earlier_versions_and_without_a_secret_have_an_identifier(
+    tmp_path: Path, kept: dict[str, str]
+) -> None:
+    write_class(tmp_path)
+    assert generate(tmp_path, "EXAM", "--seed", "s").exit_code == 0
+    head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
+    older = {name: value for name, value in head.items() if name not in ("secret", "codes")}
+    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps({**older, **kept}), encoding="utf-8")
+    assert len(read_quiz(tmp_path / "EXAM").identifier) == 8
 
 
 def test_the_asks_are_known_ahead_of_the_papers(small_class: Path) -> None:

@@ -35,6 +35,15 @@ def stable_name(identifier: str) -> str:
     return f"{'' if written[:1].isalpha() else 'i'}{written}-{fingerprint}"
 
 
+def pool_name(exam: str) -> str:
+    """The name of an exam's pool, which is of the exam alone and of none of its variants.
+
+    >>> pool_name("4f0b")
+    'pool-4f0b'
+    """
+    return stable_name(f"pool-{exam}")
+
+
 class Package:
     """A zip that is being written; the same entries give the same bytes on every machine."""
 

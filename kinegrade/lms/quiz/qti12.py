@@ -16,7 +16,7 @@ from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz import qti12_manifest
 from kinegrade.lms.quiz.canvas_units import class_units
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, package, stable_name
+from kinegrade.lms.quiz.packaging import Package, package, pool_name, stable_name
 from kinegrade.lms.quiz.plain_prose import one_plain_line
 from kinegrade.lms.quiz.qti12_groups import Groups
 from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
@@ -54,7 +54,7 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
     """
     with (
         package(target, force=force) as parts,
-        Groups() as groups,
+        Groups(pool_name(quiz.identifier)) as groups,
         Manifest(qti12_manifest.HEAD, qti12_manifest.FOOT) as manifest,
     ):
         return _Writer(quiz, parts, groups, manifest).write()
@@ -74,7 +74,7 @@ class _Writer:
                 self._paper(paper)
             else:
                 self._variants(paper)
-        if self._groups.identifier:
+        if self._groups:
             self._pool()
         self._remarks.raise_faults()
         self._parts.copy("imsmanifest.xml", self._manifest.finished())
@@ -118,7 +118,7 @@ class _Writer:
         yield from found
 
     def _pool(self) -> None:
-        identifier, title = f"{self._groups.identifier}-pool", one_plain_line(self._quiz.title)
+        identifier, title = pool_name(self._quiz.identifier), one_plain_line(self._quiz.title)
         with TemporaryFile() as stream:
             stream.write(HEAD.format(quoteattr(identifier), quoteattr(title)).encode())
             self._groups.write(stream)

@@ -10,6 +10,7 @@ from typing import IO
 from xml.sax.saxutils import quoteattr
 
 from kinegrade.lms.quiz.decimals import decimal_text
+from kinegrade.lms.quiz.packaging import stable_name
 from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
 
 HEAD = (
@@ -22,7 +23,8 @@ FOOT = "</section>\n"
 class Groups:
     """Variants by question and ask, in the order in which these were first met; a context, for its temporary files."""
 
-    def __init__(self) -> None:
+    def __init__(self, identifier: str) -> None:
+        self._identifier = identifier  # of the pool
         self._first: dict[tuple[str, str], NumericalItem] = {}
         self._streams: dict[tuple[str, str], IO[bytes]] = {}
 
@@ -46,10 +48,9 @@ class Groups:
         self._streams[place].write(f"{item_element(item)}\n".encode())
         return self._first[place].points
 
-    @property
-    def identifier(self) -> str:
-        """The identifier of the first variant of all; "" while there is none."""
-        return next((item.identifier for item in self._first.values()), "")
+    def __bool__(self) -> bool:
+        """Whether there is any variant."""
+        return bool(self._first)
 
     @property
     def points(self) -> Fraction:
@@ -60,7 +61,7 @@ class Groups:
         """The sections of all groups."""
         for place, item in self._first.items():
             head = HEAD.format(
-                quoteattr(f"{item.identifier}-group"),
+                quoteattr(stable_name("-".join((self._identifier, *place)))),
                 quoteattr(item.title),
                 decimal_text(item.points),
             )

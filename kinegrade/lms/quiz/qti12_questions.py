@@ -1,4 +1,7 @@
-"""From a question with several asks to numerical questions that Canvas keeps: one for each, complete in itself."""
+"""From a question with several asks to numerical questions that Canvas keeps: one for each, complete in itself.
+
+Each ends in its column of the answer sheet, like [q1.v_B], by which `kinegrade grade --from canvas` knows it again.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from kinegrade.exam.quiz_document import QuizAsk, QuizQuestion
 from kinegrade.language import Language
 from kinegrade.lms.quiz.canvas_units import ClassUnits, edges_kept
 from kinegrade.lms.quiz.decimals import decimal_text
-from kinegrade.lms.quiz.html import PLACES, ask_html
+from kinegrade.lms.quiz.html import PLACES, ask_html, plain_html
 from kinegrade.lms.quiz.intervals import right_intervals
 from kinegrade.lms.quiz.packaging import stable_name
 from kinegrade.lms.quiz.plain_math import plain_math
@@ -81,11 +84,12 @@ def _item(question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking) -> Nu
         return None
     _remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
     asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
+    column = plain_html(f"[{question.question}.{ask.identifier}]")
     title = f"{plain_prose(question.title, question.question, inline=True)}{PLACES[language][0]}{symbol}"
     return NumericalItem(
         stable_name(f"{question.identifier}-{ask.identifier}"),
         title,
-        text + asked,
+        f"{text}{asked}<p>{column}</p>\n",
         ask.points,
         right_intervals(now),
         question.solution,

@@ -8,7 +8,7 @@ from pathlib import Path
 from kinegrade.errors import TypesetError
 from kinegrade.exam.quiz_document import Quiz, QuizPaper, QuizQuestion
 from kinegrade.lms.quiz.manifest import Manifest
-from kinegrade.lms.quiz.packaging import Package, package, stable_name
+from kinegrade.lms.quiz.packaging import Package, package, pool_name, stable_name
 from kinegrade.lms.quiz.plain_prose import one_plain_line
 from kinegrade.lms.quiz.qti21_item import NAMES, item_document
 from kinegrade.lms.quiz.remarks import Remarks
@@ -61,8 +61,8 @@ class _Writer:
                         stable_name(question.identifier)
                     )
         if self._pool:
-            first = next(iter(self._pool.values()))[0]
-            self._test(f"{first}-pool", self._quiz.title, list(self._pool.values()))
+            name = pool_name(self._quiz.identifier)
+            self._test(name, self._quiz.title, list(self._pool.values()))
         self._remarks.raise_faults()
         self._parts.copy("imsmanifest.xml", self._manifest.finished())
         return self._remarks.complaints

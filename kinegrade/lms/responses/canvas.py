@@ -141,9 +141,14 @@ def _is_test_student(
 
 
 def _text(table: Table, row: Row, places: Sequence[int]) -> str:
-    """The text of the question that the student answered, "" where there is no answer."""
-    answered = next((place for place in places if trimmed(row.cell(place))), None)
-    return "" if answered is None else table.header[answered].partition(": ")[2]
+    """The text of the question that the student was put, "" where that cannot be told.
+
+    It is the one with an answer; of those left blank the one that got points, if only nought.
+    """
+    put = [place for place in places if trimmed(row.cell(place))] or [
+        place for place in places if trimmed(row.cell(place + 1))
+    ]
+    return table.header[put[0]].partition(": ")[2] if len(put) == 1 else ""
 
 
 def _moment(row: Row, people: Sequence[int]) -> str:

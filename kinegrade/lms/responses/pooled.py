@@ -131,7 +131,9 @@ class _Finder:
         if told:
             likely = [variant for variant in likely if _is_right(variant, told)]
         if trimmed(text) and len(likely) != 1:
-            likely = [variant for variant in likely if variant.is_text(text)]
+            from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
+
+            likely = of_text(likely, text)
         return likely
 
 
