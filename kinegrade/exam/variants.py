@@ -28,7 +28,7 @@ from kinegrade.problem.statement import statement
 
 _MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
-_SIGN = re.compile(rf"({_NUMBER.pattern})|[^\W\d_]")
+_SIGN = re.compile(rf"([-−]?)({_NUMBER.pattern})|[^\W\d_]")
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 Numbers = tuple[str, ...]
 
@@ -67,11 +67,12 @@ def plain_text(shown: str) -> str:
 def letters_in(text: str) -> str:
     r"""The letters and numbers of a text, which no layout changes; numbers stand between blanks.
 
-    >>> letters_in(r"The **crank** of \\(r = 0.25\\,m\\)")
-    'thecrankofr 0.25 m'
+    >>> letters_in(r"The **crank** of \\(x = -0.25\\,m\\)")
+    'thecrankofx -0.25 m'
     """
     return "".join(
-        f" {sign[1]} " if sign[1] else sign[0].casefold() for sign in _SIGN.finditer(text)
+        f" {'-' if sign[1] else ''}{sign[2]} " if sign[2] else sign[0].casefold()
+        for sign in _SIGN.finditer(text)
     )
 
 

@@ -25,10 +25,15 @@ class Drawn:
 
     text: str
     right: tuple[str, ...]
+    cloze: bool = True  # of boxes in its text; else a question of one number
+
+    def cell(self, texts: Sequence[str]) -> str:
+        """Answers to it, or its right ones, in the one cell of a download."""
+        return parts(texts) if self.cloze else texts[0]
 
 
 def pool(quiz: Path) -> Mapping[str, Sequence[Drawn]]:
-    """The questions of a quiz in Cloze form by category."""
+    """The questions of a quiz by category."""
     found: dict[str, list[Drawn]] = {}
     category = ""
     for question in ElementTree.parse(quiz).getroot():
@@ -36,9 +41,11 @@ def pool(quiz: Path) -> Mapping[str, Sequence[Drawn]]:
             category = question.findtext("category/text") or ""
             continue
         html = question.findtext("questiontext/text") or ""
-        right = tuple(found[1] for found in BOX.finditer(html))
+        cloze = question.get("type") == "cloze"
+        boxes = tuple(found[1] for found in BOX.finditer(html))
+        right = boxes if cloze else (question.findtext("answer/text") or "",)
         plain = TAG.sub(lambda tag: f"[{tag[1]}]" if tag[1] else " ", BOX.sub("_____", html))
-        found.setdefault(category, []).append(Drawn(unescape(plain), right))
+        found.setdefault(category, []).append(Drawn(unescape(plain), right, cloze))
     return found
 
 
@@ -60,7 +67,11 @@ def download(
         cells: list[str] = []
         for each, answers in zip(drawn, typed, strict=True):
             told = [value.replace(".", decimal) for value in each.right]
-            whole = {"Question": each.text, "Response": parts(answers), "Right answer": parts(told)}
+            whole = {
+                "Question": each.text,
+                "Response": each.cell(answers),
+                "Right answer": each.cell(told),
+            }
             cells += [whole[name] for name in columns]
         lines.append(("Wang", "Wei", student, *STATE, *cells))
     return csv_text(*lines)
