@@ -6,10 +6,11 @@ them, else known to 38 digits. A name in them is a parameter of the question or 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
+from types import MappingProxyType
 from typing import Any
 
 from kinegrade.errors import ExpressionError, PolicyError
@@ -39,12 +40,20 @@ class Alternative:
 Number = tuple[str | Fraction, str]  # a given's text or a right answer, and its unit
 Which = tuple[str, str, str]  # student, on whose line of the key the ask stands, answer column
 Alternatives = Mapping[Which, tuple[Alternative, ...]]
+_NO_SOURCES: Mapping[str, Paper] = MappingProxyType({})
 
 
 def alternatives(
-    exam: Sitting, policy: Policy, givens: Givens, pooled: Iterable[Paper] = ()
+    exam: Sitting,
+    policy: Policy,
+    givens: Givens,
+    pooled: Iterable[Paper] = (),
+    sources: Mapping[str, Paper] = _NO_SOURCES,
 ) -> Alternatives:
     """All accepted answers of all papers, and of those put together from a pool.
+
+    `sources` are the papers from which these were put together. The names in a value stand for the numbers of the
+    paper that the ask comes from, wherever the other asks of its question come from.
 
     Raises PolicyError where one has no value.
     """
@@ -54,21 +63,17 @@ def alternatives(
     found: dict[Which, tuple[Alternative, ...]] = {}
     failing: dict[tuple[str, int], list[tuple[str, Exception]]] = {}
     constant: dict[tuple[str, int], Alternative] = {}
-    numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
-    for paper in chain(exam.papers(), pooled) if wanted else ():
-        for ask, accepted in wanted:
-            if accepted.students is not None and paper.student not in accepted.students:
-                continue
-            which = ask.column, accepted.number
-            place = paper.student, paper.source(numbers[ask.column]), ask.column
-            try:
-                alternative = constant.get(which) or _on_paper(exam, ask, accepted, paper, givens)
-            except (ExpressionError, Unreadable, ArithmeticError) as fault:
-                failing.setdefault(which, []).append((paper.student, fault))
-                continue
-            found[place] = (*found.get(place, ()), alternative)
-            if not _used(accepted):
-                constant[which] = alternative
+    papers = chain(exam.papers(), pooled) if wanted else ()
+    for ask, accepted, whole, place in _places(exam, wanted, papers, sources):
+        which = ask.column, accepted.number
+        try:
+            alternative = constant.get(which) or _on_paper(exam, ask, accepted, whole, givens)
+        except (ExpressionError, Unreadable, ArithmeticError) as fault:
+            failing.setdefault(which, []).append((place[0], fault))
+            continue
+        found[place] = (*found.get(place, ()), alternative)
+        if not _used(accepted):
+            constant[which] = alternative
     faults = [
         _fault(ask, accepted, failing[ask.column, accepted.number])
         for ask, accepted in wanted
@@ -77,6 +82,24 @@ def alternatives(
     if faults:
         raise PolicyError(*faults)
     return found
+
+
+def _places(
+    exam: Sitting,
+    wanted: Sequence[tuple[Ask, Accepted]],
+    papers: Iterable[Paper],
+    sources: Mapping[str, Paper],
+) -> Iterator[tuple[Ask, Accepted, Paper, Which]]:
+    """Where something is accepted, each with the whole paper that the ask comes from; not what nobody was put."""
+    numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
+    for paper in papers:
+        for ask, accepted in wanted:
+            number = numbers[ask.column]
+            meant = accepted.students is None or paper.student in accepted.students
+            if meant and (not paper.put or paper.put[number]):
+                source = paper.source(number)
+                place = paper.student, source, ask.column
+                yield ask, accepted, sources.get(source, paper), place
 
 
 def _used(accepted: Accepted) -> set[str]:
@@ -109,15 +132,9 @@ def _numbers(
         if other.question == ask.question and other.ask in used:
             found[other.ask] = paper.key(number, ()).value, other.unit
     if used - found.keys():
-        drawn = givens.of(_source(exam, ask, paper), ask.question)
+        drawn = givens.of(paper.student, ask.question)
         found |= {name: given for name, given in drawn.items() if name in used}
     return found
-
-
-def _source(exam: Sitting, ask: Ask, paper: Paper) -> str:
-    return next(
-        paper.source(number) for number, other in enumerate(exam.asks) if other.column == ask.column
-    )
 
 
 def _alternative(accepted: Accepted, numbers: Mapping[str, Number]) -> Alternative:

@@ -62,7 +62,7 @@ def grade(
         known, givens, files = open_exam(exam), Givens(exam), _files(answers)
         sheet, rules = class_sheet(files, known), policy_for(known, givens, policy)
         pool, others = pool_of(known, sheet), OtherPapers(known.asks)
-        accepted = alternatives(known, rules, givens, pool.put_together(known, sheet))
+        accepted = alternatives(known, rules, givens, pool.put_together(known, sheet), pool.papers)
         blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows, pool=pool)
         grades = class_grades(known, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
