@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from math import nan
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +67,10 @@ class RightAnswer:
 
 @dataclass(frozen=True)
 class PaperRecord:
-    """One paper: the questions as printed, right answers by column, drawn numbers by question and parameter."""
+    """One paper: the questions as printed, right answers by column, drawn numbers by question and parameter.
+
+    A number is NaN where the question's asks were put with different ones.
+    """
 
     printed: tuple[str, ...]
     answers: Mapping[str, RightAnswer]
@@ -157,15 +161,22 @@ class PaperRecords:
         return paper
 
     def _as_put(self, own: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
-        """The paper with those answers, and the numbers of their questions, that were put to the student."""
+        """The paper with those answers, and the numbers of their questions, that were put to the student.
+
+        A question whose asks come from several variants has several numbers for each parameter, so it has none.
+        """
         answers, parameters = dict(own.answers), dict(own.parameters)
+        sources: dict[str, set[str]] = {}
         for column, source in put.items():
             other = self.paper(source)
             if column in other.answers:
                 answers[column] = other.answers[column]
             question = column.partition(".")[0]
+            sources.setdefault(question, set()).add(source)
             parameters |= {
-                place: number for place, number in other.parameters.items() if place[0] == question
+                place: number if len(sources[question]) == 1 else nan
+                for place, number in other.parameters.items()
+                if place[0] == question
             }
         return PaperRecord(own.printed, answers, parameters)
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import json
 import re
+from math import isnan
 from pathlib import Path
 
 import pytest
 
+from kinegrade.grading.exam_record import PaperRecords
+from kinegrade.grading.pool import read_put
 from tests.lms.test_canvas_pool import analysis, groups, pooled
 from tests.lms.test_pool_texts import STUDENTS, set_exam
 from tests.problem.crank import crank_text
@@ -95,3 +98,17 @@ def test_the_report_explains_losses_by_what_was_put(exam: Path, tmp_path: Path) 
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     [row] = [row for row in re.findall("<tr>.*?</tr>", page, re.DOTALL) if CLOSE in row]
     assert re.findall(r">([0-9]+)<", row)[0] == "4"
+
+
+def test_numbers_of_several_variants_are_no_numbers_of_one_question(
+    exam: Path, tmp_path: Path
+) -> None:
+    """The report asks whether a drawn number made a question harder; here there were two of each."""
+    marks = graded(exam, tmp_path, {})
+    papers = PaperRecords(exam, read_put(marks))
+    found = papers.marked("S1", ["q1.v_x", "q1.v_y"])
+    assert all(isnan(number) for number in found.parameters.values())
+    assert {column: float(answer.value) for column, answer in found.answers.items()} == {
+        "q1.v_x": asks_of(exam)["S2", "q1.v_x"]["value"],
+        "q1.v_y": asks_of(exam)["S3", "q1.v_y"]["value"],
+    }
