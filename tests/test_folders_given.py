@@ -81,3 +81,35 @@ def test_a_file_of_a_folder_is_not_the_folder(
     assert refusals(tmp_path, *arguments.split()) == [
         said(tmp_path, given, "a file", expected, "name that folder")
     ]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "part", "kind"),
+    [
+        (
+            "quiz EXAM --to moodle-xml --variants 1 -o EXAM/key.jsonl --force",
+            "EXAM/key.jsonl",
+            "EXAM",
+        ),
+        ("quiz EXAM --to qti12 -o EXAM/exam.json --force", "EXAM/exam.json", "EXAM"),
+        ("report EXAM MARKS -o EXAM/key.jsonl --force", "EXAM/key.jsonl", "EXAM"),
+        ("export MARKS --to moodle -o MARKS/grades.csv --force", "MARKS/grades.csv", "MARKS"),
+        ("sharing EXAM MARKS -o MARKS/marks.csv --force", "MARKS/marks.csv", "MARKS"),
+    ],
+)
+def test_force_never_replaces_the_key_of_an_exam_by_an_output(
+    tmp_path: Path, arguments: str, part: str, kind: str
+) -> None:
+    mark_class(tmp_path, {"7": RIGHT})
+    before = (tmp_path / part).read_bytes()
+    words = [
+        str(tmp_path / word) if word.startswith(("EXAM", "MARKS")) else word
+        for word in arguments.split()
+    ]
+    result = kinegrade(*words)
+    assert (result.exit_code, result.stderr) == (
+        2,
+        f"error: {tmp_path / part}: is a part of the {kind} folder {kind}, which would be lost - expected a place of "
+        "its own for the output - choose another name\n",
+    )
+    assert (tmp_path / part).read_bytes() == before

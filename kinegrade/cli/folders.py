@@ -1,4 +1,4 @@
-"""Whether the folders on the command line are what they are given for: an exam, or marks."""
+"""Whether the folders on the command line are what they are given for: an exam, or marks, or a place to write at."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal
 
-from kinegrade.errors import TableError
+from kinegrade.errors import OutputError, TableError
 
 Kind = Literal["EXAM", "MARKS"]
 _FILES: Mapping[Kind, tuple[str, ...]] = {
@@ -17,6 +17,36 @@ _EXPECTED: Mapping[Kind, str] = {
     "EXAM": "an exam folder made by kinegrade generate",
     "MARKS": "a folder of marks made by kinegrade grade",
 }
+_PARTS: Mapping[Kind, tuple[str, ...]] = {
+    "EXAM": (
+        *_FILES["EXAM"],
+        "bank.toml",
+        "variants.jsonl",
+        "answers.csv",
+        "answers.xlsx",
+        "key.pdf",
+        "papers.pdf",
+        "solutions.pdf",
+        "papers",
+        "templates",
+        "solutions",
+        "tex",
+    ),
+    "MARKS": (*_FILES["MARKS"], "complaints.csv", "policy.toml", "kept.csv", "variants.csv"),
+}
+
+
+def expect_own_place(output: Path) -> None:
+    """Raises OutputError where writing there would replace a part of an exam, or of marks, by something else."""
+    target = output.absolute()
+    for folder, name in ((target.parent, target.name), (target.parent.parent, target.parent.name)):
+        for kind, files in _FILES.items():
+            inside = all((folder / file).exists() for file in files)
+            if inside and target.is_file() and name in _PARTS[kind]:
+                raise OutputError(
+                    f"{output}: is a part of the {kind} folder {folder.name}, which would be lost - expected a place "
+                    "of its own for the output - choose another name"
+                )
 
 
 def expect_folders(*given: tuple[Path | None, Kind]) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 
 import click
 
+from kinegrade.cli.folders import expect_own_place
 from kinegrade.errors import KinegradeError, OutputError
 from kinegrade.language import LANGUAGES
 
@@ -53,6 +54,8 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
     def run(*arguments: Any, **options: Any) -> None:
         try:
             with whole_output():
+                if isinstance(output := options.get("output"), Path):
+                    expect_own_place(output)
                 command(*arguments, **options)
         except KinegradeError as error:
             for problem in error.problems:

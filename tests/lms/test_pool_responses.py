@@ -114,6 +114,32 @@ def test_a_question_that_is_no_variant_is_refused_whole(exam: Path, tmp_path: Pa
     assert not (tmp_path / "MARKS").exists()
 
 
+def test_right_answers_that_contradict_the_text_are_refused_whole(
+    exam: Path, tmp_path: Path
+) -> None:
+    rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
+    first, *others = next(iter(pool(exam.parent / "pool.xml").values()))
+    student, put, typed = rows[0]
+    rows[0] = (student, [Drawn(first.text, others[0].right), *put[1:]], typed)
+    status, said = grade(exam, tmp_path, download(rows))
+    assert status == 2
+    assert re.search(r"\(line \d+, q1.v_B, q1.a_B: none of them may be meant\)", said)
+    assert not (tmp_path / "MARKS").exists()
+
+
+def test_a_text_that_is_no_variant_s_is_not_taken_for_the_only_one(
+    exam: Path, tmp_path: Path
+) -> None:
+    alone = Path(shutil.copytree(exam, tmp_path / "EXAM"))
+    lines = (alone / "variants.jsonl").read_text(encoding="utf-8").splitlines()
+    (alone / "variants.jsonl").write_text(f"{lines[0]}\n", encoding="utf-8")
+    put = [each[0] for each in pool(exam.parent / "pool.xml").values()]
+    strange = [Drawn("some other question with 7.25", put[0].right), *put[1:]]
+    content = download([(STUDENTS[0], strange, perfect(put))], ("Question", "Response"))
+    status, said = grade(alone, tmp_path, content)
+    assert (status, "none of them may be meant" in said) == (2, True)
+
+
 def test_answers_to_a_pool_that_are_typed_into_the_sheet_stop_the_marking(
     exam: Path, tmp_path: Path
 ) -> None:

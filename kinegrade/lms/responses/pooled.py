@@ -59,8 +59,9 @@ def own_papers_only(
     if len(others) > 1 and 2 * len(others) > known:
         raise TableError(
             f"{file}: {len(others)} of {known} students were put other papers than their own ({others[0]}) "
-            "- expected everybody's own paper - if they answered a pool, write it again by kinegrade quiz "
-            "--variants with as many variants as it has, which makes no other one, and grade again"
+            "- expected everybody's own paper - if they answered a pool, leave out --own-papers, or, where an "
+            "earlier version made the pool, write it again by kinegrade quiz --variants with as many variants "
+            "as it has, which makes no other one, and grade again"
         )
     return checked
 
@@ -125,16 +126,19 @@ class _Finder:
             if each.right and (value := value_of(each.right[number])) is not None
         ]
         text = next((each.texts[number] for number in drawn if each.texts), "")
-        likely = list(self.variants.questions.get(question, ()))
-        if not told and not trimmed(text):
-            return []
-        if told:
-            likely = [variant for variant in likely if _is_right(variant, told)]
-        if trimmed(text) and len(likely) != 1:
-            from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
+        variants = self.variants.questions.get(question, ())
+        by_text = self._of_text(variants, text)
+        if not told:
+            return by_text
+        likely = [variant for variant in variants if _is_right(variant, told)]
+        # a text that is no variant's may have been corrected there; one of another variant contradicts
+        return [variant for variant in likely if not by_text or variant in by_text]
 
-            likely = of_text(likely, text)
-        return likely
+    def _of_text(self, variants: Sequence[Variant], text: str) -> list[Variant]:
+        """The variants whose statement stands in a text; none where it says nothing, or is nobody's."""
+        from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
+
+        return of_text(variants, text) if trimmed(text) else []
 
 
 def _is_right(variant: Variant, told: Sequence[tuple[str, float]]) -> bool:
