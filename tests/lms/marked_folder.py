@@ -36,7 +36,8 @@ def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> P
     grades, marks = [], []
     for student, (name, _) in STUDENTS.items():
         who = renamed.get(student, student)
-        grades.append((who, name, *POINTS[student], "10", "0"))
+        percent = f"{10 * float(POINTS[student][-1]):.4g}"
+        grades.append((who, name, *POINTS[student], "10", percent))
         for question, points in zip(OUT_OF, POINTS[student], strict=False):
             typed = TYPED[student] if question == "q2" else ("" if student == "0012347" else "1,5")
             marks.append(

@@ -62,11 +62,13 @@ def test_an_earlier_total_that_is_kept_is_exported_though_its_student_was_absent
 ) -> None:
     marks = with_status(write_marks(tmp_path / "MARKS"), {ABSENT: "absent"})
     text = (marks / "grades.csv").read_text(encoding="utf-8")
-    (marks / "grades.csv").write_text(text.replace(",0,0,0,10,", ",0,0,5,10,"), encoding="utf-8")
+    (marks / "grades.csv").write_text(
+        text.replace(",0,0,0,10,0,", ",0,0,5,10,50,"), encoding="utf-8"
+    )
     (marks / "kept.csv").write_text(f"student,stands,reason\n{ABSENT},5,x\n", encoding="utf-8")
     assert f"{ABSENT},'=HYPERLINK(1),5," in exported(tmp_path, "moodle")
     rows = grades_sheet(tmp_path)
-    assert rows[ABSENT] == ["=HYPERLINK(1)", None, None, 5, 10, None, "absent"]
+    assert rows[ABSENT] == ["=HYPERLINK(1)", None, None, 5, 10, 50, "absent"]
 
 
 def grades_sheet(folder: Path) -> dict[object, list[object]]:
@@ -85,4 +87,4 @@ def test_the_spreadsheet_has_no_zeros_for_the_absent_that_an_average_would_count
     rows = grades_sheet(tmp_path)
     assert rows["student"][-1] == "status"
     assert rows[ABSENT][1:] == [None, None, None, 10, None, "absent"]
-    assert rows["0012346"][1:] == [4, 0, 4, 10, 0, "marked"]
+    assert rows["0012346"][1:] == [4, 0, 4, 10, 40, "marked"]

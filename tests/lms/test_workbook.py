@@ -20,7 +20,7 @@ def test_ids_names_and_answers_are_text_cells(tmp_path: Path) -> None:
     cells = [cell for sheet in book for row in sheet for cell in row if cell.value is not None]
     assert {cell.data_type for cell in cells} == {"s", "n"}
     grades = [[cell.value for cell in row] for row in book["grades"]]
-    assert grades[1] == ["0012345", "王伟", 7, 1.25, 8.25, 10, 0]
+    assert grades[1] == ["0012345", "王伟", 7, 1.25, 8.25, 10, 82.5]
     assert grades[3][1] == "=HYPERLINK(1)"  # as it was typed, and a text
     typed = [row[3] for row in book["marks"]][1:]
     assert [cell.value for cell in typed[:3]] == ["1,5", "=1+1", "1,5"]
