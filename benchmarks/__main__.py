@@ -1,4 +1,6 @@
-"""`make bench`: the promised figures, each as a ratio against a peer in this run; status 1 if one is broken."""
+"""`make bench`: the promised figures, each as a ratio against a peer in this run; status 1 if one
+is broken.
+"""
 
 from __future__ import annotations
 

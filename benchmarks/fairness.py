@@ -4,15 +4,18 @@
 
 For every template N papers are drawn as for an exam (1,000 unless said otherwise). Promised is
 
-1. full marks in every ask for whoever works rightly and carries three significant figures, in the three ways of
-   `kinegrade.problem.honest`, whether three figures are typed in, four, or the calculator's whole display;
-2. full marks in no ask for whoever makes a known mistake, except where the template reports it as inseparable;
-3. that the marks name the mistake which was made in at least 99 % of these answers, alone or among those that lead
-   there too. A mistake that leads to the same number within what is typed in (four figures) is as good a name: answers
-   for which only such a one is named are counted, and counted apart.
+1. full marks in every ask for an honest student who carries three significant figures, in the three
+   ways of `kinegrade.problem.honest_rounding`, whether three figures are typed in, four, or the
+   calculator's whole display;
+2. full marks in no ask for a student who makes a known mistake, except where the template reports
+   it as inseparable;
+3. that the marks name the mistake which was made in at least 99 % of these answers, alone or among
+   those that lead there too. A mistake that leads to the same number within what is typed in (four
+   figures) is as good a name: answers for which only such a one is named are counted apart.
 
-`students` simulates, `fairness` counts. Measured without a promise: students who round some of their intermediate
-values only, or err anywhere within the rounding; and mistaken ones who carry three figures.
+`students` simulates, `fairness` counts. Measured without a promise: students who round some of
+their intermediate values only, or err anywhere within the rounding; and mistaken ones who carry
+three figures.
 """
 
 from __future__ import annotations
@@ -38,9 +41,10 @@ SHOWN = 5  # broken promises told of each template
 class Fairness:
     """What was counted for one template.
 
-    `honest` and `others` have for each way of working how many answers were given and how many got full marks,
-    `mistakes` counts answers with a known mistake by what the marks made of them, `inseparable` those that nothing is
-    promised of. `broken` are examples of promises not kept, `confused` of mistakes named instead of others.
+    `honest` and `others` have for each way of working how many answers were given and how many got
+    full marks, `mistakes` counts answers with a known mistake by what the marks made of them,
+    `inseparable` those that nothing is promised of. `broken` are examples of promises not kept,
+    `confused` of mistakes named instead of others.
     """
 
     template: str
@@ -81,7 +85,9 @@ class Fairness:
 
 
 def fairness(name: str, draws: int, *, measured: bool = True) -> Fairness:
-    """Everything counted for one template; what is only measured, and promised of nobody, where `measured` is true."""
+    """Everything counted for one template; what is only measured, and promised of nobody, where
+    `measured` is true.
+    """
     found = Fairness(name)
     for simulated in classes(load_template(name), draws):
         found.instances += len(simulated.papers)
@@ -209,21 +215,23 @@ def summary(total: Fairness) -> Iterator[str]:
     for title, counts in (("promised", total.honest), ("measured", total.others)):
         for way, count in sorted(counts.items()):
             yield (
-                f"{title:<10}{way:<50}{count['full']:>9} of {count['given']:>9} answers got full marks, "
-                f"{share(count, 'full'):.4%}"
+                f"{title:<10}{way:<50}{count['full']:>9} of {count['given']:>9} answers got full "
+                f"marks, {share(count, 'full'):.4%}"
             )
     made, rounded = total.mistakes, total.rounded
     yield f"{'promised':<10}known mistakes that got full marks: {made['full']} of {made['given']}"
     yield (
         f"{'promised':<10}known mistakes named rightly: {total.diagnosed():.4%} "
-        f"({share(made, 'named'):.2%} by name, {share(made, 'alike'):.2%} by one that leads to the same number)"
+        f"({share(made, 'named'):.2%} by name, {share(made, 'alike'):.2%} by one that leads to the "
+        "same number)"
     )
     yield (
         f"{'measured':<10}answers with inseparable mistakes: {total.inseparable['given']}, "
         f"of which {total.inseparable['full']} got full marks"
     )
     yield (
-        f"{'measured':<10}mistaken and carrying three figures: {rounded['full']} of {rounded['given']} got full "
+        f"{'measured':<10}mistaken and carrying three figures: {rounded['full']} of "
+        f"{rounded['given']} got full "
         f"marks, {share(rounded, 'named') + share(rounded, 'alike'):.2%} are named rightly, "
         f"{share(rounded, 'unnamed'):.2%} not at all"
     )

@@ -10,7 +10,8 @@ from time import perf_counter
 
 @dataclass(frozen=True)
 class Figure:
-    """Cost per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if none is made.
+    """Cost per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if
+    none is made.
 
     Costs are seconds, shown as milliseconds, or megabytes where `unit` is "MB".
     """

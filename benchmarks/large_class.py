@@ -1,7 +1,9 @@
-"""An exam folder of any size, in the shape that `generate` writes, and its answer sheet: nothing of it is solved.
+"""An exam folder of any size, in the shape that `generate` writes, and its answer sheet: nothing of
+it is solved.
 
-Ten asks in four questions; each key has a surd, forty digits and eight to fifteen mistakes, as those of the shipped
-templates have. Of the answers seven in ten are right, the others mistakes and numbers that are simply wrong.
+Ten asks in four questions; each key has a surd, forty digits and eight to fifteen mistakes, as
+those of the shipped templates have. Of the answers seven in ten are right, the others mistakes and
+numbers that are simply wrong.
 """
 
 from __future__ import annotations
@@ -20,17 +22,32 @@ ASKS = {
     "q4": ("omega_AB", "alpha_AB"),
 }
 UNITS = {"v": "m/s", "a": "m/s^2", "omega": "rad/s", "alpha": "rad/s^2"}
-TEMPLATE = "of-no-mechanism"  # so nothing is worked out for these papers, and nothing follows from own answers
+# So nothing is worked out for these papers, and nothing follows from own answers
+TEMPLATE = "of-no-mechanism"
 COLUMNS = [f"{question}.{ask}" for question, asks in ASKS.items() for ask in asks]
 MISTAKES = (
-    "wrong-pole", "other-branch", "sine-for-cosine", "degrees-for-radians", "diameter-for-radius", "coriolis-dropped",
-    "coriolis-halved", "coriolis-reversed", "path-normal-dropped", "relative-normal-dropped", "transport-for-absolute",
-    "relative-for-absolute", "sense-reversed", "power-of-ten-up", "power-of-ten-down",
-)  # fmt: skip
+    "wrong-pole",
+    "other-branch",
+    "sine-for-cosine",
+    "degrees-for-radians",
+    "diameter-for-radius",
+    "coriolis-dropped",
+    "coriolis-halved",
+    "coriolis-reversed",
+    "path-normal-dropped",
+    "relative-normal-dropped",
+    "transport-for-absolute",
+    "relative-for-absolute",
+    "sense-reversed",
+    "power-of-ten-up",
+    "power-of-ten-down",
+)
 _FACTORS = {"sense-reversed": -1.0, "power-of-ten-up": 10.0, "power-of-ten-down": 0.1}
 _PARAMETERS = {"r": "m", "k": "1", "phi": "deg", "omega": "rad/s", "alpha": "rad/s^2"}
 _NOT_PLAIN = (
-    "{comma}", "{number} {unit}", "{number}{unit}", "\u221a({square})", "", "-", "I do not know", "{number} cm/s",
+    "{comma}", "{number} "
+               "{unit}", "{number}{unit}", "\u221a({square})", "", "-", "I do not "
+                                                                        "know", "{number} cm/s",
 )  # fmt: skip
 
 

@@ -1,9 +1,9 @@
 """Marking a class of 20,000 x 10 asks, against the plain loop that people write for it.
 
-The loop reads the same key and the same sheet, compares by `float` and `math.isclose`, and writes a line for each
-answer and each student. Ours is all of `grade`: it reads and checks the folder, marks by exact rules, knows mistakes,
-units and formulas, gives every reason, and writes all its files. Processor time, in one process; memory is that of the
-command.
+The loop reads the same key and the same sheet, compares by `float` and `math.isclose`, and writes a
+line for each answer and each student. Ours is all of `grade`: it reads and checks the folder, marks
+by exact rules, knows mistakes, units and formulas, gives every reason, and writes all its files.
+Processor time, in one process; memory is that of the command.
 """
 
 from __future__ import annotations
@@ -31,7 +31,9 @@ GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
 
 
 def figures() -> Iterator[Figure]:
-    """Seconds for an answer, of plain numbers and of what people really type; memory of twice the class."""
+    """Seconds for an answer, of plain numbers and of what people really type; memory of twice the
+    class.
+    """
     with TemporaryDirectory() as name:
         plain, mixed, double = (Path(name) / part for part in ("plain", "mixed", "double"))
         for folder, students, odd in (
@@ -124,7 +126,9 @@ def plain_loop(folder: Path) -> None:
 
 
 def memory(folder: Path) -> float:
-    """The peak of the command in megabytes. Raises RuntimeError with what it said if it could not mark the class."""
+    """The peak of the command in megabytes. Raises RuntimeError with what it said if it could not
+    mark the class.
+    """
     told = folder / "told.txt"
     with told.open("wb") as stream:
         process = subprocess.Popen(

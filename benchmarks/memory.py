@@ -11,7 +11,8 @@ INTERVAL = 0.05  # seconds between two looks
 
 
 def peak_of_tree(process: subprocess.Popen[bytes]) -> float:
-    """Waits for the process; the largest sum of resident memory seen, in megabytes; 0.0 where there is no /proc.
+    """Waits for the process; the largest sum of resident memory seen, in megabytes; 0.0 where there
+    is no /proc.
 
     Pages that processes share count once for each of them, so the truth is a little below.
     """

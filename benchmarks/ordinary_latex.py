@@ -1,7 +1,8 @@
-r"""A paper as people write one in LaTeX: article, amsmath, siunitx, TikZ's `\draw`, an answer table for each question.
+r"""A paper as people write one in LaTeX: article, amsmath, siunitx, TikZ's `\draw`, an answer table
+for each question.
 
-It holds the statements, numbers, figures and answer boxes of our paper. It has less to print than ours: no code to be
-scanned, no count of pages, no key.
+It holds the statements, numbers, figures and answer boxes of our paper. It has less to print than
+ours: no code to be scanned, no count of pages, no key.
 """
 
 from __future__ import annotations
@@ -38,7 +39,8 @@ DEGREES = re.compile(r"(-?[\d.]+)\^\\circ")
 def ordinary_paper(paper: Paper) -> str:
     """The LaTeX source of one student's paper, to be typeset by one pdflatex run."""
     head = (
-        rf"\fancyhf{{}}\lhead{{{plain(paper.course)}, {plain(paper.title)}}}\rhead{{Paper {plain(paper.code)}}}"
+        rf"\fancyhf{{}}\lhead{{{plain(paper.course)}, {plain(paper.title)}}}\rhead{{Paper "
+        rf"{plain(paper.code)}}}"
         rf"\lfoot{{{plain(paper.student)} {plain(paper.name)}}}\rfoot{{page \thepage}}"
     )
     title = rf"\section*{{{plain(paper.title)}}}" + "\n" + candidate(paper)
@@ -63,9 +65,11 @@ def candidate(paper: Paper) -> str:
     points = "&".join(f"{float(sheet.points):g}" for sheet in paper.questions)
     columns = "|c" * len(paper.questions)
     return (
-        rf"\noindent Name: \textbf{{{plain(paper.name)}}}\quad Student: \textbf{{{plain(paper.student)}}}\hfill"
+        rf"\noindent Name: \textbf{{{plain(paper.name)}}}\quad Student: "
+        rf"\textbf{{{plain(paper.student)}}}\hfill"
         rf"\begin{{tabular}}{{|l{columns}|c|}}\hline Question&{numbers}&Total\\\hline "
-        rf"Points&{points}&{float(paper.points):g}\\\hline Mark{'&' * len(paper.questions)}&\\\hline"
+        rf"Points&{points}&{float(paper.points):g}\\\hline "
+        rf"Mark{'&' * len(paper.questions)}&\\\hline"
         r"\end{tabular}"
     )
 
@@ -135,7 +139,10 @@ def drawn(part: Primitive) -> str:
         case Label():
             return rf"\node[inner sep=0] at {at(part.centre)} {{${part.symbol}$}};"
         case Disc():
-            return rf"\path[{style(part.pen, part.fill)}] {at(part.centre)} circle[radius={number(part.radius)}];"
+            return (
+                rf"\path[{style(part.pen, part.fill)}] {at(part.centre)} "
+                rf"circle[radius={number(part.radius)}];"
+            )
         case Outline():
             end = " -- cycle" if part.closed else ""
             return (

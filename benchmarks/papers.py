@@ -1,10 +1,12 @@
-"""An exam for 300 students, four questions with figures each, papers and key, as users make it on the command line.
+"""An exam for 300 students, four questions with figures each, papers and key, as users make it on
+the command line.
 
-The peer is the whole job as it is usually done: for one student after the other, numbers are drawn, the problems
-solved and sketched, an ordinary document with amsmath, siunitx and TikZ is written, and pdflatex is run once. Drawing,
-solving and sketching are our own, so they count on both sides. The peer makes a sample of the same papers, its programs
-are loaded and warm before the clock starts, and it makes no key, so it has less to do. As a second peer, without
-promise, stands a run of our own LaTeX source, which is written to be fast. Memory is that of the command with all its
+The peer is the whole job as it is usually done: for one student after the other, numbers are drawn,
+the problems solved and sketched, an ordinary document with amsmath, siunitx and TikZ is written,
+and pdflatex is run once. Drawing, solving and sketching are our own, so they count on both sides.
+The peer makes a sample of the same papers, its programs are loaded and warm before the clock
+starts, and it makes no key, so it has less to do. As a second peer, without promise, stands a run
+of our own LaTeX source, which is written to be fast. Memory is that of the command with all its
 processes. Where no such LaTeX is on the machine its figures are left out, and the report says so.
 """
 
@@ -55,7 +57,8 @@ def figures() -> Iterator[Figure]:
         )
         if not has_ordinary_latex():
             print(
-                f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to compare with"
+                f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to "
+                "compare with"
             )
             return
         latex, _ = generate(folder, STUDENTS, "--engine", "latex")
@@ -123,7 +126,9 @@ def one_job_each(folder: Path, count: int) -> float:
 
 
 def ordinary_job(bank: Bank, papers: Iterator[SetPaper], folder: Path) -> None:
-    """The next student's paper drawn, solved, sketched, written as an ordinary document and printed by pdflatex."""
+    """The next student's paper drawn, solved, sketched, written as an ordinary document and printed
+    by pdflatex.
+    """
     pages = paper_pages(bank, next(papers), "en")
     source = folder / f"{pages.student}.tex"
     source.write_text(ordinary_paper(pages), encoding="utf-8")

@@ -1,6 +1,8 @@
-"""A simulated class: papers drawn as for an exam, their exam folder, and answers to them marked by the real marking.
+"""A simulated class: papers drawn as for an exam, their exam folder, and answers to them marked by
+the real marking.
 
-`classes` draws; `SimulatedClass.marked` goes from typed texts through the answer sheet to the marks.
+`classes` draws; `SimulatedClass.marked` goes from typed texts through the answer sheet to the
+marks.
 """
 
 from __future__ import annotations
@@ -26,7 +28,7 @@ from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.key import Exam
 from kinegrade.grading.marks import Mark, mark
-from kinegrade.problem.honest import nearest_turn, turn_of
+from kinegrade.problem.honest_rounding import nearest_turn, turn_of
 from kinegrade.problem.separation import Separation
 from kinegrade.problem.template import Template
 from kinegrade.tables import parse_table
@@ -37,7 +39,9 @@ FIGURES = 4  # that mistaken students type in
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What a student types into one box; `value` is the number meant, in the ask's unit, `mistake` what led to it."""
+    """What a student types into one box; `value` is the number meant, in the ask's unit, `mistake`
+    what led to it.
+    """
 
     typed: str
     value: float
@@ -46,7 +50,9 @@ class Answer:
 
 @dataclass(frozen=True)
 class SimulatedClass:
-    """Papers of one template, the exam as grading sees it, and by ask the mistakes that its draws do not keep apart."""
+    """Papers of one template, the exam as grading sees it, and by ask the mistakes that its draws
+    do not keep apart.
+    """
 
     template: Template
     number: int
@@ -55,7 +61,9 @@ class SimulatedClass:
     inseparable: Mapping[str, frozenset[str]]
 
     def marked(self, answers: Sequence[Mapping[str, Answer]]) -> Iterator[tuple[int, Mark]]:
-        """The mark of every ask of every paper, with the paper's place; `answers` are each student's, by ask."""
+        """The mark of every ask of every paper, with the paper's place; `answers` are each
+        student's, by ask.
+        """
         header = ["student", *(ask.column for ask in self.exam.asks)]
         rows = [
             [
@@ -69,7 +77,9 @@ class SimulatedClass:
             yield number // len(self.exam.asks), each
 
     def alike(self, place: int, ask: str, name: str, answer: Answer) -> bool:
-        """Whether a mistake leads to the number that was meant, within a unit of the last figure typed in."""
+        """Whether a mistake leads to the number that was meant, within a unit of the last figure
+        typed in.
+        """
         led = self.papers[place].questions[0].drawn.solution[ask].mistakes.get(name)
         if led is None:
             return False

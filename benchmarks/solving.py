@@ -1,4 +1,6 @@
-"""Instances solved exactly, against the usual sympy script: solve symbolically, substitute, simplify."""
+"""Instances solved exactly, against the usual sympy script: solve symbolically, substitute,
+simplify.
+"""
 
 from __future__ import annotations
 
@@ -116,8 +118,9 @@ def slider_crank_by_sympy(
 
 
 def slotted_rocker_by_sympy(instances: list[dict[str, str]]) -> Callable[[], object]:
-    """The script an instructor would write for the slotted rocker; velocities are put into the accelerations as
-    numbers, for with symbols `simplify` runs for minutes."""
+    """The script an instructor would write for the slotted rocker; velocities are put into the
+    accelerations as numbers, for with symbols `simplify` runs for minutes.
+    """
     turn = cycle(instances)
 
     def script() -> object:

@@ -1,7 +1,9 @@
-"""Simulated students: those who work rightly with rounded numbers, and those who make a known mistake.
+"""Simulated students: those who work rightly with rounded numbers, and those who make a known
+mistake.
 
-Each gives for every paper of a class what is typed in, by ask. Working by hand is that of `kinegrade.problem.honest`;
-the unpromised ways round in another manner, so that they are no copy of what draws are accepted by.
+Each gives for every paper of a class what is typed in, by ask. Working by hand is that of
+`kinegrade.problem.honest_rounding`; the unpromised ways round in another manner, so that they are
+no copy of what draws are accepted by.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from kinegrade.errors import KinegradeError
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import Rounded, Sparing
 from kinegrade.mechanics.doubles import in_doubles
-from kinegrade.problem.honest import LOST, by_arms, by_coordinates, calls, plain
+from kinegrade.problem.honest_rounding import LOST, by_arms, by_coordinates, calls, plain
 from kinegrade.problem.mistake_kinds import Mistake, candidates
 from kinegrade.problem.mistakes import way_of, work_out
 from kinegrade.problem.solving import Solution
@@ -31,7 +33,9 @@ Working = Callable[[Solution, Rounded], Mapping[str, float]]
 
 
 class Moody(Rounded):
-    """The arithmetic of one who writes some intermediate values down rounded, and keeps others in the calculator."""
+    """The arithmetic of one who writes some intermediate values down rounded, and keeps others in
+    the calculator.
+    """
 
     def __init__(self, figures: int, chance: Random) -> None:
         super().__init__(figures)
@@ -47,10 +51,14 @@ class Moody(Rounded):
 
 
 class Vague(Moody):
-    """The arithmetic of one whose intermediate values may be off by anything that rounding can leave."""
+    """The arithmetic of one whose intermediate values may be off by anything that rounding can
+    leave.
+    """
 
     def written(self, number: float) -> float:
-        """The number and up to half a unit of its last figure more or less, with equal probability."""
+        """The number and up to half a unit of its last figure more or less, with equal
+        probability.
+        """
         rounded = Rounded(self.figures).written(number)
         if not rounded:
             return 0.0
@@ -64,7 +72,9 @@ def arms(solution: Solution, rounded: Rounded) -> Mapping[str, float]:
 
 
 def honest_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answers]]:
-    """The three ways in which full marks are promised, each typed in with three figures, with four and with all."""
+    """The three ways in which full marks are promised, each typed in with three figures, with four
+    and with all.
+    """
     ways: tuple[tuple[str, Working, Rounded], ...] = (
         ("by coordinates", by_coordinates, Rounded(CARRIED)),
         ("by arms", arms, Rounded(CARRIED)),
@@ -98,9 +108,11 @@ def unpromised_students(simulated: SimulatedClass) -> Iterator[tuple[str, Answer
 
 
 def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[Answers]:
-    """For each known mistake a class that makes it; asks whose answer it does not change are left blank.
+    """For each known mistake a class that makes it; asks whose answer it does not change are left
+    blank.
 
-    Worked out exactly and typed in with four figures; or for one paper of EVERY with three figures carried.
+    Worked out exactly and typed in with four figures; or for one paper of EVERY with three figures
+    carried.
     """
     names = {
         name
@@ -135,7 +147,9 @@ def mistaken(
 
 
 def carried(solution: Solution, name: str) -> Mapping[str, float]:
-    """What a mistake on the way leads to when three figures are carried; nothing for mistakes in the answer alone."""
+    """What a mistake on the way leads to when three figures are carried; nothing for mistakes in
+    the answer alone.
+    """
     template = solution.template
     asks = {ask: template.asks[ask] for ask in solution.answers if by_numbers(template.asks[ask])}
     mistake = next((each for each in candidates(template, asks) if each.identifier == name), None)

@@ -1,4 +1,6 @@
-"""The shipped templates: processor time of loading them, and of an exact solve of everything that can be asked."""
+"""The shipped templates: processor time of loading them, and of an exact solve of everything that
+can be asked.
+"""
 
 from __future__ import annotations
 
@@ -31,11 +33,16 @@ class Limit:
 
     def line(self) -> str:
         """The limit as a line of the report."""
-        return f"{self.name:<58} {self.value:9.2f} ms  promised: {self.limit:g} ms  {'kept' if self.kept else 'BROKEN'}"
+        return (
+            f"{self.name:<58} {self.value:9.2f} ms  promised: {self.limit:g} ms  "
+            f"{'kept' if self.kept else 'BROKEN'}"
+        )
 
 
 def figures() -> Iterator[Limit]:
-    """Loading of all templates; median template and slowest instance, all asks, velocity and acceleration."""
+    """Loading of all templates; median template and slowest instance, all asks, velocity and
+    acceleration.
+    """
     start = process_time()
     templates = [load_template(name) for name in template_names()]
     yield Limit(f"loading all {len(templates)} templates", (process_time() - start) * 1e3, 1000)

@@ -17,7 +17,9 @@ __all__ = ["__version__", "template"]
 
 
 def template(name: str) -> Problem:
-    """The problem of that name (see `kinegrade list`), or of the path of a template file; raises TemplateError."""
+    """The problem of that name (see `kinegrade list`), or of the path of a template file; raises
+    TemplateError.
+    """
     from kinegrade.problem.problem import Problem
 
     return Problem.load(name)

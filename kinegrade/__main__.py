@@ -9,7 +9,9 @@ INTERRUPTED = 130  # 128 and the number of SIGINT, as shells count
 
 
 def start() -> NoReturn:
-    """Run the command line and exit with its status; Ctrl-C is obeyed while it is still being loaded."""
+    """Run the command line and exit with its status; Ctrl-C is obeyed while it is still being
+    loaded.
+    """
     try:
         from kinegrade.cli import main
     except KeyboardInterrupt:

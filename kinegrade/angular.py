@@ -10,7 +10,9 @@ ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "betw
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
-    """Whether the expression has the dimension of an angle, given the names that have it; `pi` has."""
+    """Whether the expression has the dimension of an angle, given the names that have it; `pi`
+    has.
+    """
     return angular_degree(tree, angles) == 1
 
 

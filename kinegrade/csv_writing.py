@@ -1,4 +1,5 @@
-"""CSV as kinegrade writes it: UTF-8, LF, comma; for people with a byte-order mark, or spreadsheets garble names.
+"""CSV as kinegrade writes it: UTF-8, LF, comma; for people with a byte-order mark, or spreadsheets
+garble names.
 
 `neutralised` keeps a typed cell from running as a formula in a spreadsheet, `restored` undoes it.
 """
@@ -18,7 +19,8 @@ _HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?
 
 
 def neutralised(text: str) -> str:
-    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line break.
+    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line
+    break.
 
     Plain numbers and a lone dash stay as they are. `restored` is exact, because apostrophes typed
     before such a sign get one more.
@@ -37,8 +39,11 @@ def restored(text: str) -> str:
 
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A CSV text with LF line ends; cells are texts already, so that no number changes its digits."""
-    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut off.
+    """A CSV text with LF line ends; cells are texts already, so that no number changes its
+    digits.
+    """
+    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut
+    # off.
     lines = _Lines()
     csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
     text = "".join(lines.written)
@@ -70,7 +75,8 @@ def write_for_people(path: Path, header: Sequence[str], rows: Iterable[Sequence[
 
 
 def for_people(text: str) -> bytes:
-    """A CSV text as a file that people open: its byte-order mark tells a spreadsheet that it is UTF-8.
+    """A CSV text as a file that people open: its byte-order mark tells a spreadsheet that it is
+    UTF-8.
 
     >>> for_people("id\\n")
     b'\\xef\\xbb\\xbfid\\n'
@@ -79,7 +85,9 @@ def for_people(text: str) -> bytes:
 
 
 def encoded(text: str) -> bytes:
-    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an escape."""
+    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an
+    escape.
+    """
     return text.encode("utf-8", "backslashreplace")
 
 

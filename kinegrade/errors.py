@@ -1,7 +1,9 @@
-"""The family of errors: every message says where - what - what was expected - what to do, in one line.
+"""The family of errors: every message says where - what - what was expected - what to do, in one
+line.
 
-Bad input raises one of these and nothing else; the command line prints each problem on its own line and
-ends with status 2. An error may carry several problems, because all faults of a file are reported at once.
+Bad input raises one of these and nothing else; the command line prints each problem on its own line
+and ends with status 2. An error may carry several problems, because all faults of a file are
+reported at once.
 """
 
 from __future__ import annotations
@@ -41,7 +43,9 @@ class MechanismError(KinegradeError):
 
 
 class AtInfinity(MechanismError):
-    """A point that is asked for lies at infinity, such as the velocity pole of a body that does not turn."""
+    """A point that is asked for lies at infinity, such as the velocity pole of a body that does not
+    turn.
+    """
 
 
 class DrawError(KinegradeError):
@@ -77,7 +81,8 @@ class ExportError(KinegradeError):
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
-    """A closing hint for an unknown word: the nearest known ones, and all of them where they are few.
+    """A closing hint for an unknown word: the nearest known ones, and all of them where they are
+    few.
 
     >>> did_you_mean("phy", ["phi", "omega"])
     'did you mean "phi"? (known here: omega, phi)'
@@ -100,7 +105,8 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
 
 
 def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
-    """Those of the missing names that an unknown one was probably meant to be: one slip, to be reported once.
+    """Those of the missing names that an unknown one was probably meant to be: one slip, to be
+    reported once.
 
     >>> misspelt(["titel", "colour"], ["title", "course"])
     frozenset({'title'})

@@ -1,4 +1,5 @@
-"""Safe reading of arithmetic: a small grammar of our own, bounded in size and power, never Python's `eval`.
+"""Safe reading of arithmetic: a small grammar of our own, bounded in size and power, never Python's
+`eval`.
 
     sum     = product (("+" | "-") product)*
     product = signed (("*" | "/") signed)*
@@ -6,8 +7,9 @@
     power   = atom ["**" signed]
     atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")"
 
-`read` gives a tree, `evaluate` works it out in any arithmetic (`Field`, `Balls`, `Floats`). Templates, the command
-line and the key are read with it; points and constructions are names and calls like any other.
+`read` gives a tree, `evaluate` works it out in any arithmetic (`Field`, `Balls`, `Floats`).
+Templates, the command line and the key are read with it; points and constructions are names and
+calls like any other.
 """
 
 from __future__ import annotations
@@ -107,7 +109,8 @@ def every_part(tree: Expression) -> Iterator[Expression]:
 
 
 def read(text: str) -> Expression:
-    """The tree of an expression. Raises ExpressionError naming the place and what was expected there.
+    """The tree of an expression. Raises ExpressionError naming the place and what was expected
+    there.
 
     >>> read("2*(x - 1)").sign
     '*'
@@ -250,9 +253,9 @@ def evaluate(
 ) -> Any:
     """The value of the tree; `values` names what is known, `functions` what may be called.
 
-    Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by zero, roots of
-    negative numbers and combinations that make no sense (a point plus a number); Inexact for exact values that no small
-    field holds.
+    Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by
+    zero, roots of negative numbers and combinations that make no sense (a point plus a number);
+    Inexact for exact values that no small field holds.
     """
     match tree:
         case Number():
@@ -302,7 +305,9 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
 
 
 def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
-    """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow without bound."""
+    """base ** whole number, at most MAX_POWER in size. Raises Inexact where the digits would grow
+    without bound.
+    """
     power = whole_power(exponent)
     negative, size = power < 0, abs(power)
     if isinstance(base, (fmpq, Surd)) and height(base) * size > MAX_HEIGHT:
@@ -317,7 +322,9 @@ def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
 
 
 def whole_power(exponent: Expression) -> int:
-    """The whole number that an exponent is. Raises ExpressionError for anything else, and for more than MAX_POWER."""
+    """The whole number that an exponent is. Raises ExpressionError for anything else, and for more
+    than MAX_POWER.
+    """
     negative = (
         isinstance(exponent, Operation)
         and exponent.sign == "-"
@@ -355,7 +362,9 @@ def combined(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
 
 
 def is_literal_zero(tree: Expression) -> bool:
-    """Whether the tree is the sign of what follows: 0 - x, which holds for points and vectors too."""
+    """Whether the tree is the sign of what follows: 0 - x, which holds for points and vectors
+    too.
+    """
     return isinstance(tree, Operation) and tree.left == Number(fmpq(0))
 
 

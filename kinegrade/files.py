@@ -1,12 +1,14 @@
 """Output that appears whole or not at all.
 
-A folder (or a file) is built beside its place under a hidden name, brought to disk, and put in place in one
-atomic step. A process killed at any moment leaves the old output or the new one. What it was building stays
-behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target on the same machine clears it.
+A folder (or a file) is built beside its place under a hidden name, brought to disk, and put in
+place in one atomic step. A process killed at any moment leaves the old output or the new one. What
+it was building stays behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target on
+the same machine clears it.
 
-A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)` on macOS.
-Where the system or the file system has neither, two renames are made: a process killed between the two leaves
-the old output whole beside its place, as `.NAME.previous-TOKEN`, and nobody deletes that but a person.
+A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)`
+on macOS. Where the system or the file system has neither, two renames are made: a process killed
+between the two leaves the old output whole beside its place, as `.NAME.previous-TOKEN`, and nobody
+deletes that but a person.
 """
 
 from __future__ import annotations
@@ -73,24 +75,26 @@ def output_folder(
         if access is not None:
             _restrict(partial, access)
         _bring_to_disk(partial)
-        _check_folder(
-            path, target, marker, contents, force
-        )  # somebody may have written there meanwhile
+        # Somebody may have written there meanwhile
+        _check_folder(path, target, marker, contents, force)
         _publish(path, partial, target)
 
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
-    """Writes a file whole or not at all; with `force` over an existing plain file. Raises OutputError."""
+    """Writes a file whole or not at all; with `force` over an existing plain file. Raises
+    OutputError.
+    """
     with output_file(path, force=force) as partial:
         partial.write_bytes(content)
 
 
 @contextmanager
 def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
-    """Gives a hidden name to write a file at; it becomes `path` when the block ends without an error.
+    """Gives a hidden name to write a file at; it becomes `path` when the block ends without an
+    error.
 
-    With `force` an existing plain file is replaced. Raises OutputError, before the block where something
-    stands at `path` that is not to be replaced.
+    With `force` an existing plain file is replaced. Raises OutputError, before the block where
+    something stands at `path` that is not to be replaced.
     """
     target = _place(path)
     with _partial(path, target) as partial:
@@ -130,14 +134,14 @@ def _check_folder(
     names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
     if names and marker is not None and marker not in names:
         raise OutputError(
-            f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty folder, "
-            "or one to be replaced - choose another name"
+            f"{path}: was not written by kinegrade (no {marker} in it) - expected a new or empty "
+            "folder, or one to be replaced - choose another name"
         )
     strangers = sorted(names - set(contents)) if contents is not None else []
     if strangers:
         raise OutputError(
-            f"{path}: holds {', '.join(strangers[:5])}, which would be lost - expected only what is written "
-            "again - move it elsewhere or choose another name"
+            f"{path}: holds {', '.join(strangers[:5])}, which would be lost - expected only what "
+            "is written again - move it elsewhere or choose another name"
         )
 
 
@@ -152,13 +156,15 @@ def _check_file(path: Path, target: Path, force: bool) -> None:
 
 def _taken(path: Path, kind: str) -> OutputError:
     return OutputError(
-        f"{path}: already exists - expected a new {kind} - add --force to replace it, or choose another name"
+        f"{path}: already exists - expected a new {kind} - add --force to replace it, or choose "
+        "another name"
     )
 
 
 def _unwritable(path: Path, fault: Exception) -> OutputError:
     return OutputError(
-        f"{path}: cannot be written ({fault}) - expected a place with room and permission - choose another"
+        f"{path}: cannot be written ({fault}) - expected a place with room and permission - choose "
+        "another"
     )
 
 
@@ -166,7 +172,8 @@ def _unwritable(path: Path, fault: Exception) -> OutputError:
 def _partial(path: Path, target: Path) -> Iterator[Path]:
     """A hidden name beside `target`; whatever stands under it at the end is removed.
 
-    What killed runs left behind is cleared first, their temporary folders too: they may hold the key.
+    What killed runs left behind is cleared first, their temporary folders too: they may hold the
+    key.
     """
     partial = target.with_name(own_name(_beginning(target)))
     try:
@@ -197,7 +204,9 @@ def _restrict(folder: Path, access: Access) -> None:
 
 
 def _bring_to_disk(folder: Path) -> None:
-    """Flushes every file and folder, so that a power failure after the renaming finds them whole as well."""
+    """Flushes every file and folder, so that a power failure after the renaming finds them whole as
+    well.
+    """
     for place, _, names in os.walk(folder):
         for name in names:
             _flush(Path(place, name))
@@ -249,7 +258,9 @@ def _replace_in_two_steps(partial: Path, target: Path) -> None:
 
 
 def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:
-    """Swaps two entries, or moves one to a free name; False where the system cannot. Raises OSError."""
+    """Swaps two entries, or moves one to a free name; False where the system cannot. Raises
+    OSError.
+    """
     if os.name != "posix":
         return False
     library = ctypes.CDLL(None, use_errno=True)

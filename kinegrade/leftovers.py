@@ -1,4 +1,6 @@
-"""What a killed process leaves behind, known by its name, and cleared away by the next one on the same machine."""
+"""What a killed process leaves behind, known by its name, and cleared away by the next one on the
+same machine.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,9 @@ def own_name(beginning: str) -> str:
 
 
 def clear_leftovers(folder: Path, beginning: str) -> None:
-    """Remove what stands in the folder under such a name, of processes that run no more. Raises OSError."""
+    """Remove what stands in the folder under such a name, of processes that run no more. Raises
+    OSError.
+    """
     shape = re.compile(re.escape(_of_this_host(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
     for entry in list(folder.iterdir()):
         found = shape.fullmatch(entry.name)

@@ -1,4 +1,5 @@
-"""In which order the questions stood on papers that were shuffled: printed.csv of a folder of marks.
+"""In which order the questions stood on papers that were shuffled: printed.csv of a folder of
+marks.
 
 `grade` writes it, so that exports can call a question by the number that its student knows. There
 is none where every paper has the bank's order.
@@ -64,7 +65,8 @@ def read_printed(marks: Path, questions: Sequence[str]) -> Orders:
         order = tuple(listed.split(_BETWEEN))
         if sorted(order) != sorted(questions):
             raise TableError(
-                f'{path}:{line}: questions is "{one_line(listed[:40])}" - expected the questions of '
+                f'{path}:{line}: questions is "{one_line(listed[:40])}" - expected the questions '
+                "of "
                 "grades.csv in the order of the paper - grade again"
             )
         found[student] = order

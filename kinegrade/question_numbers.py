@@ -4,7 +4,8 @@ from __future__ import annotations
 
 
 def bank_number(identifier: str) -> str:
-    """The number of a question in the bank's order; an identifier of another shape is its own number.
+    """The number of a question in the bank's order; an identifier of another shape is its own
+    number.
 
     >>> bank_number("q3"), bank_number("bonus")
     ('3', 'bonus')

@@ -1,8 +1,9 @@
-"""Tables as spreadsheet programs keep them: the first filled sheet of an .xlsx workbook, read as if it were a CSV file.
+"""Tables as spreadsheet programs keep them: the first filled sheet of an .xlsx workbook, read as if
+it were a CSV file.
 
-`read_workbook` is called where people send answers. Numbers come out as they were typed, texts as they are; what a
-spreadsheet may have changed (a date made of an answer, the last digits of a long number) becomes a complaint. A hostile
-file is refused before it takes memory or time.
+`read_workbook` is called where people send answers. Numbers come out as they were typed, texts as
+they are; what a spreadsheet may have changed (a date made of an answer, the last digits of a long
+number) becomes a complaint. A hostile file is refused before it takes memory or time.
 """
 
 from __future__ import annotations
@@ -56,9 +57,8 @@ class _Cell:
 
 
 _BLANK = _Cell("")
-_Line = tuple[
-    int, list[_Cell]
-]  # the number of a line in the sheet, and its cells up to the last filled one
+# The number of a line in the sheet, and its cells up to the last filled one
+_Line = tuple[int, list[_Cell]]
 
 
 class _Room:
@@ -80,7 +80,8 @@ def is_workbook(path: Path) -> bool:
 
 
 def read_workbook(path: Path) -> Table:
-    """The first filled sheet of a workbook that people can see; `Row.line` is the row's number there.
+    """The first filled sheet of a workbook that people can see; `Row.line` is the row's number
+    there.
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
@@ -108,13 +109,16 @@ def _padded(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
 
 
 def _inspected(path: Path) -> bool:
-    """Whether the workbook has formulas. Raises TableError if the file is no workbook, or one that bursts."""
+    """Whether the workbook has formulas. Raises TableError if the file is no workbook, or one that
+    bursts.
+    """
     try:
         with path.open("rb") as stream:
             beginning = stream.read(4)
         if beginning == _COMPOUND:
             raise TableError(
-                f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - {_SAVE}"
+                f"{path.name}: is an old .xls workbook, or one with a password - expected .xlsx - "
+                f"{_SAVE}"
             )
         with ZipFile(path) as archive:
             return _parts_inspected(path, archive)
@@ -134,13 +138,14 @@ def _parts_inspected(path: Path, archive: ZipFile) -> bool:
     parts = archive.infolist()
     if not any(part.filename.endswith("workbook.xml") for part in parts):
         raise TableError(
-            f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file in it"
+            f"{path.name}: is an archive, not a workbook - expected .xlsx or CSV - send the file "
+            "in it"
         )
     size = sum(part.file_size for part in parts if _is_parsed(part.filename))
     if size > LARGEST or len(parts) > _MOST_PARTS:
         raise TableError(
-            f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than {LARGEST} "
-            "- send the sheet alone, as CSV (UTF-8)"
+            f"{path.name}: unpacks to {size} bytes in {len(parts)} parts - expected less than "
+            f"{LARGEST} - send the sheet alone, as CSV (UTF-8)"
         )
     return _formulas_found(path, archive, [each.filename for each in parts])
 
@@ -150,7 +155,9 @@ def _is_parsed(part: str) -> bool:
 
 
 def _formulas_found(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
-    """Whether a part has formulas; counts what a parser would make of all of them, before one does."""
+    """Whether a part has formulas; counts what a parser would make of all of them, before one
+    does.
+    """
     has_formulas = False
     room = {True: MOST_TAGS, False: MOST_STYLE_TAGS}
     for part in filter(_is_parsed, parts):
@@ -174,7 +181,9 @@ def _chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
 
 
 def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
-    """Raises TableError for what no spreadsheet program writes, and a parser may be made to choke on."""
+    """Raises TableError for what no spreadsheet program writes, and a parser may be made to choke
+    on.
+    """
     if _DOCUMENT_TYPE in piece:
         raise TableError(
             f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
@@ -183,20 +192,20 @@ def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None
     declared = _ENCODING.match(piece) if first else None
     if b"\0" in piece or (declared and declared[1].lower() not in _UTF_8):
         raise TableError(
-            f"{path.name}: {part} is not in UTF-8 - expected that, as every spreadsheet program writes it "
-            f"- {_SAVE}"
+            f"{path.name}: {part} is not in UTF-8 - expected that, as every spreadsheet program "
+            f"writes it - {_SAVE}"
         )
 
 
 def _too_many_tags(path: Path, *, cells: bool) -> TableError:
     if cells:
         return TableError(
-            f"{path.name}: has more than {MOST_TAGS} tags in its sheets - expected a class - send the sheet "
-            "alone, as CSV (UTF-8)"
+            f"{path.name}: has more than {MOST_TAGS} tags in its sheets - expected a class - send "
+            "the sheet alone, as CSV (UTF-8)"
         )
     return TableError(
-        f"{path.name}: has more than {MOST_STYLE_TAGS} tags in its styles - expected a table - send it as "
-        "CSV (UTF-8)"
+        f"{path.name}: has more than {MOST_STYLE_TAGS} tags in its styles - expected a table - "
+        "send it as CSV (UTF-8)"
     )
 
 
@@ -224,7 +233,9 @@ def _damaged(path: Path, fault: Exception) -> TableError:
 
 
 def _sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
-    """The name and the filled lines of the first filled sheet, and the names of other filled ones."""
+    """The name and the filled lines of the first filled sheet, and the names of other filled
+    ones.
+    """
     name, lines, others = "", list[_Line](), list[str]()
     room = _Room()
     with _workbook(path, values=True) as workbook:
@@ -245,7 +256,8 @@ def _filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
         longest = max((len(cell.text) for cell in cells), default=0)
         if longest > LONGEST_TEXT or room.characters < 0:
             raise TableError(
-                f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet program "
+                f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet "
+                "program "
                 f"keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
             )
         while cells and not trimmed(cells[-1].text) and not cells[-1].oddity:
@@ -255,14 +267,17 @@ def _filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
 
 
 def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
-    """The rows as they stand, whatever size the sheet says it has; stops where that would take for ever."""
+    """The rows as they stand, whatever size the sheet says it has; stops where that would take for
+    ever.
+    """
     sheet.reset_dimensions()
     for line, row in enumerate(sheet.iter_rows(), 1):
         room.rows -= 1
         room.cells -= len(row)
         if room.rows < 0 or room.cells < 0:
             raise TableError(
-                f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} cells "
+                f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} "
+                "cells "
                 "- expected a class - delete what stands below and beside the table"
             )
         yield line, row

@@ -1,7 +1,8 @@
-"""Tables as people send them: CSV in any usual encoding and separator, read without losing a line or a cell.
+"""Tables as people send them: CSV in any usual encoding and separator, read without losing a line
+or a cell.
 
-`read_table` is called by the roster and by grading; both report `Complaint`s, the lines of `complaints.csv`.
-What is written as CSV is in `csv_writing`.
+`read_table` is called by the roster and by grading; both report `Complaint`s, the lines of
+`complaints.csv`. What is written as CSV is in `csv_writing`.
 """
 
 from __future__ import annotations
@@ -79,7 +80,9 @@ class Row(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table as it stood in the file: cells untouched, ragged rows kept, rows of only blanks left out."""
+    """A table as it stood in the file: cells untouched, ragged rows kept, rows of only blanks left
+    out.
+    """
 
     file: str
     header: tuple[str, ...]
@@ -104,7 +107,8 @@ def read_table(path: Path, encoding: str | None = None) -> Table:
 
 
 def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table:
-    """Reads the bytes of a CSV file; `file` is its name in messages, `encoding` as declared. Raises TableError.
+    """Reads the bytes of a CSV file; `file` is its name in messages, `encoding` as declared. Raises
+    TableError.
 
     >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
     (Row(line=2, cells=('007', '0,5')),)
@@ -128,9 +132,11 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
 
 
 def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, tuple[str, ...]]]:
-    """The cells of these columns of a file that kinegrade grade wrote, with the line at which each record ends.
+    """The cells of these columns of a file that kinegrade grade wrote, with the line at which each
+    record ends.
 
-    One record after the other, so that a million need no memory. Raises TableError, at the line where that is found.
+    One record after the other, so that a million need no memory. Raises TableError, at the line
+    where that is found.
     """
     mending = "expected the file as kinegrade grade wrote it - grade again"
     try:
@@ -144,13 +150,14 @@ def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, t
             for cells in reader:
                 if len(cells) != len(header):
                     raise TableError(
-                        f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - {mending}"
+                        f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - "
+                        f"{mending}"
                     )
                 yield reader.line_num, chosen(cells)
     except OSError as fault:
         raise TableError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade grade "
-            "- check the name"
+            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade "
+            "grade - check the name"
         ) from fault
     except (UnicodeDecodeError, csv.Error) as fault:
         raise TableError(f"{path}: is not a CSV file in UTF-8 ({fault}) - {mending}") from fault
@@ -175,7 +182,8 @@ def header_key(text: str) -> str:
 
 
 def without_headers(table: Table) -> tuple[Row, ...]:
-    """The rows that are not the header once more, as they stand in files that were put together of several.
+    """The rows that are not the header once more, as they stand in files that were put together of
+    several.
 
     >>> [row.line for row in without_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
     [2, 4]
@@ -214,7 +222,9 @@ def _byte_order_mark(content: bytes) -> tuple[bytes, str] | None:
 
 
 def _declared(content: bytes, file: str, encoding: str | None) -> str | None:
-    """The text in the encoding that was declared; None where none was, or where a mark or UTF-8 says otherwise."""
+    """The text in the encoding that was declared; None where none was, or where a mark or UTF-8
+    says otherwise.
+    """
     if encoding is None or _byte_order_mark(content):
         return None
     try:
@@ -227,7 +237,8 @@ def _declared(content: bytes, file: str, encoding: str | None) -> str | None:
         return content.decode(encoding)
     except (LookupError, UnicodeError) as fault:
         raise TableError(
-            f"{file}: is not in the declared encoding {encoding} ({fault}) - expected text - declare the right one"
+            f"{file}: is not in the declared encoding {encoding} ({fault}) - expected text - "
+            "declare the right one"
         ) from fault
 
 
@@ -260,7 +271,9 @@ def _assumed(body: bytes) -> tuple[str, str]:
 
 
 def _is_chinese(text: str) -> bool:
-    """Whether most characters beyond ASCII are the common ones of GB 2312; a Western text gives rare ones."""
+    """Whether most characters beyond ASCII are the common ones of GB 2312; a Western text gives
+    rare ones.
+    """
     beyond = [character for character in text if not character.isascii()]
     common = "".join(beyond).encode("gb2312", "ignore").decode("gb2312")
     return 2 * len(common) > len(beyond)
@@ -276,7 +289,9 @@ def _cells_of_any_size(text: str) -> Iterator[None]:
 
 
 def _separator(text: str) -> tuple[str, int]:
-    """The separator that makes most columns of the header (a comma when there is one), and how many."""
+    """The separator that makes most columns of the header (a comma when there is one), and how
+    many.
+    """
 
     def columns(separator: str) -> int:
         records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
@@ -298,8 +313,9 @@ def _records(
 ) -> tuple[list[tuple[int, list[str]]], list[int]]:
     """All records with the lines they begin at, and the lines with a stray quotation mark.
 
-    A quotation mark is stray if it is never closed, or closed on a later line so that the record has not the
-    header's width or is not proper CSV. Such a line is read by itself, or it would swallow those after it.
+    A quotation mark is stray if it is never closed, or closed on a later line so that the record
+    has not the header's width or is not proper CSV. Such a line is read by itself, or it would
+    swallow those after it.
     """
     lines = list(io.StringIO(text, newline=""))
     records: list[tuple[int, list[str]]] = []
@@ -323,7 +339,9 @@ def _records(
 def _read(
     lines: list[str], first: int, separator: str, quoting: bool
 ) -> Iterator[tuple[int, list[str], int]]:
-    """Records from the index `first` on, each with its line and the next; the last is the end mark."""
+    """Records from the index `first` on, each with its line and the next; the last is the end
+    mark.
+    """
     source = chain(islice(lines, first, None), [_END])
     if quoting:
         reader = csv.reader(source, delimiter=separator)
@@ -359,5 +377,8 @@ def _ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
             yield Complaint(file, row.line, "", "", problem, "the missing cells are taken as blank")
         elif any(map(trimmed, surplus)):
             content = csv_text([shortened(cell) for cell in surplus], []).rstrip("\n")
-            done = "the surplus is kept here only; if a comma inside a cell is to blame, put the cell in quotes"
+            done = (
+                "the surplus is kept here only; if a comma inside a cell is to blame, put the "
+                "cell in quotes"
+            )
             yield Complaint(file, row.line, "", content, problem, done)

@@ -1,4 +1,6 @@
-"""Folders for what is needed only while a command runs. Those of killed runs are cleared by the next run."""
+"""Folders for what is needed only while a command runs. Those of killed runs are cleared by the
+next run.
+"""
 
 from __future__ import annotations
 
@@ -23,8 +25,8 @@ def temporary_folder() -> Iterator[Path]:
         folder.mkdir(mode=0o700)
     except OSError as fault:
         raise OutputError(
-            f"{place}: no temporary folder can be made ({fault.strerror}) - expected room and permission - "
-            "make room, or name another place by TMPDIR"
+            f"{place}: no temporary folder can be made ({fault.strerror}) - expected room and "
+            "permission - make room, or name another place by TMPDIR"
         ) from fault
     try:
         yield folder

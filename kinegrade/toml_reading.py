@@ -1,7 +1,8 @@
-"""TOML as people write it: the tables of a text, and a line that names the slip where it is no TOML.
+"""TOML as people write it: the tables of a text, and a line that names the slip where it is no
+TOML.
 
-Templates, banks and policies are read with it, each adding the file's name and what to do. Numbers with a point stay
-texts, so that nothing is rounded on reading.
+Templates, banks and policies are read with it, each adding the file's name and what to do. Numbers
+with a point stay texts, so that nothing is rounded on reading.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ Advice = Callable[[re.Match[str]], str]
 
 
 def read_toml(text: str) -> dict[str, Any]:
-    """The tables of a TOML text; numbers with a point stay texts. Raises TomlError naming the line and the slip."""
+    """The tables of a TOML text; numbers with a point stay texts. Raises TomlError naming the line
+    and the slip.
+    """
     require_few_dots(text)
     try:
         tables = tomllib.loads(text, parse_float=str)
@@ -52,7 +55,9 @@ def require_few_dots(text: str) -> None:
 
 
 def require_bounded(tables: dict[str, Any]) -> None:
-    """Raises TomlError where tables and lists are nested deeper than DEEPEST, or a whole number is absurdly large."""
+    """Raises TomlError where tables and lists are nested deeper than DEEPEST, or a whole number is
+    absurdly large.
+    """
     level: list[Any] = [tables]
     for _ in range(DEEPEST):
         parts = [part for outer in level for part in parts_of(outer)]
@@ -78,12 +83,16 @@ def named(text: str, fault: str) -> str:
     slip = slip_in(line)
     if not slip and fault.startswith(TWICE):
         key = line.partition("=")[0].strip()
-        slip = f"{one_line(key[:LONGEST_SHOWN])}: stands in this table before: leave one of the two out"
+        slip = (
+            f"{one_line(key[:LONGEST_SHOWN])}: stands in this table before: leave one of the "
+            "two out"
+        )
     return f"line {number}: {slip}" if slip else one_line(fault)
 
 
 def slip_in(line: str) -> str:
-    """What a line's writer did that TOML does not know, and what to write; "" where none of the usual slips is seen.
+    """What a line's writer did that TOML does not know, and what to write; "" where none of the
+    usual slips is seen.
 
     >>> slip_in("draw = [30°, 60°]")
     '30°: a number without its unit is expected: write 30, and unit = "deg"'

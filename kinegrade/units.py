@@ -1,7 +1,8 @@
 """Units as textbooks write them: factors to SI, and how they print.
 
-Inside, everything is in SI with angles in radians; degrees and millimetres live only at the edges. A unit is a
-product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per second and is not known here.
+Inside, everything is in SI with angles in radians; degrees and millimetres live only at the edges.
+A unit is a product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per second and is not
+known here.
 """
 
 from __future__ import annotations
@@ -53,7 +54,9 @@ class Unit:
 
     @property
     def latex(self) -> str:
-        """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure numbers."""
+        """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure
+        numbers.
+        """
         if self.degrees:
             return r"^\circ"
         body = re.sub(r"([a-z]+)", r"\\mathrm{\1}", re.sub(r"\^(-\d)", r"^{\1}", self.text))

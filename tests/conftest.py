@@ -1,4 +1,6 @@
-"""How hypothesis runs (the same examples every time where CI is set, new ones elsewhere), and a small exam for all."""
+"""How hypothesis runs (the same examples every time where CI is set, new ones elsewhere), and a
+small exam for all.
+"""
 
 from __future__ import annotations
 
@@ -56,7 +58,9 @@ def golden_bank(tmp_path: Path) -> Bank:
 
 @pytest.fixture(scope="session")
 def small_class(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with bank.toml, roster.csv and the EXAM generated from them; to be read, not to be changed."""
+    """A folder with bank.toml, roster.csv and the EXAM generated from them; to be read, not to be
+    changed.
+    """
     folder = write_class(tmp_path_factory.mktemp("class"))
     result = generate(folder)
     if result.exit_code != 0:

@@ -1,9 +1,11 @@
-"""Finds choices over our own types that end in a default: what mypy does not see, from the syntax trees alone.
+"""Finds choices over our own types that end in a default: what mypy does not see, from the syntax
+trees alone.
 
-A choice is a `match`, a chain of `if`s or a conditional expression that asks which of our own types, literals or
-languages it has. A default is what such a choice gives to whatever it has not asked for: a thing added later gets it
-without a word. Asking for one kind alone and giving nothing otherwise (None, False, an empty text or tuple, the next
-round of a loop) is a filter and no choice. Which types and literals are our own is read from the same syntax trees.
+A choice is a `match`, a chain of `if`s or a conditional expression that asks which of our own
+types, literals or languages it has. A default is what such a choice gives to whatever it has not
+asked for: a thing added later gets it without a word. Asking for one kind alone and giving nothing
+otherwise (None, False, an empty text or tuple, the next round of a loop) is a filter and no choice.
+Which types and literals are our own is read from the same syntax trees.
 """
 
 from __future__ import annotations
@@ -21,10 +23,11 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 class Vocabulary:
     """Our own words in the trees.
 
-    `classes`: the members of unions of our own classes. `values`: of each name (of a parameter, a field, a variable, a
-    function) the literals that its annotation allows. `tables`: the names of mappings keyed by such literals.
-    `languages`: the literals of the type Language. `unpositional`: the classes whose patterns name their fields.
-    `answers`: in one module the names to which the outcome of a test is given, as `turns = kind == "rotation"`.
+    `classes`: the members of unions of our own classes. `values`: of each name (of a parameter, a
+    field, a variable, a function) the literals that its annotation allows. `tables`: the names of
+    mappings keyed by such literals. `languages`: the literals of the type Language. `unpositional`:
+    the classes whose patterns name their fields. `answers`: in one module the names to which the
+    outcome of a test is given, as `turns = kind == "rotation"`.
     """
 
     classes: frozenset[str]
@@ -49,7 +52,8 @@ class Question:
     negated: bool
 
 
-# --- what is our own -------------------------------------------------------------------------------------------------
+# --- what is our own
+# -------------------------------------------------------------------------------------------------
 
 
 def vocabulary(trees: Sequence[ast.AST]) -> Vocabulary:
@@ -163,11 +167,14 @@ def _is_table(node: ast.Dict, literals: frozenset[str]) -> bool:
     return len(keys) == len(node.keys) > 1 and set(keys) <= literals
 
 
-# --- what is asked ---------------------------------------------------------------------------------------------------
+# --- what is asked
+# ---------------------------------------------------------------------------------------------------
 
 
 def _name(node: ast.AST) -> str:
-    """The last word of what an expression names: `relation.source` -> source, `level_of(x)` -> level_of."""
+    """The last word of what an expression names: `relation.source` -> source, `level_of(x)` ->
+    level_of.
+    """
     match node:
         case ast.Name():
             return node.id
@@ -205,7 +212,8 @@ def _comparison(test: ast.Compare, words: Vocabulary) -> Question | None:
     return Question(ast.unparse(subject), own, negated) if own else None
 
 
-# --- what is given otherwise -----------------------------------------------------------------------------------------
+# --- what is given otherwise
+# -----------------------------------------------------------------------------------------
 
 
 def _refuses(statement: ast.stmt) -> bool:
@@ -238,7 +246,8 @@ def _leaves(body: Sequence[ast.stmt]) -> bool:
     return isinstance(body[-1], ast.Return | ast.Raise | ast.Continue | ast.Break)
 
 
-# --- the walk --------------------------------------------------------------------------------------------------------
+# --- the walk
+# --------------------------------------------------------------------------------------------------------
 
 
 def defaults(tree: ast.AST, words: Vocabulary) -> Iterator[tuple[int, str]]:
@@ -260,7 +269,9 @@ def defaults(tree: ast.AST, words: Vocabulary) -> Iterator[tuple[int, str]]:
 
 
 def _here(tree: ast.AST, words: Vocabulary) -> Vocabulary:
-    """The words as a module uses them: what it makes a dictionary of other keys is no table of ours there."""
+    """The words as a module uses them: what it makes a dictionary of other keys is no table of ours
+    there.
+    """
     nodes = [node for node in ast.walk(tree) if isinstance(node, ast.Assign)]
     others = {
         name
@@ -322,7 +333,9 @@ def _of_lookup(node: ast.Call, words: Vocabulary) -> Iterator[tuple[int, str]]:
 
 
 def _of_block(block: Sequence[ast.stmt], words: Vocabulary) -> Iterator[tuple[int, str]]:
-    """The choices made by the `if`s of a block, each with those that follow it about the same thing."""
+    """The choices made by the `if`s of a block, each with those that follow it about the same
+    thing.
+    """
     asked: dict[str, int] = {}
     for place, statement in enumerate(block):
         if not isinstance(statement, ast.If):
@@ -366,7 +379,9 @@ def _chain(statement: ast.If) -> list[ast.expr]:
 def _otherwise(
     statement: ast.If, following: Sequence[ast.stmt], question: Question
 ) -> Sequence[ast.stmt] | None:
-    """What is done with a thing that was not asked for; None where a lone `if` only adds something."""
+    """What is done with a thing that was not asked for; None where a lone `if` only adds
+    something.
+    """
     end = statement
     while len(end.orelse) == 1 and isinstance(end.orelse[0], ast.If):
         end = end.orelse[0]

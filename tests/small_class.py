@@ -1,4 +1,6 @@
-"""A class of four and a bank of three questions, as files; and the command line as users call it."""
+"""A class of four and a bank of three questions, as files; and the command line as users call
+it.
+"""
 
 from __future__ import annotations
 
@@ -42,7 +44,9 @@ VANISHING = ('sign = "+x", points', 'sign = "+x", vanishes = true, points')
 
 
 def write_class(folder: Path) -> Path:
-    """bank.toml with its own template crank.toml, and roster.csv; v_x of the crank is zero for everybody."""
+    """bank.toml with its own template crank.toml, and roster.csv; v_x of the crank is zero for
+    everybody.
+    """
     (folder / "bank.toml").write_text(BANK, encoding="utf-8")
     (folder / "crank.toml").write_text(crank_text(VANISHING), encoding="utf-8")
     (folder / "roster.csv").write_text(ROSTER, encoding="utf-8")
@@ -50,7 +54,9 @@ def write_class(folder: Path) -> Path:
 
 
 def kinegrade(*arguments: str | Path) -> Result:
-    """The command line; an exception that is no exit is a traceback that a user would see, and is raised."""
+    """The command line; an exception that is no exit is a traceback that a user would see, and is
+    raised.
+    """
     result = CliRunner().invoke(main, list(map(str, arguments)))
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception

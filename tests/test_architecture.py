@@ -1,4 +1,6 @@
-"""The house stays as it is drawn: floors, siblings that do not know each other, small files, words in two languages."""
+"""The house stays as it is drawn: floors, siblings that do not know each other, small files, words
+in two languages.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +34,7 @@ FLOORS = {
     "tables": 0,
     "csv_writing": 0,
     "spreadsheet": 0,
-    "collection": 0,
+    "garbage_collection": 0,
     "counting": 0,
     "mechanics": 1,
     "problem": 2,
@@ -91,13 +93,17 @@ def functions(tree: ast.Module) -> Iterator[ast.FunctionDef]:
 
 
 def first_line(module: str, function: ast.FunctionDef) -> int:
-    """Where a function begins; a command's parameters are its options, a line each, and do not count."""
+    """Where a function begins; a command's parameters are its options, a line each, and do not
+    count.
+    """
     command = module.startswith("kinegrade.cli.")
     return function.body[0].lineno if command else function.lineno
 
 
 def undocumented(tree: ast.Module) -> Iterator[str]:
-    """Public functions, classes and methods without a docstring; what stands inside a function is its own business."""
+    """Public functions, classes and methods without a docstring; what stands inside a function is
+    its own business.
+    """
     stack: list[ast.AST] = [tree]
     while stack:
         node = stack.pop()
@@ -234,9 +240,8 @@ def test_no_file_knows_the_machine_it_was_written_on() -> None:
     places = re.compile("/(?:" + "|".join(("work", "root", "home", "Users", "tmp")) + r")/\w")
     folders = ("kinegrade", "templates", "banks", "tests", "benchmarks", ".ci")
     files = [file for folder in folders for file in (ROOT / folder).rglob("*") if file.is_file()]
-    files += [
-        file for file in ROOT.iterdir() if file.is_file() and file.name != ".git"
-    ]  # a worktree's own pointer
+    # A worktree's own pointer
+    files += [file for file in ROOT.iterdir() if file.is_file() and file.name != ".git"]
     named = {
         str(file.relative_to(ROOT))
         for file in files

@@ -1,4 +1,6 @@
-"""The command line: help that answers at once, examples that parse, one line for each fault, never a traceback."""
+"""The command line: help that answers at once, examples that parse, one line for each fault, never
+a traceback.
+"""
 
 from __future__ import annotations
 
@@ -215,7 +217,8 @@ def test_solve_prints_a_table() -> None:
         ),
         (
             "k=1/9",
-            "slider-crank: points.B: the circle about A of radius 0.1111 does not reach the line y = 0",
+            "slider-crank: points.B: the circle about A of radius 0.1111 does not reach the line y "
+            "= 0",
         ),
         ("r=" + "(" * 999, "slider-crank: r = ("),
         ("r=\udcff", "slider-crank: r = "),

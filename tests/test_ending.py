@@ -1,4 +1,6 @@
-"""How a run ends: by itself, by a signal, by a closed pipe, by a crash; nothing half-written, nobody left at work."""
+"""How a run ends: by itself, by a signal, by a closed pipe, by a crash; nothing half-written,
+nobody left at work.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +45,9 @@ main()
 
 @pytest.fixture
 def room(tmp_path: Path) -> Path:
-    """A folder with a bank and a class that is large enough for two processes, and room for temporary files."""
+    """A folder with a bank and a class that is large enough for two processes, and room for
+    temporary files.
+    """
     students = "".join(f"{number},Student {number}\n" for number in range(42))
     (tmp_path / "roster.csv").write_text(f"student,name\n{students}", encoding="utf-8")
     (tmp_path / "bank.toml").write_text(BANK, encoding="utf-8")
@@ -84,7 +88,9 @@ def wait_for(moment: Callable[[], bool], process: subprocess.Popen[bytes]) -> No
 
 
 def at_work(group: int) -> list[str]:
-    """The states of the processes in a group, without those that have ended and wait to be noticed."""
+    """The states of the processes in a group, without those that have ended and wait to be
+    noticed.
+    """
     listing = subprocess.run(
         ["ps", "-A", "-o", "pgid=,stat="], check=True, capture_output=True, text=True
     )
@@ -212,8 +218,8 @@ def test_a_full_disk_behind_standard_output_is_one_line(room: Path, asked: str) 
         )
     assert process.returncode == 2
     assert process.stderr.decode() == (
-        "error: standard output: cannot be written (No space left on device) - expected a place with room - "
-        "send it elsewhere\n"
+        "error: standard output: cannot be written (No space left on device) - expected a place "
+        "with room - send it elsewhere\n"
     )
 
 
@@ -239,8 +245,8 @@ def test_a_crash_without_room_for_a_report_is_still_one_line(room: Path) -> None
     )
     process = started(room, "-c", program, "fall", "class.csv")
     assert process.communicate(timeout=60)[1].decode() == (
-        "crash: KeyError: 1 - this is a fault of kinegrade - no report could be written (No such file or "
-        "directory)\n"
+        "crash: KeyError: 1 - this is a fault of kinegrade - no report could be written (No such "
+        "file or directory)\n"
     )
     assert process.returncode == 70
 

@@ -1,4 +1,6 @@
-"""No choice over our own types, literals and languages ends in a default that takes a new thing for an old one."""
+"""No choice over our own types, literals and languages ends in a default that takes a new thing for
+an old one.
+"""
 
 from __future__ import annotations
 
@@ -15,21 +17,22 @@ from tests.defaults import Vocabulary, defaults, vocabulary
 pytestmark = pytest.mark.xdist_group("exhaustive")  # one worker reads the package, once
 PACKAGE = Path(kinegrade.__file__).parent
 EXCEPTIONS = {
-    "cli/export.py: if system == 'xlsx'": "the rest goes on to `_dialect`, which names every system",
+    "cli/export.py: if system == "
+    "'xlsx'": "the rest goes on to `_dialect`, which names every system",
     "exam/solution_blocks.py: match (block, following, third): _": "what stays together is named; "
     "a new block may be parted from its neighbours, which costs looks and nothing else",
     "grading/decision.py: if verdict.kind == 'right'": "whatever is not right goes on to be looked "
     "at for credit, by what was read, which is a choice of its own",
-    "problem/meaning.py: if tree.sign == '**'": "the exponent is no operand; the other signs are matched "
-    "below",
-    "problem/meaning.py: if isinstance(kind, Unknown)": "what is not known fits anywhere; the slots are "
-    "matched below",
-    "grading/typed_value.py: Operation('-', Number(rational('0')), tree) if sign == '-' else tree": "a "
-    "character that was typed before a bracket: a minus, a plus, or none",
-    "worked/instance.py: () if isinstance(tree, Number) else worked": "a literal has no working; "
-    "anything else is told as it was worked out",
-    "lms/item_groups.py: 'feedback' if known == 'feedback' else 'percentage'": "the cells decide; a known "
-    "word may only say that they are feedback",
+    "problem/meaning.py: if tree.sign == "
+    "'**'": "the exponent is no operand; the other signs are matched below",
+    "problem/meaning.py: if isinstance(kind, "
+    "Unknown)": "what is not known fits anywhere; the slots are matched below",
+    "grading/typed_value.py: Operation('-', Number(rational('0')), tree) if sign == '-' else "
+    "tree": "a character that was typed before a bracket: a minus, a plus, or none",
+    "worked/instance_formulas.py: () if isinstance(tree, Number) else "
+    "worked": "a literal has no working; anything else is told as it was worked out",
+    "lms/item_groups.py: 'feedback' if known == 'feedback' else "
+    "'percentage'": "the cells decide; a known word may only say that they are feedback",
     "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
     "arithmetic are taken, what is known to be no number is refused",
 }

@@ -1,4 +1,6 @@
-"""Reading arithmetic: the grammar by examples, and that nothing else than an ExpressionError ever comes out."""
+"""Reading arithmetic: the grammar by examples, and that nothing else than an ExpressionError ever
+comes out.
+"""
 
 from __future__ import annotations
 
@@ -109,7 +111,8 @@ def test_what_expressions_come_to(text: str, result: str) -> None:
         ("1)", '"1)", character 2: found ")", expected an operator or the end'),
         (
             "(1, 2, 3)",
-            '"(1, 2, 3)", character 10: found the end, expected one value or a pair (x, y) in the brackets before',
+            '"(1, 2, 3)", character 10: found the end, expected one value or a pair (x, y) in the '
+            "brackets before",
         ),
         ("x.y", '"x.y", character 2: found ".", expected an operator or the end'),
         ("a[0]", '"a[0]", character 2: found "[", expected an operator or the end'),

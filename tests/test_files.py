@@ -157,7 +157,9 @@ def test_only_a_plain_file_is_replaced_by_a_file(tmp_path: Path) -> None:
 
 
 def versions(target: Path) -> Iterator[set[str]]:
-    """For each of the file's places the version found there, after one SIGKILL at each of several moments."""
+    """For each of the file's places the version found there, after one SIGKILL at each of several
+    moments.
+    """
     for moment in (
         1,
         2,

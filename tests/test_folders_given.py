@@ -1,4 +1,6 @@
-"""EXAM and MARKS mixed up on the command line: said in one line that names what was given and what is expected."""
+"""EXAM and MARKS mixed up on the command line: said in one line that names what was given and what
+is expected.
+"""
 
 from __future__ import annotations
 
@@ -109,7 +111,7 @@ def test_force_never_replaces_the_key_of_an_exam_by_an_output(
     result = kinegrade(*words)
     assert (result.exit_code, result.stderr) == (
         2,
-        f"error: {tmp_path / part}: is a part of the {kind} folder {kind}, which would be lost - expected a place of "
-        "its own for the output - choose another name\n",
+        f"error: {tmp_path / part}: is a part of the {kind} folder {kind}, which would be lost - "
+        "expected a place of its own for the output - choose another name\n",
     )
     assert (tmp_path / part).read_bytes() == before

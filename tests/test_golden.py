@@ -1,4 +1,6 @@
-"""Outputs read by a person once and held since; `pytest --regenerate-golden` writes them anew, to be read as a diff."""
+"""Outputs read by a person once and held since; `pytest --regenerate-golden` writes them anew, to
+be read as a diff.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,9 @@ from tests.golden_files import Hold, papers
 
 
 def readable(source: str) -> str:
-    """The call of the layout, with its one string of data laid out line by line; the figure has its own file."""
+    """The call of the layout, with its one string of data laid out line by line; the figure has its
+    own file.
+    """
     (data,) = re.findall(r'bytes\((".*")\)\)\)\n', source, re.DOTALL)
     sheet = json.loads(json.loads(data))
     for question in sheet["questions"]:

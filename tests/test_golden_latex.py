@@ -1,4 +1,6 @@
-"""The sources for LaTeX, read by a person once and held since; `pytest --regenerate-golden` writes them anew."""
+"""The sources for LaTeX, read by a person once and held since; `pytest --regenerate-golden` writes
+them anew.
+"""
 
 from __future__ import annotations
 

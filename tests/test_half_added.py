@@ -1,4 +1,6 @@
-"""What was added in one place alone - a language, a system, an engine, a file format - is refused by its name."""
+"""What was added in one place alone - a language, a system, an engine, a file format - is refused
+by its name.
+"""
 
 from __future__ import annotations
 
@@ -196,7 +198,7 @@ REPORTED = (
     ("mechanics/configuration.py", "Belt"),
     ("figure/paper.py", "Belt"),
     ("mechanics/frames.py", "Spin"),
-    ("figure/alike.py", "Spin"),
+    ("figure/similar_mechanisms.py", "Spin"),
     ("problem/template.py", "Literal['fr']"),
 )
 

@@ -1,4 +1,6 @@
-"""A workbook of half a megabyte that would take gigabytes or minutes is refused at once, in one line."""
+"""A workbook of half a megabyte that would take gigabytes or minutes is refused at once, in one
+line.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,8 @@ SHEET, STYLES = "xl/worksheets/sheet1.xml", "xl/styles.xml"
 MAIN = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
 TYPES = "[Content_Types].xml"
 TEXTS_TYPE = (
-    b'<Override PartName="/xl/sharedStrings.xml" ContentType="application/vnd.openxmlformats-officedocument'
+    b'<Override PartName="/xl/sharedStrings.xml" '
+    b'ContentType="application/vnd.openxmlformats-officedocument'
     b'.spreadsheetml.sharedStrings+xml"/>'
 )
 HEAD = f"<worksheet {MAIN}><sheetData>"
@@ -60,7 +63,8 @@ HOSTILE = {
     "cells": ({SHEET: f"{HEAD}<row>{'<c/>' * 3_000_000}</row>{TAIL}".encode()}, 1, "tags in its"),
     "formats": (
         {
-            STYLES: f"<styleSheet {MAIN}><cellXfs>{'<xf/>' * 400_000}</cellXfs></styleSheet>".encode()
+            STYLES: "<styleSheet "
+            f"{MAIN}><cellXfs>{'<xf/>' * 400_000}</cellXfs></styleSheet>".encode()
         },
         1,
         "tags in its styles",
@@ -73,7 +77,8 @@ HOSTILE = {
     ),
     "a long text": (
         {
-            SHEET: f'{HEAD}<row><c t="inlineStr"><is><t>{"x" * 40_000}</t></is></c></row>{TAIL}'.encode()
+            SHEET: f"{HEAD}<row><c "
+            f't="inlineStr"><is><t>{"x" * 40_000}</t></is></c></row>{TAIL}'.encode()
         },
         1,
         "(40000 characters in a cell)",

@@ -1,4 +1,6 @@
-"""SIGKILL at any moment leaves the old output or the new one, never half; the next run works and clears up."""
+"""SIGKILL at any moment leaves the old output or the new one, never half; the next run works and
+clears up.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,9 @@ Moment = Callable[[Path], bool]  # of the folder that holds the output: whether 
 
 
 def killed(arguments: list[str], folder: Path, moment: Moment, delay: float) -> bool:
-    """Runs the command and kills it `delay` seconds after the moment has come; whether it still ran then."""
+    """Runs the command and kills it `delay` seconds after the moment has come; whether it still ran
+    then.
+    """
     process = subprocess.Popen(
         [sys.executable, "-m", "kinegrade", *arguments],
         stdout=subprocess.DEVNULL,
@@ -45,7 +49,9 @@ def being_written(folder: Path) -> bool:
 
 
 def replaced(output: Path) -> Moment:
-    """The moment at which another folder stands in the output's place, the old one about to be removed."""
+    """The moment at which another folder stands in the output's place, the old one about to be
+    removed.
+    """
     number = output.stat().st_ino
     return lambda folder: output.stat().st_ino != number
 
@@ -133,9 +139,8 @@ def test_a_killed_grade_leaves_the_old_marks_or_the_new(
     assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks, "--force").exit_code == 0
     old = contents(marks)
     moment = replaced(marks) if name == REPLACED else being_made(name)
-    killed(
-        list(map(str, again)), tmp_path, moment, delay
-    )  # or it was faster than the eye, and is done
+    # Or it was faster than the eye, and is done
+    killed(list(map(str, again)), tmp_path, moment, delay)
     assert contents(marks) in ((new,) if name == REPLACED else (old, new))
     assert kinegrade(*again).exit_code == 1
     assert contents(marks) == new

@@ -1,4 +1,6 @@
-"""The measures of the house count what they say, on a package small enough to be counted by hand."""
+"""The measures of the house count what they say, on a package small enough to be counted by
+hand.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""An exam set and marked: the key's own answers are right in every spelling; right ends exactly at the tolerance."""
+"""An exam set and marked: the key's own answers are right in every spelling; right ends exactly at
+the tolerance.
+"""
 
 from __future__ import annotations
 
@@ -46,9 +48,8 @@ def rounded(digits: int) -> Spelling:
         rounded(6),
         rounded(4),
         lambda ask: repr(ask["value"]),
-        lambda ask: f"{Decimal(ask['decimal']):.9f}".replace(
-            ".", ","
-        ),  # 1,875 would be remarked upon
+        # 1,875 would be remarked upon
+        lambda ask: f"{Decimal(ask['decimal']):.9f}".replace(".", ","),
         lambda ask: f" {rounded(5)(ask)} {ask['unit']} ",
         lambda ask: f"{Decimal(ask['decimal']):.6e}",
         lambda ask: rounded(6)(ask).replace("-", "\u2212"),

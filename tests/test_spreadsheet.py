@@ -182,7 +182,8 @@ def test_surplus_cells_and_other_sheets_are_told(tmp_path: Path) -> None:
         ),
         (
             b"PK\x03\x04 broken",
-            "a.xlsx: is not a workbook, or a damaged one - expected .xlsx - save the sheet as .xlsx",
+            "a.xlsx: is not a workbook, or a damaged one - expected .xlsx - save the sheet as "
+            ".xlsx",
         ),
     ],
 )

@@ -1,4 +1,6 @@
-"""A template or an exam folder from a stranger is data: whatever stands in it, a command says one line and ends."""
+"""A template or an exam folder from a stranger is data: whatever stands in it, a command says one
+line and ends.
+"""
 
 from __future__ import annotations
 
@@ -237,6 +239,6 @@ def test_a_full_disk_behind_standard_output_is_one_line(command: tuple[str, ...]
         )
     assert result.returncode == 2
     assert result.stderr == (
-        "error: standard output: cannot be written (No space left on device) - expected a place with room - "
-        "send it elsewhere\n"
+        "error: standard output: cannot be written (No space left on device) - expected a place "
+        "with room - send it elsewhere\n"
     )

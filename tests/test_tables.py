@@ -1,4 +1,6 @@
-"""Tables as people send them: nothing in the file is lost on the way in, nothing runs on the way out."""
+"""Tables as people send them: nothing in the file is lost on the way in, nothing runs on the way
+out.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,8 @@ from kinegrade.errors import TableError
 from kinegrade.tables import Complaint, Table, parse_table, read_table, shortened, trimmed
 
 CHINESE = "student,name,q1.v_B\n007,王伟,0.5\n008,李娜,1.5\n"
-# a file full of control characters is refused as not being text, and lone surrogates are no text at all
+# a file full of control characters is refused as not being text, and lone surrogates are no text at
+# all
 ANY_TEXT = st.text(
     st.characters(exclude_categories=["Cs", "Cc"], include_characters="\n\r\t"), max_size=40
 )

@@ -1,7 +1,9 @@
-"""The command line. Heavy modules are imported by the commands that need them, so that `--help` answers at once.
+"""The command line. Heavy modules are imported by the commands that need them, so that `--help`
+answers at once.
 
-Results go to standard output or to `-o`, talk goes to standard error. Exit status: 0 fine, 1 done with complaints,
-2 cannot be done; an error is one line for each fault. `program` says how else a run may end.
+Results go to standard output or to `-o`, talk goes to standard error. Exit status: 0 fine, 1 done
+with complaints, 2 cannot be done; an error is one line for each fault. `program` says how else a
+run may end.
 """
 
 from __future__ import annotations
@@ -29,8 +31,8 @@ def main() -> None:
     kinegrade generate banks/demo.toml roster.csv -o EXAM
     kinegrade grade EXAM answers.csv -o MARKS
     """
-    # Read when numpy is loaded: its library of linear algebra would start threads that nothing here needs, and a
-    # process with threads cannot safely be copied.
+    # Read when numpy is loaded: its library of linear algebra would start threads that nothing here
+    # needs, and a process with threads cannot safely be copied.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 

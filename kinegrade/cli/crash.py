@@ -1,7 +1,8 @@
-"""A crash: a fault of kinegrade itself. One line for the user, and a file that can be sent to those who mend it.
+"""A crash: a fault of kinegrade itself. One line for the user, and a file that can be sent to those
+who mend it.
 
-The file says where in the code it happened, and neither what the user typed nor the fault's own words: they may hold
-names, answers or secrets. They stand on the terminal only.
+The file says where in the code it happened, and neither what the user typed nor the fault's own
+words: they may hold names, answers or secrets. They stand on the terminal only.
 """
 
 from __future__ import annotations
@@ -58,7 +59,9 @@ def _without_values(arguments: Sequence[str]) -> Iterator[str]:
 
 
 def _places(fault: BaseException) -> Iterator[str]:
-    """The type of a fault and the lines of code that led to it; of a worker's fault, those in the worker."""
+    """The type of a fault and the lines of code that led to it; of a worker's fault, those in the
+    worker.
+    """
     yield type(fault).__name__
     yield from "".join(traceback.format_tb(fault.__traceback__)).splitlines()
     if type(fault).__name__ == "_RemoteTraceback":

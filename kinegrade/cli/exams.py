@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.problem.template import Method
 
-GUESSABLE = "whoever guesses these words can print every paper and its key"
+GUESSABLE = "anyone who guesses these words can print every paper and its key"
 COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
 
 

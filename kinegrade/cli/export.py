@@ -1,4 +1,6 @@
-"""The command that takes marks out: into the grade files of learning management systems, or into one spreadsheet."""
+"""The command that takes marks out: into the grade files of learning management systems, or into
+one spreadsheet.
+"""
 
 from __future__ import annotations
 
@@ -80,7 +82,8 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
     "--lang",
     "language",
     type=click.Choice(["en", "zh"]),
-    help="Language of the generic sheet's headers.  [default: that of the papers with --exam, else en]",
+    help="Language of the generic sheet's headers.  [default: that of the papers with --exam, else "
+    "en]",
 )
 @FORCE
 @refusing
@@ -106,7 +109,7 @@ def export(
 
     \b
     Example: kinegrade export MARKS --to moodle -o moodle.csv
-    Filled:  kinegrade export MARKS --to canvas --into download.csv --column "Midterm (1234)" -o canvas.csv
+    Filled:  kinegrade export MARKS --to canvas --into download.csv -o canvas.csv
     """
     from kinegrade.grading.checked_totals import refuse_changed_totals
 

@@ -1,4 +1,6 @@
-"""Whether the folders on the command line are what they are given for: an exam, or marks, or a place to write at."""
+"""Whether the folders on the command line are what they are given for: an exam, or marks, or a
+place to write at.
+"""
 
 from __future__ import annotations
 
@@ -37,15 +39,17 @@ _PARTS: Mapping[Kind, tuple[str, ...]] = {
 
 
 def expect_own_place(output: Path) -> None:
-    """Raises OutputError where writing there would replace a part of an exam, or of marks, by something else."""
+    """Raises OutputError where writing there would replace a part of an exam, or of marks, by
+    something else.
+    """
     target = output.absolute()
     for folder, name in ((target.parent, target.name), (target.parent.parent, target.parent.name)):
         for kind, files in _FILES.items():
             inside = all((folder / file).exists() for file in files)
             if inside and target.is_file() and name in _PARTS[kind]:
                 raise OutputError(
-                    f"{output}: is a part of the {kind} folder {folder.name}, which would be lost - expected a place "
-                    "of its own for the output - choose another name"
+                    f"{output}: is a part of the {kind} folder {folder.name}, which would be lost "
+                    "- expected a place of its own for the output - choose another name"
                 )
 
 

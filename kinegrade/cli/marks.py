@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, assert_never
 
@@ -92,9 +92,10 @@ def grade(
     own_papers: bool,
     force: bool,
 ) -> None:
-    """Mark the class: ANSWERS has the shape of EXAM/answers.csv, or is a download from an LMS or a form (CSV, xlsx).
+    """Mark the class by ANSWERS: EXAM/answers.csv filled in, or a download (CSV, xlsx).
 
-    Several ANSWERS are one class: the quizzes of versions, or parts of the exam that several people typed.
+    Several ANSWERS are one class: the quizzes of versions, or parts of the exam that several people
+    typed.
 
     \b
     Example: kinegrade grade EXAM answers.csv -o MARKS
@@ -115,8 +116,7 @@ def grade(
     follow_through = FollowThrough(exam)
     how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
     read = read_class(answers, exam, how)
-    for line in read.assumed:
-        click.echo(line, err=True)
+    _say(read.assumed)
     marks = mark_class(
         exam,
         read.files,
@@ -129,9 +129,13 @@ def grade(
         follows=Follows(follow_through, follow_through.in_plan_order),
         own_papers=own_papers,
     )
-    for line in what_was_written(marks, output, kept=never_lower is not None):
-        click.echo(line, err=True)
+    _say(what_was_written(marks, output, kept=never_lower is not None))
     finish(shortlist(marks.complaints, output / "complaints.csv"))
+
+
+def _say(lines: Iterable[str]) -> None:
+    for line in lines:
+        click.echo(line, err=True)
 
 
 def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
@@ -188,7 +192,8 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
 def class_report(
     exam: Path, marks: Path, output: Path, language: Language | None, *, force: bool
 ) -> None:
-    """Report on the class: distribution, how hard each ask was, where points were lost, whether papers were alike.
+    """Report on the class: distribution, how hard each ask was, where points were lost, whether
+    papers were alike.
 
     \b
     Example: kinegrade report EXAM MARKS -o report.html

@@ -39,7 +39,9 @@ FILE = click.Path(path_type=Path)
 
 
 def writable(context: click.Context, parameter: click.Parameter, seed: str | None) -> str | None:
-    """A seed that can be written down and used again. Raises BadParameter for a blank one and for broken text."""
+    """A seed that can be written down and used again. Raises BadParameter for a blank one and for
+    broken text.
+    """
     if seed is not None and (
         not seed.strip() or any("\ud800" <= character <= "\udfff" for character in seed)
     ):
@@ -67,8 +69,9 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
 
 @contextmanager
 def whole_output() -> Iterator[None]:
-    """What is printed on standard output inside arrives, or OutputError is raised: a full disk cuts nothing off in
-    silence. A closed pipe is no such fault."""
+    """What is printed on standard output inside arrives, or OutputError is raised: a full disk cuts
+    nothing off in silence. A closed pipe is no such fault.
+    """
     try:
         try:
             yield
@@ -78,9 +81,8 @@ def whole_output() -> Iterator[None]:
     except OSError as fault:
         if fault.errno not in FULL or fault.filename is not None:
             raise
-        with suppress(
-            OSError, ValueError
-        ):  # what is left in the buffer would fail again at the end
+        # What is left in the buffer would fail again at the end
+        with suppress(OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise OutputError(
             f"standard output: cannot be written ({fault.strerror}) - expected a place with room - "

@@ -1,7 +1,8 @@
 """The command line as a process: how it ends, and what a shell can read from its status.
 
-`kinegrade` and `python -m kinegrade` call `Program`. 0 is fine, 1 done with complaints, 2 cannot be done; whatever else
-ends a run is none of these: a fault of kinegrade is 70, and a signal 128 and its number, as shells count.
+`kinegrade` and `python -m kinegrade` call `Program`. 0 is fine, 1 done with complaints, 2 cannot be
+done; whatever else ends a run is none of these: a fault of kinegrade is 70, and a signal 128 and
+its number, as shells count.
 """
 
 from __future__ import annotations
@@ -29,7 +30,9 @@ class ClosedPipe(Exception):
 
 
 class Program(click.Group):
-    """The group of all commands. Called, it ends the process; its method `main` leaves that to tests, as in click."""
+    """The group of all commands. Called, it ends the process; its method `main` leaves that to
+    tests, as in click.
+    """
 
     def __call__(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command that the process was started with, and exit with its status."""
@@ -52,7 +55,9 @@ class UnexpectedEnd(Exception):
 
 @contextmanager
 def _not_for_click() -> Iterator[None]:
-    """click takes a closed pipe for status 1, which here means complaints, and the end of any data for Ctrl-C."""
+    """click takes a closed pipe for status 1, which here means complaints, and the end of any data
+    for Ctrl-C.
+    """
     try:
         yield
     except BrokenPipeError as fault:
@@ -82,8 +87,8 @@ def _status(run: Callable[[], object]) -> int:
         if fault.errno not in FULL or fault.filename is not None:
             return _crashed(fault)
         _echo(
-            f"error: standard output: cannot be written ({fault.strerror}) - expected a place with room - "
-            "send it elsewhere"
+            f"error: standard output: cannot be written ({fault.strerror}) - expected a place "
+            "with room - send it elsewhere"
         )
         _discard_output()
         return FAILURE

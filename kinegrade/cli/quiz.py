@@ -30,14 +30,16 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
     "system",
     type=click.Choice(SYSTEMS),
     required=True,
-    help="What takes the quiz: Moodle, Canvas (qti12), others by QTI 2.1, Blackboard's text upload.",
+    help="What takes the quiz: Moodle, Canvas (qti12), others by QTI 2.1, Blackboard's text "
+    "upload.",
 )
 @click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
 @click.option(
     "--variants",
     type=click.IntRange(1),
     metavar="K",
-    help="K variants of every question for everybody, to be drawn from, instead of a paper for each student.",
+    help="K variants of every question for everybody, to be drawn from, instead of a paper for "
+    "each student.",
 )
 @click.option(
     "--as",
@@ -52,14 +54,14 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
     "megabytes",
     type=click.FloatRange(0, min_open=True),
     metavar="MB",
-    help="For Moodle: FILE is a folder of files quiz-1.xml ... of at most MB megabytes, for a site that limits "
-    "uploads (often to 2).",
+    help="For Moodle: FILE is a folder of files quiz-1.xml ... of at most MB megabytes, for a site "
+    "that limits uploads (often to 2).",
 )
 @click.option(
     "--mistakes/--no-mistakes",
     default=True,
     show_default=True,
-    help="Whether answers that known mistakes lead to are told what went wrong.",
+    help="Whether an answer that a known mistake leads to is explained.",
 )
 @click.option(
     "--mistake-credit",
@@ -138,14 +140,17 @@ def quiz(
     remarks = writer(written, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
-        "marked there, every number stands alone: kinegrade grade on its responses knows follow-through",
+        "marked there, every number stands alone: kinegrade grade on its responses knows "
+        "follow-through",
         err=True,
     )
     finish(tuple(remarks))
 
 
 def writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Writer:
-    """What writes for a system as it is wished. Raises ExportError for parts of anything but Moodle's XML."""
+    """What writes for a system as it is wished. Raises ExportError for parts of anything but
+    Moodle's XML.
+    """
     from functools import partial
 
     from kinegrade.errors import ExportError
@@ -160,7 +165,8 @@ def writer_of(system: QuizSystem, form: Form, megabytes: Fraction | None) -> Wri
         case "qti12" | "qti21" | "blackboard":
             if megabytes is not None:
                 raise ExportError(
-                    f"--split: {system} is one package - expected moodle-xml, whose files are imported one after the "
+                    f"--split: {system} is one package - expected moodle-xml, whose files are "
+                    "imported one after the "
                     "other - leave --split out, or write for fewer with --variants"
                 )
             return WRITERS[system]

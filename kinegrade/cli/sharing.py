@@ -27,7 +27,8 @@ from kinegrade.cli.options import FILE, FORCE, refusing
 @FORCE
 @refusing
 def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool) -> None:
-    """Find wrong answers that fit another student's paper, more of them than chance explains: a hint, no verdict.
+    """Find wrong answers that fit another student's paper, more of them than chance explains: a
+    hint, no verdict.
 
     \b
     Example: kinegrade sharing EXAM MARKS -o sharing.csv

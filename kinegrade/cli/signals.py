@@ -1,4 +1,6 @@
-"""Signals that end a run: each becomes an exception, so that what was begun is cleared away on the way out."""
+"""Signals that end a run: each becomes an exception, so that what was begun is cleared away on the
+way out.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,8 @@ class Signalled(BaseException):
 
 @contextmanager
 def signals_obeyed() -> Iterator[None]:
-    """Meanwhile, Ctrl-C, SIGTERM and a closed terminal raise Signalled; a second one ends the process at once.
+    """Meanwhile, Ctrl-C, SIGTERM and a closed terminal raise Signalled; a second one ends the
+    process at once.
 
     What is ignored (nohup, a job in the background) stays ignored. To be called in the main thread.
     """

@@ -102,7 +102,8 @@ def solve(
     language: Language,
     force: bool,
 ) -> None:
-    """Solve a template exactly at given values; the rest take their published value, or the first drawable one.
+    """Solve a template exactly at given values; the rest take their published value, or the first
+    drawable one.
 
     \b
     Example: kinegrade solve slider-crank --set r=1/5 --set phi=40 -o solution.pdf --method pole
@@ -176,7 +177,8 @@ def solution_text(solution: Solution) -> str:
 )
 @refusing
 def check(template_names: tuple[str, ...], sample: int) -> None:
-    """Prove templates: published results exactly, drawn instances solvable and sensible (default: all shipped).
+    """Prove templates: published results exactly, drawn instances solvable and sensible (default:
+    all shipped).
 
     \b
     Example: kinegrade check slider-crank --sample 1000
@@ -233,7 +235,8 @@ def new(name: str, output: Path | None, force: bool) -> None:
 def gallery(
     *, template_names: tuple[str, ...], output: Path, language: Language, draws: int, force: bool
 ) -> None:
-    """Typeset a contact sheet to choose templates from: what each asks, and its figure (default: all shipped).
+    """Typeset a contact sheet to choose templates from: what each asks, and its figure (default:
+    all shipped).
 
     \b
     Example: kinegrade gallery -o gallery.pdf --lang zh --draws 2

@@ -1,7 +1,8 @@
-"""Exact angles: rational multiples of pi and directions of exact vectors, added, halved and multiplied.
+"""Exact angles: rational multiples of pi and directions of exact vectors, added, halved and
+multiplied.
 
-An angle keeps what it is made of, and its cosine and sine are found only when asked for, so that `pi - 2*phi` or
-`atan(3/4) + 30 degrees` stay exact.
+An angle keeps what it is made of, and its cosine and sine are found only when asked for, so that
+`pi - 2*phi` or `atan(3/4) + 30 degrees` stay exact.
 """
 
 from __future__ import annotations

@@ -56,7 +56,9 @@ class Balls(Magnitude):
         return arb.pi() * arb(half_turns)
 
     def is_zero(self, number: Any) -> bool:
-        """Whether a number may be taken for zero: it holds zero and is narrower than half the precision."""
+        """Whether a number may be taken for zero: it holds zero and is narrower than half the
+        precision.
+        """
         value = arb(number)
         if 0 not in value:
             return False
@@ -98,7 +100,9 @@ class Balls(Magnitude):
         return arb.atan2(arb(y), arb(x))
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """As `Field.solve`; raises Undecided where a pivot cannot be told from zero at this precision."""
+        """As `Field.solve`; raises Undecided where a pivot cannot be told from zero at this
+        precision.
+        """
         return eliminate([list(map(arb, row)) for row in rows], list(map(arb, right)), self.is_zero)
 
     def require_zero(self, number: Any) -> None:

@@ -49,7 +49,9 @@ class Doubles(Floats):
         return math.atan2(y, x)
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """The unknowns of rows * unknowns = right; surplus rows by least squares. Raises Singular."""
+        """The unknowns of rows * unknowns = right; surplus rows by least squares. Raises
+        Singular.
+        """
         if len(rows) == len(rows[0]) == 2:
             return pair(rows, right)
         matrix = np.array(rows, dtype=float)

@@ -1,4 +1,6 @@
-"""Linear equations in any arithmetic whose zeros can be told: Gauss elimination with surplus rows allowed."""
+"""Linear equations in any arithmetic whose zeros can be told: Gauss elimination with surplus rows
+allowed.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +49,9 @@ def clear_column(table: list[list[Any]], column: int, is_zero: Callable[[Any], b
 
 
 def reduced(table: list[list[Any]], columns: int, is_zero: Callable[[Any], bool]) -> list[int]:
-    """Bring the table to reduced echelon form in its first `columns` columns, in place; gives the pivot columns."""
+    """Bring the table to reduced echelon form in its first `columns` columns, in place; gives the
+    pivot columns.
+    """
     pivots: list[int] = []
     for column in range(columns):
         depth = len(pivots)

@@ -1,7 +1,8 @@
 """Exact arithmetic: a field that grows by square roots as an instance needs them.
 
-`Field` is one of the three arithmetics in which geometry and the plan are run; `balls` and `floats` are the others.
-It raises `Inexact` where a value lies in no small field, and the caller turns to balls.
+`Field` is one of the three arithmetics in which geometry and the plan are run; `balls` and `floats`
+are the others. It raises `Inexact` where a value lies in no small field, and the caller turns to
+balls.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**
 
 
 class Field(Magnitude):
-    """The arithmetic of exact numbers; every square root asked for is adjoined unless it is there already.
+    """The arithmetic of exact numbers; every square root asked for is adjoined unless it is there
+    already.
 
     >>> field = Field()
     >>> root = field.sqrt(fmpq(3, 4))
@@ -39,7 +41,9 @@ class Field(Magnitude):
         self.roots = roots
 
     def fork(self) -> Field:
-        """A field with the same numbers that grows independently: for roots that one answer alone needs."""
+        """A field with the same numbers that grows independently: for roots that one answer alone
+        needs.
+        """
         return Field(self.roots)
 
     def context(self) -> AbstractContextManager[Any]:
@@ -51,7 +55,9 @@ class Field(Magnitude):
         return fmpq(rational)
 
     def turns(self, half_turns: Any) -> Angle:
-        """The angle of `half_turns` times pi. Raises Inexact for an irrational number of half turns."""
+        """The angle of `half_turns` times pi. Raises Inexact for an irrational number of half
+        turns.
+        """
         if not isinstance(half_turns, (int, fmpq)):
             raise Inexact("an irrational part of a turn")
         return Angle(fmpq(half_turns))
@@ -98,7 +104,9 @@ class Field(Magnitude):
         return Surd(root, fmpq(0), factor)
 
     def _shared(self, radicand: Real) -> Root | None:
-        """A root of the field whose integer radicand divides the new integer one: sqrt 6 beside sqrt 2 is sqrt 3."""
+        """A root of the field whose integer radicand divides the new integer one: sqrt 6 beside
+        sqrt 2 is sqrt 3.
+        """
         if isinstance(radicand, Surd):
             return None
         for root in self.roots:
@@ -108,7 +116,9 @@ class Field(Magnitude):
         return None
 
     def embed(self, value: Any) -> Any:
-        """A number or Angle of another field, such as a fork, as one of this field; roots are adjoined as needed."""
+        """A number or Angle of another field, such as a fork, as one of this field; roots are
+        adjoined as needed.
+        """
         if isinstance(value, Angle):
             return Angle(
                 value.half_turns,
@@ -129,7 +139,8 @@ class Field(Magnitude):
         return as_angle(angle).direction(self)[1]
 
     def arctangent(self, y: Real, x: Real) -> Angle:
-        """The angle from +x to the vector (x, y), in (-pi, pi]; named exactly when it is a multiple of a nice one.
+        """The angle from +x to the vector (x, y), in (-pi, pi]; named exactly when it is a multiple
+        of a nice one.
 
         Raises ValueError for the zero vector.
         """
@@ -139,9 +150,11 @@ class Field(Magnitude):
         return nice if nice is not None else Angle(fmpq(0), ((fmpq(1), (x, y)),))
 
     def solve(self, rows: list[list[Real]], right: list[Real]) -> list[Real]:
-        """The unknowns of the linear equations rows * unknowns = right, which must have full column rank.
+        """The unknowns of the linear equations rows * unknowns = right, which must have full column
+        rank.
 
-        Raises Singular when they do not determine the unknowns, Contradiction when a surplus row does not fit.
+        Raises Singular when they do not determine the unknowns, Contradiction when a surplus row
+        does not fit.
         """
         return eliminate(
             [list(map(rational, row)) for row in rows], list(map(rational, right)), self.is_zero
@@ -170,7 +183,9 @@ def as_angle(value: Any) -> Angle:
 
 
 def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
-    """The direction of (x, y) as a rational multiple of pi, when it is a multiple of 15, 18 or 22.5 degrees."""
+    """The direction of (x, y) as a rational multiple of pi, when it is a multiple of 15, 18 or 22.5
+    degrees.
+    """
     degrees = (
         round(float(arb.atan2(enclosure(y, 96), enclosure(x, 96))) * 57.29577951308232 * 2) / 2
     )
@@ -188,7 +203,8 @@ def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
 def square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """A square root of `number` within the tower of `roots`, or None when there is none.
 
-    (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one storey lower, and u^2 = (a +- n)/2.
+    (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one storey lower, and
+    u^2 = (a +- n)/2.
     """
     if not roots:
         return rational_root(number)
@@ -210,7 +226,8 @@ def square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
 
 
 def denesting(number: Real, roots: tuple[Root, ...]) -> Real | None:
-    """A number lower in the tower whose root gives the root of `number` too, or None: sqrt(5 - 2 sqrt 6) needs sqrt 3.
+    """A number lower in the tower whose root gives the root of `number` too, or None: sqrt(5 - 2
+    sqrt 6) needs sqrt 3.
 
     With a^2 - b^2 d = n^2, the root of a + b sqrt d is u + b sqrt d/(2 u) where u^2 = (a + n)/2.
     """
@@ -232,7 +249,9 @@ def rational_root(number: Any) -> Any | None:
 
 
 def primitive(number: Real) -> tuple[Any, Real]:
-    """(factor, radicand) with sqrt(number) = factor*sqrt(radicand): integer coefficients, no small square divisor."""
+    """(factor, radicand) with sqrt(number) = factor*sqrt(radicand): integer coefficients, no small
+    square divisor.
+    """
     coefficients = rational_coefficients(number)
     below = 1
     for coefficient in coefficients:
@@ -252,7 +271,8 @@ def rational_coefficients(number: Real) -> list[Any]:
 
 
 def split_square(number: int) -> tuple[int, int]:
-    """(r, f) with number = r^2 * f and f free of the squares of small primes, and not itself a square.
+    """(r, f) with number = r^2 * f and f free of the squares of small primes, and not itself a
+    square.
 
     >>> split_square(72)
     (6, 2)

@@ -7,7 +7,8 @@ from math import ceil, floor
 
 
 def figures_interval(exact: Fraction, figures: int) -> tuple[Fraction, Fraction]:
-    """What agrees with a number other than zero to that many significant figures; a tie may be rounded either way.
+    """What agrees with a number other than zero to that many significant figures; a tie may be
+    rounded either way.
 
     >>> [float(bound) for bound in figures_interval(Fraction("1.235"), 3)]
     [1.225, 1.245]
@@ -18,7 +19,9 @@ def figures_interval(exact: Fraction, figures: int) -> tuple[Fraction, Fraction]
 
 
 def leading_power(exact: Fraction) -> int:
-    """The power of ten of the first significant figure: 2 for 314, -1 for 0.5. Exact at powers of ten."""
+    """The power of ten of the first significant figure: 2 for 314, -1 for 0.5. Exact at powers of
+    ten.
+    """
     size = abs(exact)
     power = len(str(size.numerator)) - len(str(size.denominator))  # right, or one too large
     return power if size >= Fraction(10) ** power else power - 1

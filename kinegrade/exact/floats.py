@@ -1,4 +1,6 @@
-"""Fast arithmetic: doubles, one or thousands at a time (numpy arrays of instances along the last axis)."""
+"""Fast arithmetic: doubles, one or thousands at a time (numpy arrays of instances along the last
+axis).
+"""
 
 from __future__ import annotations
 
@@ -11,11 +13,14 @@ from kinegrade.exact.elimination import Singular
 from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd
 
-DEPENDENT = 1e-13  # rows of unit and metre mixed have condition numbers to 1e6; dependent ones leave about 1e-16
+# Rows of unit and metre mixed have condition numbers to 1e6; dependent ones leave about 1e-16
+DEPENDENT = 1e-13
 
 
 class Floats(Magnitude):
-    """The arithmetic of doubles and arrays of doubles. Never the reference: held against exact values by tests."""
+    """The arithmetic of doubles and arrays of doubles. Never the reference: held against exact
+    values by tests.
+    """
 
     exact = False
     certified = False
@@ -55,7 +60,9 @@ class Floats(Magnitude):
         return np.where(condition, yes, no)
 
     def sqrt(self, number: Any) -> Any:
-        """The positive square root, elementwise; not a number below zero (but zero within rounding of zero)."""
+        """The positive square root, elementwise; not a number below zero (but zero within rounding
+        of zero).
+        """
         return np.sqrt(np.where((number < 0) & (number > -1e-12), 0.0, number))
 
     def cos(self, angle: Any) -> Any:
@@ -71,7 +78,8 @@ class Floats(Magnitude):
         return np.arctan2(y, x)
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """The unknowns of rows * unknowns = right for every instance; surplus rows by least squares.
+        """The unknowns of rows * unknowns = right for every instance; surplus rows by least
+        squares.
 
         Not a number in instances that do not determine them; raises Singular when no instance does.
         """

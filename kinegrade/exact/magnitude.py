@@ -19,7 +19,9 @@ class Magnitude:
     """Gives an arithmetic its `magnitude`."""
 
     def magnitude(self: Rooted, x: Any, y: Any) -> Any:
-        """The length of the vector (x, y); no root is asked for along an axis, where it need not be in the field."""
+        """The length of the vector (x, y); no root is asked for along an axis, where it need not be
+        in the field.
+        """
         if self.is_zero(x):
             return abs(y)
         return abs(x) if self.is_zero(y) else self.sqrt(x * x + y * y)

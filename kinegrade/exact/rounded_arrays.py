@@ -1,8 +1,10 @@
-"""Working by hand for many instances at once: arrays of doubles, each of them what `Rounded` gives, to the last bit.
+"""Working by hand for many instances at once: arrays of doubles, each of them what `Rounded` gives,
+to the last bit.
 
-Sums, products, quotients and roots of arrays are those of single doubles. Sines, cosines and angles are taken from the
-same functions one by one; so is what lies next to the middle between two roundings. An instance that takes another way
-than most (something vanishes in it, or cannot be found) is noted as unsettled, to be worked out alone.
+Sums, products, quotients and roots of arrays are those of single doubles. Sines, cosines and angles
+are taken from the same functions one by one; so is what lies next to the middle between two
+roundings. An instance that takes another way than most (something vanishes in it, or cannot be
+found) is noted as unsettled, to be worked out alone.
 """
 
 from __future__ import annotations
@@ -28,14 +30,17 @@ ARCTANGENT = np.frompyfunc(math.atan2, 2, 1)
 
 
 class RoundedArrays(Rounded):
-    """The arithmetic of `Rounded`, or of `Sparing` where `sparing`, for arrays of `count` instances.
+    """The arithmetic of `Rounded`, or of `Sparing` where `sparing`, for arrays of `count`
+    instances.
 
-    `unsettled` tells the instances whose values say nothing; where one of them is no number, FloatingPointError is
-    raised. Numbers that are no arrays are the same in all instances.
+    `unsettled` tells the instances whose values say nothing; where one of them is no number,
+    FloatingPointError is raised. Numbers that are no arrays are the same in all instances.
 
     >>> arithmetic = RoundedArrays(3, 2)
-    >>> arithmetic.sqrt(np.array([3.0, -2.0])), arithmetic.written(np.array([1.235, 0.0])), arithmetic.unsettled
-    (array([1.73, 1.  ]), array([1.24, 0.  ]), array([False,  True]))
+    >>> arithmetic.sqrt(np.array([3.0, -2.0])), arithmetic.written(np.array([1.235, 0.0]))
+    (array([1.73, 1.  ]), array([1.24, 0.  ]))
+    >>> arithmetic.unsettled
+    array([False,  True])
     """
 
     def __init__(self, figures: int, count: int, *, sparing: bool = False) -> None:
@@ -67,7 +72,9 @@ class RoundedArrays(Rounded):
         return result
 
     def noted(self, number: Any) -> Any:
-        """Values on the way to the unknowns, as work goes on with them: written down, or with all their figures."""
+        """Values on the way to the unknowns, as work goes on with them: written down, or with all
+        their figures.
+        """
         if not self.sparing:
             return self.written(number)
         zero = np.abs(number) < NOTHING
@@ -112,7 +119,9 @@ class RoundedArrays(Rounded):
         return np.where(zero, 0.0, self.noted(np.sqrt(np.where(zero | below, 1.0, number))))
 
     def magnitude(self, x: Any, y: Any) -> Any:
-        """The lengths of vectors (x, y), one by one: along an axis the component itself, else a root, written down."""
+        """The lengths of vectors (x, y), one by one: along an axis the component itself, else a
+        root, written down.
+        """
         x, y = np.broadcast_to(x, self.unsettled.shape), np.broadcast_to(y, self.unsettled.shape)
         askew = self.sqrt(x * x + y * y)
         return np.where(self.sign(x) == 0, np.abs(y), np.where(self.sign(y) == 0, np.abs(x), askew))
@@ -130,7 +139,9 @@ class RoundedArrays(Rounded):
         return self.noted(in_doubles(ARCTANGENT(y, x)) * DEGREES) * RADIANS
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """The unknowns of rows * unknowns = right, each written down; instances without them are unsettled."""
+        """The unknowns of rows * unknowns = right, each written down; instances without them are
+        unsettled.
+        """
         count = len(rows[0])
         if len(rows) < count:
             raise Singular("the equations do not determine every unknown")
@@ -143,7 +154,9 @@ class RoundedArrays(Rounded):
         return [self.written(table[index, count]) for index in range(count)]
 
     def cleared(self, table: Any, column: int) -> Any:
-        """The table with the largest entry of the column, from its own row on, as pivot, and the rest of it zero."""
+        """The table with the largest entry of the column, from its own row on, as pivot, and the
+        rest of it zero.
+        """
         places = np.arange(table.shape[2])
         pivot = column + np.abs(table[column:, column]).argmax(axis=0)  # the first of equals
         source, other = table[pivot, :, places].T, table[column].copy()
@@ -163,5 +176,7 @@ def in_doubles(found: Any) -> Any:
 
 
 def _plain(result: Any) -> Any:
-    """The same, but an array of no dimension as the number that it is: it holds for all instances."""
+    """The same, but an array of no dimension as the number that it is: it holds for all
+    instances.
+    """
     return result[()]

@@ -1,8 +1,10 @@
-"""The arithmetic of working by hand: doubles, in which whatever is written down is rounded to some significant figures.
+"""The arithmetic of working by hand: doubles, in which whatever is written down is rounded to some
+significant figures.
 
-Written down are sines and cosines, roots, angles found from their sides, and the unknowns of every solved set of
-equations; who uses the arithmetic rounds by `noted` what else is put on paper (coordinates, the terms of a vector
-equation). Sums and products inside one line of working stay in the calculator.
+Written down are sines and cosines, roots, angles found from their sides, and the unknowns of every
+solved set of equations; who uses the arithmetic rounds by `noted` what else is put on paper
+(coordinates, the terms of a vector equation). Sums and products inside one line of working stay in
+the calculator.
 """
 
 from __future__ import annotations
@@ -53,7 +55,9 @@ class Rounded(Magnitude):
         return value
 
     def number(self, rational: Any) -> float:
-        """A rational or exact number as a double, not rounded: givens are used as they are given."""
+        """A rational or exact number as a double, not rounded: givens are used as they are
+        given.
+        """
         if isinstance(rational, (int, float, Surd)):
             return float(rational)
         return int(rational.p) / int(rational.q)
@@ -91,7 +95,8 @@ class Rounded(Magnitude):
         return radians(self.noted(degrees(atan2(y, x))))
 
     def solve(self, rows: list[list[float]], right: list[float]) -> list[float]:
-        """The unknowns of rows * unknowns = right, each written down; surplus rows are not needed and left alone.
+        """The unknowns of rows * unknowns = right, each written down; surplus rows are not needed
+        and left alone.
 
         Raises Singular where the rows do not determine every unknown.
         """
@@ -109,7 +114,8 @@ class Rounded(Magnitude):
 
 
 class Sparing(Rounded):
-    """The arithmetic of one who writes down nothing but the solved unknowns, and keeps the rest in the calculator.
+    """The arithmetic of one who writes down nothing but the solved unknowns, and keeps the rest in
+    the calculator.
 
     >>> Sparing(3).cos(0.3), Sparing(3).solve([[3.0]], [2.0])
     (0.955336489125606, [0.667])
@@ -121,7 +127,9 @@ class Sparing(Rounded):
 
 
 def bring_largest(table: list[list[float]], column: int) -> None:
-    """Exchange rows so that the largest entry of the column, from its own row on, is the pivot. Raises Singular."""
+    """Exchange rows so that the largest entry of the column, from its own row on, is the pivot.
+    Raises Singular.
+    """
     pivot = max(range(column, len(table)), key=lambda index: abs(table[index][column]))
     if not abs(table[pivot][column]) >= NOTHING:
         raise Singular("the equations do not determine every unknown")

@@ -1,9 +1,11 @@
-"""Real numbers of a tower of quadratic fields over the rationals: Q, Q(sqrt 2), Q(sqrt 2)(sqrt(3 + sqrt 2)), ...
+"""Real numbers of a tower of quadratic fields over the rationals: Q, Q(sqrt 2), Q(sqrt 2)(sqrt(3 +
+sqrt 2)), ...
 
-A rational is a `flint.fmpq`, the element of sympy's QQ with python-flint ground types. A number that needs roots is
-a `Surd` a + b*sqrt(d), where a, b and d live lower in the tower and b is not zero; so every number has one form, stands
-as low in the tower as it can, and equality is equality of forms. Building a tower costs nothing, whereas sympy's
-`AlgebraicField` takes 45 ms for two radicals, which a class with own numbers per student would pay again and again.
+A rational is a `flint.fmpq`, the element of sympy's QQ with python-flint ground types. A number
+that needs roots is a `Surd` a + b*sqrt(d), where a, b and d live lower in the tower and b is not
+zero; so every number has one form, stands as low in the tower as it can, and equality is equality
+of forms. Building a tower costs nothing, whereas sympy's `AlgebraicField` takes 45 ms for two
+radicals, which a class with own numbers per student would pay again and again.
 
 Fields are made by `kinegrade.exact.field`, which also decides what has a square root in a tower.
 """
@@ -17,21 +19,23 @@ from flint import arb, ctx, fmpq
 
 Real = Any  # flint.fmpq or Surd: flint ships no types
 MAX_SIGN_PRECISION = 1 << 16
-MAX_HEIGHT = (
-    1 << 14
-)  # bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
+# Bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
+MAX_HEIGHT = 1 << 14
 
 
 @dataclass(frozen=True)
 class Root:
-    """The positive square root of `radicand`, adjoined as storey `level` (1 is the lowest) of a tower."""
+    """The positive square root of `radicand`, adjoined as storey `level` (1 is the lowest) of a
+    tower.
+    """
 
     radicand: Real
     level: int
 
 
 class Surd:
-    """a + b*sqrt(root.radicand), b not zero. Supports + - * / **, comparison and sign with rationals and surds.
+    """a + b*sqrt(root.radicand), b not zero. Supports + - * / **, comparison and sign with
+    rationals and surds.
 
     >>> from flint import fmpq
     >>> x = Surd(Root(fmpq(2), 1), fmpq(1), fmpq(1))
@@ -162,7 +166,9 @@ def enclosure(number: Real, precision: int) -> Any:
 
 
 def sign(number: Real) -> int:
-    """-1, 0 or 1. Exact: a form that is not zero is separated from zero by raising the precision."""
+    """-1, 0 or 1. Exact: a form that is not zero is separated from zero by raising the
+    precision.
+    """
     if not isinstance(number, Surd):
         return int(number > 0) - int(number < 0)
     precision = 64

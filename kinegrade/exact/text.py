@@ -1,4 +1,6 @@
-"""How numbers print: exact text that our own grammar reads back, LaTeX, and decimals to any number of digits."""
+"""How numbers print: exact text that our own grammar reads back, LaTeX, and decimals to any number
+of digits.
+"""
 
 from __future__ import annotations
 
@@ -52,7 +54,9 @@ def joined(parts: list[tuple[bool, str]]) -> str:
 
 
 def radical_terms(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[Root, ...]]]:
-    """The number as a sum: (rational factor, integer under one root, keys of nested roots, the nested roots)."""
+    """The number as a sum: (rational factor, integer under one root, keys of nested roots, the
+    nested roots).
+    """
     collected: dict[tuple[int, tuple[Root, ...]], Any] = {}
     for factor, roots in products(number):
         plain = 1
@@ -145,10 +149,11 @@ def pi_text(half_turns: Any, form: Form = PLAIN) -> str:
 
 
 def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
-    """The number rounded to `digits` significant digits, half to even, certified; no exponent within 1e-7..1e21.
+    """The number rounded to `digits` significant digits, half to even, certified; no exponent
+    within 1e-7..1e21.
 
-    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the digits asked is
-    given to as many as it holds. A ball about zero gives "0".
+    Takes rationals, surds, balls and Angles (in radians, or in degrees). A ball too wide for the
+    digits asked is given to as many as it holds. A ball about zero gives "0".
 
     >>> decimal_text(fmpq(2, 3), 5)
     '0.66667'
@@ -171,7 +176,9 @@ def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
 
 
 def bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any]:
-    """Rational bounds of a number, worked out with `precision` bits; an Angle in radians or in degrees."""
+    """Rational bounds of a number, worked out with `precision` bits; an Angle in radians or in
+    degrees.
+    """
     with ctx.workprec(precision):
         value = (
             number
@@ -185,7 +192,9 @@ def bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any
 
 
 def rounded(value: Any, digits: int) -> str:
-    """A rational number with `digits` significant digits, half to even; trailing zeros are dropped."""
+    """A rational number with `digits` significant digits, half to even; trailing zeros are
+    dropped.
+    """
     if value == 0:
         return "0"
     exponent = magnitude(abs(value)) - digits + 1

@@ -1,7 +1,9 @@
-"""Numbers and texts as they stand in files, read exactly and within bounds: the one way from a file to a fraction.
+"""Numbers and texts as they stand in files, read exactly and within bounds: the one way from a file
+to a fraction.
 
-`Fraction("1e9999999999")` would work for days at a number that no exam holds. Every reader of folders, downloads,
-banks and policies that does not bound its numbers by a pattern of its own comes here.
+`Fraction("1e9999999999")` would work for days at a number that no exam holds. Every reader of
+folders, downloads, banks and policies that does not bound its numbers by a pattern of its own comes
+here.
 """
 
 from __future__ import annotations
@@ -32,7 +34,8 @@ class NumberError(ValueError):
 
 
 def written_number(found: object) -> Fraction:
-    """A number of JSON, TOML or CSV, a decimal or a plain fraction, exactly; a fraction is one already.
+    """A number of JSON, TOML or CSV, a decimal or a plain fraction, exactly; a fraction is one
+    already.
 
     Raises NumberError.
 
@@ -55,7 +58,9 @@ def written_number(found: object) -> Fraction:
 
 
 def written_text(found: object) -> str:
-    """A text of JSON. Raises TypeError for anything else, which would be printed as Python shows it."""
+    """A text of JSON. Raises TypeError for anything else, which would be printed as Python shows
+    it.
+    """
     if not isinstance(found, str):
         raise TypeError(f"a text was expected, not a {type(found).__name__}")
     return found

@@ -1,7 +1,9 @@
-"""The blank answer sheet as a workbook, in which no spreadsheet eats the zeros of ids or takes answers for dates.
+"""The blank answer sheet as a workbook, in which no spreadsheet eats the zeros of ids or takes
+answers for dates.
 
-`generate` writes answers.xlsx beside answers.csv. Every cell is a text, the empty ones of the answer columns too. The
-parts of the archive are written here directly, because a class of any size needs no more than a few plain tags.
+`generate` writes answers.xlsx beside answers.csv. Every cell is a text, the empty ones of the
+answer columns too. The parts of the archive are written here directly, because a class of any size
+needs no more than a few plain tags.
 """
 
 from __future__ import annotations
@@ -19,16 +21,17 @@ _SHEET = "xl/worksheets/sheet1.xml"
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 _PARTS = {
     "[Content_Types].xml": (
-        f'<Types xmlns="{_SPACE}/package/2006/content-types">'
-        '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
-        '<Default Extension="xml" ContentType="application/xml"/>'
-        f'<Override PartName="/xl/workbook.xml" ContentType="{_TYPE}.sheet.main+xml"/>'
-        f'<Override PartName="/{_SHEET}" ContentType="{_TYPE}.worksheet+xml"/>'
-        f'<Override PartName="/xl/styles.xml" ContentType="{_TYPE}.styles+xml"/></Types>'
+        f'<Types xmlns="{_SPACE}/package/2006/content-types"><Default Extension="rels" '
+        'ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default '
+        'Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" '
+        f'ContentType="{_TYPE}.sheet.main+xml"/><Override PartName="/{_SHEET}" '
+        f'ContentType="{_TYPE}.worksheet+xml"/><Override PartName="/xl/styles.xml" '
+        f'ContentType="{_TYPE}.styles+xml"/></Types>'
     ),
     "_rels/.rels": (
         f'<Relationships xmlns="{_SPACE}/package/2006/relationships"><Relationship Id="rId1" '
-        f'Type="{_SPACE}/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/>'
+        f'Type="{_SPACE}/officeDocument/2006/relationships/officeDocument" '
+        'Target="xl/workbook.xml"/>'
         "</Relationships>"
     ),
     "xl/workbook.xml": (
@@ -38,7 +41,8 @@ _PARTS = {
     ),
     "xl/_rels/workbook.xml.rels": (
         f'<Relationships xmlns="{_SPACE}/package/2006/relationships"><Relationship Id="rId1" '
-        f'Type="{_SPACE}/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/>'
+        f'Type="{_SPACE}/officeDocument/2006/relationships/worksheet" '
+        'Target="worksheets/sheet1.xml"/>'
         f'<Relationship Id="rId2" Type="{_SPACE}/officeDocument/2006/relationships/styles" '
         'Target="styles.xml"/></Relationships>'
     ),
@@ -46,7 +50,8 @@ _PARTS = {
         f'<styleSheet xmlns="{_SPACE}/spreadsheetml/2006/main">'
         '<fonts count="1"><font><sz val="11"/><name val="Calibri"/></font></fonts>'
         '<fills count="2"><fill><patternFill patternType="none"/></fill>'
-        '<fill><patternFill patternType="gray125"/></fill></fills><borders count="1"><border/></borders>'
+        '<fill><patternFill patternType="gray125"/></fill></fills><borders '
+        'count="1"><border/></borders>'
         '<cellStyleXfs count="1"><xf numFmtId="0"/></cellStyleXfs><cellXfs count="2">'
         '<xf numFmtId="0" xfId="0"/><xf numFmtId="49" xfId="0" applyNumberFormat="1"/></cellXfs>'
         '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
@@ -56,7 +61,9 @@ _PARTS = {
 
 
 def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Writes the workbook; the same rows give the same bytes. Cells that are not there are empty texts to be."""
+    """Writes the workbook; the same rows give the same bytes. Cells that are not there are empty
+    texts to be.
+    """
     with ZipFile(path, "w") as archive:
         for name, content in _PARTS.items():
             archive.writestr(_entry(name), f"{_HEAD}{content}")
@@ -74,8 +81,10 @@ def _entry(name: str) -> ZipInfo:
 def _sheet(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
     yield (
         f'{_HEAD}<worksheet xmlns="{_SPACE}/spreadsheetml/2006/main"><sheetViews><sheetView '
-        'workbookViewId="0"><pane xSplit="2" ySplit="1" topLeftCell="C2" state="frozen"/></sheetView>'
-        f'</sheetViews><cols><col min="1" max="{len(header)}" width="16" style="1" customWidth="1"/></cols>'
+        'workbookViewId="0"><pane xSplit="2" ySplit="1" topLeftCell="C2" '
+        'state="frozen"/></sheetView>'
+        f'</sheetViews><cols><col min="1" max="{len(header)}" width="16" style="1" '
+        'customWidth="1"/></cols>'
         "<sheetData>"
     )
     yield _row(header)

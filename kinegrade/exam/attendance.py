@@ -1,4 +1,5 @@
-"""What a process that works for another one does first: it sets itself up and stays no longer than it is needed.
+"""What a process that works for another one does first: it sets itself up and stays no longer than
+it is needed.
 
 This file loads next to nothing, so that a new process is set up before it loads what it works with.
 """
@@ -14,13 +15,15 @@ import time
 from multiprocessing import connection, parent_process
 from types import FrameType
 
-from kinegrade.collection import NEW_OBJECTS
+from kinegrade.garbage_collection import NEW_OBJECTS
 
 PATIENCE = 1.0  # seconds to stop a typesetter and to clear away files
 
 
 def attend() -> None:
-    """Let this process leave an interruption to the one it works for, end with it, and seldom look for rubbish."""
+    """Let this process leave an interruption to the one it works for, end with it, and seldom look
+    for rubbish.
+    """
     gc.set_threshold(NEW_OBJECTS)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _leave)
@@ -30,7 +33,9 @@ def attend() -> None:
 
 
 def end_with_parent() -> None:
-    """Wait until the process that this one works for is gone, then end, with the typesetter that may be running."""
+    """Wait until the process that this one works for is gone, then end, with the typesetter that
+    may be running.
+    """
     parent = parent_process()
     if parent is None:
         return

@@ -1,27 +1,28 @@
-"""The bank's file, an exam's blueprint: which questions are put, for how many points, within which tolerance.
+"""The bank's file, an exam's blueprint: which questions are put, for how many points, within which
+tolerance.
 
 title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
 course = { en = "Theoretical mechanics", zh = "理论力学" }
-tolerance = { relative = "1 %" }         # or { absolute = 0.01 }, { figures = 3 }: significant figures; or several
-shuffle = true                           # optional: every paper has its own order of the questions
-versions = 3                             # optional: versions A, B, C instead of a paper for each student
-engine = "latex"                         # optional: what typesets the exam (typst)
-credit = { follow-through = "1/2" }      # optional: see bank_credit
-solutions = true                         # optional: feedback holds the worked solutions
-lms = "canvas"                           # optional: refuse draws that the four decimals of Canvas cannot tell right
+tolerance = { relative = "1 %" }  # or { absolute = 0.01 }, { figures = 3 }: or several of them
+shuffle = true  # optional: every paper has its own order of the questions
+versions = 3  # optional: versions A, B, C instead of a paper for each student
+engine = "latex"  # optional: what typesets the exam (typst)
+credit = { follow-through = "1/2" }  # optional: see bank_credit
+solutions = true  # optional: feedback holds the worked solutions
+lms = "canvas"  # optional: refuse draws that Canvas's four decimals cannot tell
 
 [[questions]]
-template = "slider-crank"                # a shipped template, or a file beside the bank: "mine.toml"
-asks = { v_B = 3, omega_AB = 2 }         # optional: what is asked, with points
-draw = { k = ["sqrt(3)", "2"] }          # optional: other domains for some parameters
-tolerance = { relative = "2 %" }         # optional: for this question
+template = "slider-crank"  # a shipped template, or a file beside the bank: "mine.toml"
+asks = { v_B = 3, omega_AB = 2 }  # optional: what is asked, with points
+draw = { k = ["sqrt(3)", "2"] }  # optional: other domains for some parameters
+tolerance = { relative = "2 %" }  # optional: for this question
 
 [[questions]]
-family = "rolling"                       # or tag = "acceleration": shipped templates, drawn once for the class
-number = 2                               # optional: how many different ones (1)
-without = ["rolling-wheel-rim-points"]   # optional: not these
-asks = "velocity"                        # optional: only this (position, acceleration) of what the template asks
-points = 10                              # optional: shared out as the template weighs what it asks
+family = "rolling"  # or tag = "acceleration": shipped templates, drawn once for the class
+number = 2  # optional: how many different ones (1)
+without = ["rolling-wheel-rim-points"]  # optional: not these
+asks = "velocity"  # optional: only this (position, acceleration) of what the template asks
+points = 10  # optional: shared out as the template weighs what it asks
 """
 
 from __future__ import annotations
@@ -59,19 +60,23 @@ MAX_BYTES = 200_000
 
 
 def bank_path(path: Path) -> Path:
-    """The file of a bank: at that path, or the shipped one of that name. Raises BankError where there is neither."""
+    """The file of a bank: at that path, or the shipped one of that name. Raises BankError where
+    there is neither.
+    """
     banks = {file.stem: file for file in shipped("banks").glob("*.toml")}
     if not path.is_file() and str(path) in banks:
         return banks[str(path)]
     if path.suffix != ".toml" and not path.exists():
         raise BankError(
-            f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank file'
+            f'no bank "{short_line(str(path))}": {did_you_mean(str(path), banks)}; or give a bank '
+            "file"
         )
     return path
 
 
 def read_bank(path: Path, secret: str = "") -> Bank:
-    """The exam that a secret makes of a bank's file; the secret matters where the bank draws by family or tag.
+    """The exam that a secret makes of a bank's file; the secret matters where the bank draws by
+    family or tag.
 
     Raises BankError with all faults at once.
     """
@@ -88,7 +93,8 @@ def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
             data = file.read(MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
             raise BankError(
-                f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank file"
+                f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank "
+                "file"
             )
         text = data.decode("utf-8-sig")
         table = read_toml(text)
@@ -164,14 +170,17 @@ def read_slots(
 
 
 def same_names(values: Values, found: Mapping[str, Sequence[Slot]]) -> None:
-    """A fault where two different template files share a name: the exam folder keeps one file of a name."""
+    """A fault where two different template files share a name: the exam folder keeps one file of a
+    name.
+    """
     texts: dict[str, str] = {}
     for place, slots in found.items():
         for template in (slot.candidates[0].template for slot in slots if not slot.drawn):
             if texts.setdefault(template.name, template.text) != template.text:
                 values.fault(
                     f"{place}.template",
-                    f'another template of this bank has the name "{template.name}": rename the file',
+                    f'another template of this bank has the name "{template.name}": rename the '
+                    "file",
                 )
 
 

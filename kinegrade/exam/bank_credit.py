@@ -1,8 +1,10 @@
-"""What a bank gives for answers that are not right: what follows from an earlier mistake, known mistakes, wrong units.
+"""What a bank gives for answers that are not right: what follows from an earlier mistake, known
+mistakes, wrong units.
 
     credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { coriolis-halved = 0.5 } }
 
-Shares of the points. They are kept in exam.json, by which the class is marked; a policy may say otherwise later.
+Shares of the points. They are kept in exam.json, by which the class is marked; a policy may say
+otherwise later.
 """
 
 from __future__ import annotations
@@ -23,7 +25,9 @@ ALONE = ("follow-through", "wrong-unit")
 
 @dataclass(frozen=True)
 class Credit:
-    """Shares of the points, from 0 to 1: by kind what stands alone, by identifier those of known mistakes."""
+    """Shares of the points, from 0 to 1: by kind what stands alone, by identifier those of known
+    mistakes.
+    """
 
     alone: Mapping[str, Fraction] = field(default_factory=dict)
     mistakes: Mapping[str, Fraction] = field(default_factory=dict)

@@ -1,4 +1,6 @@
-"""The entries [[questions]] of a bank's file: a template by its name, or some that are drawn by family or tag."""
+"""The entries [[questions]] of a bank's file: a template by its name, or some that are drawn by
+family or tag.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ from kinegrade.exact.field import Field
 from kinegrade.exam.bank_values import Values
 from kinegrade.exam.blueprint import BankAsk, BankQuestion, Slot
 from kinegrade.exam.points import shared
-from kinegrade.exam.shelf import Shelf, read_shelf
+from kinegrade.exam.shipped_templates import Shelf, read_shelf
 from kinegrade.expression import read
 from kinegrade.problem.assemble import parameter_value
 from kinegrade.problem.domain import read_choices
@@ -180,7 +182,9 @@ class Entries:
         templates: Sequence[Template],
         tolerance: Tolerance,
     ) -> dict[str, tuple[BankAsk, ...]]:
-        """What each template asks of the kind that the entry wants, with its points or shares of the entry's."""
+        """What each template asks of the kind that the entry wants, with its points or shares of
+        the entry's.
+        """
         about = entry.get("asks", "")
         if about != "" and about not in KINDS:
             named = (

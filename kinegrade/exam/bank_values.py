@@ -1,4 +1,6 @@
-"""Single values of a bank's file: texts in two languages, whole numbers, amounts and tolerances, read exactly."""
+"""Single values of a bank's file: texts in two languages, whole numbers, amounts and tolerances,
+read exactly.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ SHARE = re.compile(NUMBER + r"\s*(%?)", re.ASCII)
 
 
 class Values:
-    """Reads values of one file, collecting its faults; what is missing under a misspelt key is not one more."""
+    """Reads values of one file, collecting its faults; what is missing under a misspelt key is not
+    one more.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -37,7 +41,9 @@ class Values:
         self.faults.append(f"{self.path}: {place}{short_line(problem)}")
 
     def unknown_keys(self, place: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
-        """A fault for every key that is not known; the one that it was meant to be is not missed any more."""
+        """A fault for every key that is not known; the one that it was meant to be is not missed
+        any more.
+        """
         known = list(known)
         unknown = sorted(set(table) - set(known))
         for key in unknown:
@@ -78,13 +84,16 @@ class Values:
         return least
 
     def tolerance(self, place: str, value: Any, default: Tolerance) -> Tolerance:
-        """{ relative = "1 %", absolute = 0.01, figures = 3 }, each optional; what gives most room holds."""
+        """{ relative = "1 %", absolute = 0.01, figures = 3 }, each optional; what gives most room
+        holds.
+        """
         if value is None:
             return default
         if not isinstance(value, dict):
             self.fault(
                 place,
-                'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }',
+                'expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 '
+                "}",
             )
             return default
         known = ("relative", "absolute", "figures")
@@ -128,7 +137,9 @@ class Values:
 
 
 def written(value: Any) -> str:
-    """A number or a text as it stands in the file, cut where it is long; of anything else its kind."""
+    """A number or a text as it stands in the file, cut where it is long; of anything else its
+    kind.
+    """
     if isinstance(value, bool) or not isinstance(value, int | str):
         return f"a {type(value).__name__}"
     return str(value).strip()[:40]

@@ -1,7 +1,8 @@
 """An exam's blueprint, and the exam that a secret makes of it.
 
-`bank` reads a blueprint from its file; `setting` draws numbers for the questions of the Bank that is chosen here. What
-is chosen is the same for the whole class, because the class shares one answer sheet.
+`bank` reads a blueprint from its file; `setting` draws numbers for the questions of the Bank that
+is chosen here. What is chosen is the same for the whole class, because the class shares one answer
+sheet.
 """
 
 from __future__ import annotations
@@ -47,12 +48,14 @@ class BankQuestion:
 
 @dataclass(frozen=True)
 class Bank:
-    """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept with the exam.
+    """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
+    with the exam.
 
-    `shuffle` lets every paper have its own order of the questions; `versions` is how many different papers there are,
-    0 for one of each student's own; `engine` is what typesets it unless an instructor asks for another; `credit` is for
-    answers that are not right; with `solutions` feedback holds the worked solutions unless somebody says otherwise;
-    `lms` is the system that the exam is put into, where its draws have to suit it.
+    `shuffle` lets every paper have its own order of the questions; `versions` is how many different
+    papers there are, 0 for one of each student's own; `engine` is what typesets it unless an
+    instructor asks for another; `credit` is for answers that are not right; with `solutions`
+    feedback holds the worked solutions unless somebody says otherwise; `lms` is the system that the
+    exam is put into, where its draws have to suit it.
     """
 
     title: Translated
@@ -82,7 +85,9 @@ class Bank:
 
 @dataclass(frozen=True)
 class Slot:
-    """One question of an exam: the questions it may become; one of them is `drawn`, or there is but one."""
+    """One question of an exam: the questions it may become; one of them is `drawn`, or there is but
+    one.
+    """
 
     identifier: str
     candidates: tuple[BankQuestion, ...]
@@ -91,13 +96,16 @@ class Slot:
 
 @dataclass(frozen=True)
 class Blueprint:
-    """A bank as it is read: `frame` holds everything but the questions, which are still to be chosen."""
+    """A bank as it is read: `frame` holds everything but the questions, which are still to be
+    chosen.
+    """
 
     frame: Bank
     slots: tuple[Slot, ...]
 
     def bank(self, secret: str) -> Bank:
-        """The exam that a secret makes; templates that are drawn differ from each other and from all that are named.
+        """The exam that a secret makes; templates that are drawn differ from each other and from
+        all that are named.
 
         A blueprint that was read has templates enough for every slot.
         """
@@ -131,7 +139,8 @@ def ranked(slot: Slot, named: set[str], rank: Callable[[str], int]) -> tuple[str
 
 
 def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
-    """A name for as many slots as can have one, no name twice: the first that is free, or one that is made free.
+    """A name for as many slots as can have one, no name twice: the first that is free, or one that
+    is made free.
 
     >>> matched({"q1": ["crank", "cam"], "q2": ["crank"], "q3": ["cam"]})
     {'q2': 'crank', 'q1': 'cam'}
@@ -149,7 +158,9 @@ def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
 def displace(
     slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
 ) -> bool:
-    """Let a slot take a name whose holder can take another one; whether that was possible (Kuhn's algorithm)."""
+    """Let a slot take a name whose holder can take another one; whether that was possible (Kuhn's
+    algorithm).
+    """
     for name in wanted[slot]:
         if name in tried:
             continue

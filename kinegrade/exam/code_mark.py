@@ -11,14 +11,16 @@ from typing import NamedTuple
 
 import segno
 
-# Any of the eight patterns that the standard lays over the modules is read alike; trying all of them to choose the
-# fairest would take five times as long.
+# Any of the eight patterns that the standard lays over the modules is read alike; trying all of
+# them to choose the fairest would take five times as long.
 PATTERN = 3
 _DARK = re.compile(rb"\x01+")
 
 
 class Run(NamedTuple):
-    """Dark modules side by side, from column `x` of row `y` on; counted from the top left corner."""
+    """Dark modules side by side, from column `x` of row `y` on; counted from the top left
+    corner.
+    """
 
     x: int
     y: int
@@ -27,7 +29,9 @@ class Run(NamedTuple):
 
 @dataclass(frozen=True)
 class CodeMark:
-    """A square of `size` modules a side, of which `runs` are dark; leave four modules of white around it."""
+    """A square of `size` modules a side, of which `runs` are dark; leave four modules of white
+    around it.
+    """
 
     size: int
     runs: tuple[Run, ...]

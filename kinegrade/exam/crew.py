@@ -30,14 +30,18 @@ class Crew:
     def submit(
         self, task: Callable[_Given, _Result], *given: _Given.args, **named: _Given.kwargs
     ) -> Future[_Result]:
-        """Hand out a task. A process that starts for it is not hit by Ctrl-C before it is set up."""
+        """Hand out a task. A process that starts for it is not hit by Ctrl-C before it is set
+        up.
+        """
         with _interruption_deferred():
             return self.executor.submit(task, *given, **named)
 
 
 @contextmanager
 def crew(workers: int, start: Literal["fork", "spawn"]) -> Iterator[Crew]:
-    """Up to `workers` processes. Those still at work when the block ends by an exception are dismissed at once."""
+    """Up to `workers` processes. Those still at work when the block ends by an exception are
+    dismissed at once.
+    """
     executor = ProcessPoolExecutor(workers, get_context(start), attend)
     try:
         yield Crew(executor)

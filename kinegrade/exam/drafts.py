@@ -1,8 +1,10 @@
-"""A part of the class drawn and printed by one of several processes, as if papers were drawn one after the other.
+"""A part of the class drawn and printed by one of several processes, as if papers were drawn one
+after the other.
 
-Drawing takes long and depends on the other students only in that no two get the same numbers. So parts of the class are
-drawn side by side as if nobody else were there; then a process learns from the ledger what everybody before its part
-got, and draws again, in roster order, each question whose numbers somebody before has. Nothing is printed twice.
+Drawing takes long and depends on the other students only in that no two get the same numbers. So
+parts of the class are drawn side by side as if nobody else were there; then a process learns from
+the ledger what everybody before its part got, and draws again, in roster order, each question whose
+numbers somebody before has. Nothing is printed twice.
 """
 
 from __future__ import annotations
@@ -27,7 +29,9 @@ DrawnPaper = tuple[SetPaper, Refusals]
 
 @dataclass(frozen=True)
 class Draft:
-    """A paper that is printed; what was drawn for each question, and what was refused on the way."""
+    """A paper that is printed; what was drawn for each question, and what was refused on the
+    way.
+    """
 
     printed: Printed
     values: Numbers
@@ -46,7 +50,8 @@ class Workplace:
 def drafts(run: PrintRun, workplace: Workplace, part: int, places: Sequence[int]) -> list[Draft]:
     """The papers of the students at these places, up to the first for whom nothing can be drawn.
 
-    Raises TypesetError. Whatever happens, the ledger gets the page of this part, for which others wait.
+    Raises TypesetError. Whatever happens, the ledger gets the page of this part, for which others
+    wait.
     """
     papers: list[DrawnPaper] = []
     try:
@@ -61,7 +66,9 @@ def drafts(run: PrintRun, workplace: Workplace, part: int, places: Sequence[int]
 
 
 def drawn(setting: Setting, ledger: Ledger, part: int, places: Sequence[int]) -> list[DrawnPaper]:
-    """The papers of a part of the class. Versions are drawn for every part, and counted for the first."""
+    """The papers of a part of the class. Versions are drawn for every part, and counted for the
+    first.
+    """
     papers = drawn_alone(setting, places)
     if setting.bank.versions:
         return papers if part == 0 else [(paper, {}) for paper, _ in papers]
@@ -70,7 +77,9 @@ def drawn(setting: Setting, ledger: Ledger, part: int, places: Sequence[int]) ->
 
 
 def drawn_alone(setting: Setting, places: Sequence[int]) -> list[DrawnPaper]:
-    """The papers as if there were no other students, up to the first for whom nothing can be drawn."""
+    """The papers as if there were no other students, up to the first for whom nothing can be
+    drawn.
+    """
     for deck in setting.decks.values():
         deck.taken = set()
         deck.refused.clear()
@@ -84,7 +93,9 @@ def drawn_alone(setting: Setting, places: Sequence[int]) -> list[DrawnPaper]:
 def drawn_apart(
     setting: Setting, papers: Sequence[DrawnPaper], taken: Mapping[str, set[Values]]
 ) -> list[DrawnPaper]:
-    """The papers without numbers that are taken, up to the first for which none are left; what they get is taken."""
+    """The papers without numbers that are taken, up to the first for which none are left; what they
+    get is taken.
+    """
     for name, deck in setting.decks.items():
         deck.taken = taken[name]
         deck.refused.clear()
@@ -107,7 +118,9 @@ def drawn_apart(
 
 
 def question_apart(question: SetQuestion, deck: Deck, student: str) -> SetQuestion:
-    """The question, or another one for this student where its numbers are taken. Raises DrawError."""
+    """The question, or another one for this student where its numbers are taken. Raises
+    DrawError.
+    """
     numbers = values(question)
     if numbers in deck.taken:
         return set_question(question.question, deck, student)
@@ -125,7 +138,8 @@ def counted(deck: Deck) -> Counter[str]:
 def confirmed(
     run: PrintRun, setting: Setting, press: Press, places: Sequence[int], found: Sequence[Draft]
 ) -> Iterator[Printed]:
-    """What remains of the papers at these places, noted in the decks after all before them as if those had drawn them.
+    """What remains of the papers at these places, noted in the decks after all before them as if
+    those had drawn them.
 
     Raises DrawError when nothing can be drawn for a student, TypesetError.
     """

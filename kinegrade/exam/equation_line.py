@@ -1,4 +1,5 @@
-"""Where a long line of LaTeX math may be broken: before a relation, or before a plus or minus, outside all brackets.
+"""Where a long line of LaTeX math may be broken: before a relation, or before a plus or minus,
+outside all brackets.
 
 A press breaks a line only where the page is too narrow for it.
 """
@@ -22,7 +23,9 @@ _SIGNS = frozenset("+-")
 
 @dataclass(frozen=True)
 class EquationLine:
-    """What stands left of the alignment, and the pieces right of it; both in LaTeX math, either may be empty."""
+    """What stands left of the alignment, and the pieces right of it; both in LaTeX math, either may
+    be empty.
+    """
 
     left: str
     pieces: tuple[str, ...]
@@ -51,7 +54,9 @@ def equation_line(latex: str) -> EquationLine:
 
 
 def _depths(tokens: Sequence[str]) -> list[int]:
-    """How many brackets are open at each token; a fence's own bracket, as in `\\left(`, is not counted again."""
+    """How many brackets are open at each token; a fence's own bracket, as in `\\left(`, is not
+    counted again.
+    """
     depths, depth = [], 0
     for index, token in enumerate(tokens):
         fenced = index > 0 and tokens[index - 1] in _FENCES
@@ -64,7 +69,9 @@ def _depths(tokens: Sequence[str]) -> list[int]:
 
 
 def _breaks_before(tokens: Sequence[str], index: int, start: int) -> bool:
-    """Whether a relation or a binary sign stands at `index`; the sign of a term stays with its term."""
+    """Whether a relation or a binary sign stands at `index`; the sign of a term stays with its
+    term.
+    """
     before = "".join(tokens[start:index]).split()
     last = next((token for token in reversed(tokens[start:index]) if not token.isspace()), "")
     if tokens[index] in RELATIONS:

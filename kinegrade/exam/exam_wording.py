@@ -1,7 +1,8 @@
-"""What an exam's questions, asks and drawn numbers are called, from the templates that its folder keeps.
+"""What an exam's questions, asks and drawn numbers are called, from the templates that its folder
+keeps.
 
-Reports and feedback show it (`kinegrade.grading.wording` says what they want). A template that this version cannot
-read any more costs its words only: identifiers stand in their place.
+Reports and feedback show it (`kinegrade.grading.wording` says what they want). A template that this
+version cannot read any more costs its words only: identifiers stand in their place.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ from kinegrade.problem.template import Template
 
 @dataclass(frozen=True)
 class ExamWording:
-    """Titles by question and meanings by answer column (prose), symbols (math), sentences of mistakes (plain)."""
+    """Titles by question and meanings by answer column (prose), symbols (math), sentences of
+    mistakes (plain).
+    """
 
     titles: Mapping[str, str] = field(default_factory=dict)
     meanings: Mapping[str, str] = field(default_factory=dict)
@@ -31,7 +34,9 @@ class ExamWording:
 
 
 def exam_wording(exam: Path, language: Language) -> ExamWording:
-    """The words of an exam folder in a language. Raises ExamError where exam.json cannot be read."""
+    """The words of an exam folder in a language. Raises ExamError where exam.json cannot be
+    read.
+    """
     templates = _templates(exam)
     asks = {
         f"{question}.{name}": ask
@@ -55,7 +60,9 @@ def exam_wording(exam: Path, language: Language) -> ExamWording:
 
 
 def exam_language(exam: Path) -> Language:
-    """The language of an exam's papers. Raises ExamError where exam.json cannot be read or knows another one."""
+    """The language of an exam's papers. Raises ExamError where exam.json cannot be read or knows
+    another one.
+    """
     path = exam / "exam.json"
     return exam_language_of(_head(path), path)
 
@@ -79,7 +86,7 @@ def _head(path: Path) -> dict[str, Any]:
         list(head["questions"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as fault:
         raise ExamError(
-            f"{path}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
-            "generate - check the name"
+            f"{path}: cannot be read ({type(fault).__name__}) - expected an exam folder made by "
+            "kinegrade generate - check the name"
         ) from fault
     return head

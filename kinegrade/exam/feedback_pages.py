@@ -1,4 +1,5 @@
-"""Feedback sheets as PDF, by the embedded Typst, with the worked solution behind where it is wanted.
+"""Feedback sheets as PDF, by the embedded Typst, with the worked solution behind where it is
+wanted.
 
 `kinegrade.grading.feedback` makes the sheets; the protocols here say what of them is printed.
 """
@@ -37,7 +38,9 @@ TYPESET: Mapping[str, Language] = {"en": "en", "zh-CN": "zh"}  # by the tag of t
 
 
 class Row(Protocol):
-    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `ROW_TEXTS` are plain."""
+    """One ask: `symbol` is math, `meaning` and `remark` are prose; the texts of `ROW_TEXTS` are
+    plain.
+    """
 
     @property
     def symbol(self) -> str:
@@ -118,8 +121,8 @@ class FeedbackPress(TypstPress):
     def feedback(self, sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:
         """The sheet as PDF, the pages of `solution`, itself a PDF, behind it.
 
-        Characters that no font has are printed as code points in what a student typed and in names. Raises
-        TypesetError with all faults of the exam's own texts.
+        Characters that no font has are printed as code points in what a student typed and in names.
+        Raises TypesetError with all faults of the exam's own texts.
         """
         plain = [text for text in _plain_texts(sheet) if not text.isascii()]
         pdf = self._explaining(
@@ -131,7 +134,9 @@ class FeedbackPress(TypstPress):
 def feedback_source(
     sheet: FeedbackSheet, missing: frozenset[str] = frozenset(), size: PaperSize = "a4"
 ) -> str:
-    """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with all faults."""
+    """Typst source of a sheet, the characters `missing` as code points. Raises TypesetError with
+    all faults.
+    """
     words = sheet.words
     language = TYPESET[words.language]
     parts = gathered(

@@ -1,8 +1,9 @@
-"""What follows from students' own answers, worked out from an exam folder: its templates and the numbers drawn.
+"""What follows from students' own answers, worked out from an exam folder: its templates and the
+numbers drawn.
 
-`FollowThrough` is what `kinegrade.grading.follow` asks for. Of key.jsonl it keeps where each paper's line begins, and
-reads the lines of those papers only that are asked about. From a template that this version cannot read any more, and
-from a key without the numbers drawn, nothing follows.
+`FollowThrough` is what `kinegrade.grading.follow` asks for. Of key.jsonl it keeps where each
+paper's line begins, and reads the lines of those papers only that are asked about. From a template
+that this version cannot read any more, and from a key without the numbers drawn, nothing follows.
 """
 
 from __future__ import annotations
@@ -39,9 +40,11 @@ class FollowThrough:
     def __call__(
         self, student: str, question: str, own: Mapping[str, Fraction], later: str
     ) -> Fraction | None:
-        """What follows for the ask `later` from own answers to other asks of the question, each in its unit.
+        """What follows for the ask `later` from own answers to other asks of the question, each in
+        its unit.
 
-        None where it does not depend on them or nothing follows. Raises ExamError where the key cannot be read.
+        None where it does not depend on them or nothing follows. Raises ExamError where the key
+        cannot be read.
         """
         leading = {
             ask: float(value)
@@ -60,12 +63,16 @@ class FollowThrough:
         return self.connected[question]
 
     def in_plan_order(self, question: str, asks: Iterable[str]) -> tuple[str, ...]:
-        """The asks of a question in the order in which the plan comes to them: velocities before accelerations."""
+        """The asks of a question in the order in which the plan comes to them: velocities before
+        accelerations.
+        """
         template = self.templates.get(question)
         return tuple(asks) if template is None else in_plan_order(template, asks)
 
     def instance(self, student: str, question: str) -> Follower | None:
-        """A question as it stands on a student's paper; None where it cannot be worked out any more."""
+        """A question as it stands on a student's paper; None where it cannot be worked out any
+        more.
+        """
         place = student, question
         if place not in self.instances:
             while len(self.instances) >= KEPT:
@@ -97,7 +104,9 @@ class FollowThrough:
         return self.plans[question]
 
     def drawn(self, student: str, question: str) -> Mapping[str, str] | None:
-        """The parameters of a question on a student's paper as texts in their units; None where they are not there."""
+        """The parameters of a question on a student's paper as texts in their units; None where
+        they are not there.
+        """
         line = self.line(student)
         try:
             (found,) = (each for each in line["questions"] if each["question"] == question)
@@ -126,7 +135,9 @@ class FollowThrough:
 
     @cached_property
     def beginnings(self) -> Mapping[str, int]:
-        """Where each student's line begins in key.jsonl, in bytes. Raises ExamError where it cannot be read."""
+        """Where each student's line begins in key.jsonl, in bytes. Raises ExamError where it cannot
+        be read.
+        """
         try:
             with self.key.open("rb") as file:
                 return dict(_beginnings(file, self.key))
@@ -135,7 +146,9 @@ class FollowThrough:
 
     @cached_property
     def pooled(self) -> Mapping[str, Any]:
-        """The lines of a pool's variants by student, of students who may have left the roster since. Raises ExamError."""
+        """The lines of a pool's variants by student, of students who may have left the roster
+        since. Raises ExamError.
+        """
         file = self.exam / POOL
         try:
             lines = file.read_bytes().splitlines()
@@ -148,7 +161,9 @@ class FollowThrough:
 
     @cached_property
     def templates(self) -> Mapping[str, Template]:
-        """The templates by question, those that can be read. Raises ExamError where exam.json cannot be read."""
+        """The templates by question, those that can be read. Raises ExamError where exam.json
+        cannot be read.
+        """
         file, found = self.exam / "exam.json", {}
         try:
             head = _json(file.read_bytes(), file)
@@ -164,7 +179,9 @@ class FollowThrough:
 
 
 def _beginnings(lines: Iterable[bytes], file: Path) -> Iterator[tuple[str, int]]:
-    """The students with the bytes before their lines; of a line only as much is decoded as it takes."""
+    """The students with the bytes before their lines; of a line only as much is decoded as it
+    takes.
+    """
     decoder, place = json.JSONDecoder(), 0
     for line in lines:
         text = line[:1000].decode("utf-8", errors="ignore")
@@ -185,6 +202,6 @@ def _json(text: bytes, file: Path) -> Any:
 
 def _unreadable(file: Path, fault: Exception) -> ExamError:
     return ExamError(
-        f"{file}: cannot be read ({type(fault).__name__}) - expected an exam folder made by kinegrade "
-        "generate - restore it as it was generated"
+        f"{file}: cannot be read ({type(fault).__name__}) - expected an exam folder made by "
+        "kinegrade generate - restore it as it was generated"
     )

@@ -1,8 +1,8 @@
 """The fonts of the pages: Latin text and math from Typst itself, Chinese from an installed package.
 
-Noto Serif SC and Noto Sans SC (SIL Open Font License 1.1) come with `pylopdf-fonts-zh-cn`; the serif covers
-U+4E00 to U+9FFF whole. Libertinus Serif and New Computer Modern Math are inside the typst wheel. Fonts of the
-machine are ignored, so a paper looks the same everywhere.
+Noto Serif SC and Noto Sans SC (SIL Open Font License 1.1) come with `pylopdf-fonts-zh-cn`; the
+serif covers U+4E00 to U+9FFF whole. Libertinus Serif and New Computer Modern Math are inside the
+typst wheel. Fonts of the machine are ignored, so a paper looks the same everywhere.
 """
 
 from __future__ import annotations

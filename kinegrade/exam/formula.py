@@ -1,8 +1,9 @@
 """LaTeX math into Typst math: the formulas of statements, symbols and exact values.
 
-tylax converts. It passes unknown commands on as letters and `\\text{...}` on as Typst code; therefore what it
-may see is listed here, and text is taken out before and put back as string literals. Nothing a formula holds
-can become Typst code. `kinegrade.exam.markup` is the next storey up.
+tylax converts. It passes unknown commands on as letters and `\\text{...}` on as Typst code;
+therefore what it may see is listed here, and text is taken out before and put back as string
+literals. Nothing a formula holds can become Typst code. `kinegrade.exam.markup` is the next storey
+up.
 """
 
 from __future__ import annotations
@@ -16,18 +17,19 @@ import tylax
 from kinegrade.errors import TypesetError
 
 _GREEK = """
-    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho varrho
-    sigma tau upsilon phi varphi chi psi omega
+    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
+    rho varrho sigma tau upsilon phi varphi chi psi omega
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
 """
 _LETTERING = """
-    mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace overrightarrow widehat
+    mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace overrightarrow
+    widehat
 """
 _STRUCTURE = "frac dfrac tfrac sqrt left right quad qquad"
 _SYMBOLS = """
-    cdot times div pm mp le leq ge geq ne neq approx equiv sim propto perp parallel angle triangle circ prime
-    infty ldots cdots to rightarrow leftarrow Rightarrow leftrightarrow uparrow downarrow implies partial int
-    sum mid in
+    cdot times div pm mp le leq ge geq ne neq approx equiv sim propto perp parallel angle triangle
+    circ prime infty ldots cdots to rightarrow leftarrow Rightarrow leftrightarrow uparrow downarrow
+    implies partial int sum mid in
 """
 _FUNCTIONS = "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min max"
 COMMANDS = frozenset(
@@ -45,9 +47,8 @@ _LEFTOVER = re.compile(r'[#"$]|/\*|//')  # code, or the comment in which tylax r
 RAISED = re.compile(r"\^\{?([-\u2212]?\d+)\}?")
 _SUPERSCRIPTS = str.maketrans("-\u22120123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _OPTIONS = tylax.L2TOptions(frac_to_slash=False)
-_CONTROL = re.compile(
-    "[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff]"
-)  # all of Unicode's Cc, Zl, Zp and Cs
+# All of Unicode's Cc, Zl, Zp and Cs
+_CONTROL = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff]")
 _PLACE = "@"  # stands for a text during the conversion
 _PLACED = re.compile(rf"\s*{_PLACE}\s*")  # a blank beside a string literal would be printed
 
@@ -96,7 +97,7 @@ def _convert(latex: str, where: str) -> str:
     converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
         raise TypesetError(
-            f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it"
+            f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; fix it"
         )
     following = iter(texts)
     placed = _PLACED.sub(lambda _: literal(unit_text(next(following))), converted)
@@ -123,7 +124,8 @@ def _problems(latex: str, where: str) -> list[str]:
         if not _known(name)
     ]
     found += [
-        f"{shown}: unknown environment {name}; expected {' or '.join(sorted(ENVIRONMENTS))}; use one of these"
+        f"{shown}: unknown environment {name}; expected {' or '.join(sorted(ENVIRONMENTS))}; use "
+        "one of these"
         for name in _ENVIRONMENT.findall(outside)
         if name not in ENVIRONMENTS
     ]

@@ -1,6 +1,8 @@
-"""A contact sheet of templates, for an instructor to choose from: what each asks, and how it looks at several draws.
+"""A contact sheet of templates, for an instructor to choose from: what each asks, and how it looks
+at several draws.
 
-A template that cannot be read, drawn or typeset does not spoil the sheet: it stands there with the reason.
+A template that cannot be read, drawn or typeset does not spoil the sheet: it stands there with the
+reason.
 """
 
 from __future__ import annotations
@@ -31,7 +33,8 @@ class ContactSheet:
 
 
 def contact_sheet(names: Iterable[str], language: Language, draws: int) -> ContactSheet:
-    """The gallery of the templates of these names (or paths that end in .toml), each at that many draws.
+    """The gallery of the templates of these names (or paths that end in .toml), each at that many
+    draws.
 
     Raises TemplateError when none of them can be read.
     """
@@ -83,7 +86,9 @@ def unreadable(name: str, faults: tuple[str, ...]) -> GalleryEntry:
 
 
 def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> GalleryEntry:
-    """The entry itself where it can be typeset, otherwise its faults alone, in characters that can."""
+    """The entry itself where it can be typeset, otherwise its faults alone, in characters that
+    can.
+    """
     try:
         press.gallery(Gallery(language, (entry,)), entry.name)
     except TypesetError as error:

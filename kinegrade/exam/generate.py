@@ -1,6 +1,7 @@
 """`kinegrade generate`: the exam folder, written whole or not at all.
 
-What students may see lies under `papers/` alone; everything else in the folder gives the key away and says so.
+What students may see lies under `papers/` alone; everything else in the folder gives the key away
+and says so.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from kinegrade import __version__
-from kinegrade.collection import seldom_collected
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
 from kinegrade.exam.answer_workbook import write_answer_workbook
@@ -37,6 +37,7 @@ from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.exam.versions import version_letters
 from kinegrade.exam.workshop import printed
 from kinegrade.files import Access, output_folder
+from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
 from kinegrade.problem.shared_mechanism import FOLDER
 
@@ -62,7 +63,8 @@ FOR_STUDENTS = ("papers", "papers.pdf")
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
 SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
 WARNING = (
-    "For the instructor only: this folder gives the key away. Students may see what is under papers/ and nothing else, "
+    "For the instructor only: this folder gives the key away. Students may see what is under "
+    "papers/ and nothing else, "
     "and after the exam, if you hand them out, their own worked solutions under solutions/. "
     "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；考试结束后可由教师发放 solutions/ 中的题解。"
 )
@@ -152,7 +154,7 @@ def generate(
     secret = wish.secret(None if old is None else old.secret)
     setting = set_exam(blueprint.bank(secret.drawing), roster, secret)
     sources = source_files(setting)
-    with seldom_collected(), place.folder() as folder:
+    with bulk_work(), place.folder() as folder:
         order = printing.order(setting.bank, folder)
         press = order.press()
         said = complaints(roster, press)
@@ -190,8 +192,8 @@ def write_papers(
 ) -> list[KeyPaper]:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
-    The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key of each paper
-    without its questions.
+    The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the
+    key of each paper without its questions.
     """
     printouts = [run.papers, run.solutions] if run.extras.solutions else [run.papers]
     for place in printouts:
@@ -225,7 +227,9 @@ def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> It
 def bound(
     papers: Iterator[KeyPaper], roster: Roster, volumes: Mapping[Path, Callable[[Path], None]]
 ) -> Iterator[KeyPaper]:
-    """The same keys; what was printed for each student goes into the volumes, by the folders where it lies."""
+    """The same keys; what was printed for each student goes into the volumes, by the folders where
+    it lies.
+    """
     for student, paper in zip(roster.students, papers, strict=True):
         for place, append in volumes.items():
             append(place / f"{student.file_name}.pdf")
@@ -233,14 +237,17 @@ def bound(
 
 
 def source_files(setting: Setting) -> dict[str, str]:
-    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark the exam again.
+    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
+    the exam again.
 
-    Raises BankError where two templates share different mechanisms of one name, as the folder keeps one file of a name.
+    Raises BankError where two templates share different mechanisms of one name, as the folder keeps
+    one file of a name.
     """
     templates = [question.template for question in setting.bank.questions]
     mechanisms: dict[str, str] = {}
     faults = {
-        name: f'bank: templates of this bank share two different mechanisms named "{name}": rename one file'
+        name: f'bank: templates of this bank share two different mechanisms named "{name}": rename '
+        "one file"
         for name, text in (template.mechanism for template in templates if template.mechanism)
         if mechanisms.setdefault(name, text) != text
     }
@@ -262,7 +269,9 @@ def write_sources(sources: Mapping[str, str], folder: Path) -> None:
 
 
 def write_blank_answers(setting: Setting, folder: Path) -> None:
-    """The blank answer sheet, as CSV and as a workbook: a row for each student, a column for each ask."""
+    """The blank answer sheet, as CSV and as a workbook: a row for each student, a column for each
+    ask.
+    """
     columns = [
         f"{question.identifier}.{ask.name}"
         for question in setting.bank.questions

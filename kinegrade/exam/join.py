@@ -11,7 +11,9 @@ import pikepdf
 
 
 def join(pdfs: Iterable[Path], target: Path, *, duplex: bool = False) -> None:
-    """Write to `target` the pages of all `pdfs` in order; same input, same bytes. `duplex` as `joining` takes it."""
+    """Write to `target` the pages of all `pdfs` in order; same input, same bytes. `duplex` as
+    `joining` takes it.
+    """
     with joining(target, duplex=duplex) as append:
         for pdf in pdfs:
             append(pdf)
@@ -19,9 +21,11 @@ def join(pdfs: Iterable[Path], target: Path, *, duplex: bool = False) -> None:
 
 @contextmanager
 def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], None]]:
-    """What takes the pages of one PDF after the other as they come; at the end they are written to `target`.
+    """What takes the pages of one PDF after the other as they come; at the end they are written to
+    `target`.
 
-    For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows an odd one.
+    For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows
+    an odd one.
     """
     with pikepdf.new() as whole:
 
@@ -54,7 +58,6 @@ def page_count(pdf: bytes) -> int:
 
 def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
     source = BytesIO(pdf.read_bytes()) if isinstance(pdf, Path) else pdf
-    with pikepdf.open(
-        source, access_mode=pikepdf.AccessMode.stream
-    ) as part:  # sooner than mapping so small a file
+    # Sooner than mapping so small a file
+    with pikepdf.open(source, access_mode=pikepdf.AccessMode.stream) as part:
         whole.pages.extend(part.pages)

@@ -9,14 +9,17 @@ from typing import Any
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.problem.mistakes import known_mistakes
 
-DIGITS = 9  # significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree to
-Mistaken = Mapping[
-    str, Mapping[str, str]
-]  # for each ask the identifiers of mistakes with the value they lead to
+# Significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree
+# to
+DIGITS = 9
+# For each ask the identifiers of mistakes with the value they lead to
+Mistaken = Mapping[str, Mapping[str, str]]
 
 
 def mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mistaken]]:
-    """For each paper and question the values, as decimals in the asks' units; what changes nothing is left out."""
+    """For each paper and question the values, as decimals in the asks' units; what changes nothing
+    is left out.
+    """
     by_question = [
         class_mistakes([paper.questions[place] for paper in papers])
         for place in range(len(papers[0].questions))

@@ -37,7 +37,9 @@ def key_record(
 
 
 def question_record(question: SetQuestion, mistakes: Mistaken) -> dict[str, Any]:
-    """One question of a key line: what was drawn, what is right within which tolerance, what mistakes lead to."""
+    """One question of a key line: what was drawn, what is right within which tolerance, what
+    mistakes lead to.
+    """
     parameters = {
         name: quantity.record() for name, quantity in question.drawn.solution.parameters.items()
     }
@@ -67,7 +69,9 @@ def ask_record(entry: SetAsk, mistakes: Mapping[str, str]) -> dict[str, Any]:
 
 
 def tolerance_record(tolerance: Tolerance) -> dict[str, Any]:
-    """Right within max(relative*|exact value|, absolute), or what rounds to the same `figures` significant figures."""
+    """Right within max(relative*|exact value|, absolute), or what rounds to the same `figures`
+    significant figures.
+    """
     return {
         "relative": amount(tolerance.relative),
         "absolute": amount(tolerance.absolute),

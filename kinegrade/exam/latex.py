@@ -1,7 +1,8 @@
 """The second press: papers, worked solutions and keys as PDF, by an installed LaTeX.
 
-One run typesets all sheets it is given; their pages are then split into files. pdflatex serves while every text
-is Latin, xelatex where anything else occurs, Chinese set in the installed Noto fonts. Same input, same bytes.
+One run typesets all sheets it is given; their pages are then split into files. pdflatex serves
+while every text is Latin, xelatex where anything else occurs, Chinese set in the installed Noto
+fonts. Same input, same bytes.
 """
 
 from __future__ import annotations
@@ -51,7 +52,8 @@ SOLUTIONS: Kind[SolutionSheet] = Kind("solutions", solution_body, solution_words
 class LatexPress:
     """Prints as `kinegrade.exam.press` says; `paper_size` is "a4" or "letter".
 
-    Where a folder `sources` is given, the LaTeX source of everything printed is kept there to be edited.
+    Where a folder `sources` is given, the LaTeX source of everything printed is kept there to be
+    edited.
     """
 
     def __init__(self, paper_size: PaperSize = "a4", sources: Path | None = None) -> None:
@@ -69,7 +71,9 @@ class LatexPress:
         self._print(papers, PAPERS, folder)
 
     def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every student's worked solutions; raises TypesetError as `papers` does."""
+        """Write `folder/NAME.pdf` for every student's worked solutions; raises TypesetError as
+        `papers` does.
+        """
         self._print(sheets, SOLUTIONS, folder)
 
     def key(self, book: KeyBook, target: Path) -> None:
@@ -83,7 +87,9 @@ class LatexPress:
         )
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
-        """The characters of `texts` that no font of the press can print; raises TypesetError where TeX is missing."""
+        """The characters of `texts` that no font of the press can print; raises TypesetError where
+        TeX is missing.
+        """
         characters = {
             character for text in texts for character in text if not is_surely_printed(character)
         }
@@ -178,7 +184,9 @@ def _missing(characters: Iterable[str]) -> frozenset[str]:
 
 
 def _write_pages(pdf: Path, parts: Iterable[tuple[int, int, Path]]) -> None:
-    """Each part, given by its first page and the number of its pages, as a file; same input, same bytes."""
+    """Each part, given by its first page and the number of its pages, as a file; same input, same
+    bytes.
+    """
     with pikepdf.open(pdf) as whole:
         for first, count, target in parts:
             with pikepdf.new() as part:
@@ -192,4 +200,7 @@ def _page_count(pdf: Path) -> int:
 
 
 def _introduction(name: str, source: str) -> str:
-    return f"% Change it as you like. To typeset it, here in its folder:  {_program([source])} {name}.tex\n"
+    return (
+        f"% Change it as you like. To typeset it, here in its folder:  {_program([source])} "
+        f"{name}.tex\n"
+    )

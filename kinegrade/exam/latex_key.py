@@ -47,7 +47,9 @@ def _entry(entry: KeyEntry, where: str) -> str:
 
 
 def _parameter(parameter: KeyParameter, where: str) -> str:
-    """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same way."""
+    """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
+    way.
+    """
     equation = math(parameter.symbol, where)
     if parameter.exact is not None and parameter.exact != parameter.decimal:
         equation += f" = {math(parameter.exact, where)}"

@@ -1,7 +1,8 @@
-"""Prose into LaTeX: Markdown with `$...$` LaTeX math, read token by token as `kinegrade.exam.markup` reads it.
+"""Prose into LaTeX: Markdown with `$...$` LaTeX math, read token by token as
+`kinegrade.exam.markup` reads it.
 
-Text leaves here only through `plain` and formulas only through `math`, so nothing in a statement or title can
-become a TeX command.
+Text leaves here only through `plain` and formulas only through `math`, so nothing in a statement or
+title can become a TeX command.
 """
 
 from __future__ import annotations

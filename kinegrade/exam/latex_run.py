@@ -1,7 +1,8 @@
-"""One run of TeX: in a folder of its own, without a shell or the user's settings, for a limited time.
+"""One run of TeX: in a folder of its own, without a shell or the user's settings, for a limited
+time.
 
-TeX may read and write in that folder and read its own installation, nothing else. The date is fixed, so that the
-same source gives the same pages.
+TeX may read and write in that folder and read its own installation, nothing else. The date is
+fixed, so that the same source gives the same pages.
 """
 
 from __future__ import annotations
@@ -51,7 +52,9 @@ class Fault:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a run: the pages, if there is no fault, and the characters that no font printed."""
+    """What came of a run: the pages, if there is no fault, and the characters that no font
+    printed.
+    """
 
     pdf: Path
     ranges: tuple[tuple[str, int, int], ...]  # sheet, its first page (from 0), number of its pages
@@ -93,8 +96,8 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     found = which(program)
     if found is None:
         raise TypesetError(
-            f"latex: {program} not found; expected a TeX installation; run make tex, or install TeX Live with"
-            " LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst"
+            f"latex: {program} not found; expected a TeX installation; run make tex, or install "
+            "TeX Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst"
         )
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}
     own = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
@@ -107,8 +110,8 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
         )
     except TimeoutError as error:
         raise TypesetError(
-            f"latex: {program} did not end within {seconds:.0f} s; expected a few pages a second; typeset fewer"
-            " papers at once, or look for a formula that has no end"
+            f"latex: {program} did not end within {seconds:.0f} s; expected a few pages a second; "
+            "typeset fewer papers at once, or look for a formula that has no end"
         ) from error
     return (done.output + done.complaint).decode("utf-8", "replace")
 

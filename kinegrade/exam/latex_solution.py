@@ -1,5 +1,6 @@
-"""Worked solutions as LaTeX source. What must fit the page (equations, tables of terms) goes to the style in pieces,
-which TeX measures and breaks."""
+"""Worked solutions as LaTeX source. What must fit the page (equations, tables of terms) goes to the
+style in pieces, which TeX measures and breaks.
+"""
 
 from __future__ import annotations
 
@@ -38,7 +39,9 @@ BANDS = (
 
 
 def solution_body(sheet: SolutionSheet, number: int) -> str:
-    """One student's worked solutions, the sheet of that number; raises TypesetError with all faults of its texts."""
+    """One student's worked solutions, the sheet of that number; raises TypesetError with all faults
+    of its texts.
+    """
     words, where = solution_words_of(sheet.language), f"solutions of paper {sheet.code}"
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = command("solutionhead", *map(plain, texts))
@@ -96,7 +99,9 @@ def _content(block: Block, where: str) -> str:
 
 
 def _line(latex: str, where: str) -> str:
-    r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each piece."""
+    r"""`\equationline{left}{\relation{= a}\summand{+ b}}`: a line may be broken before each
+    piece.
+    """
     parts = equation_line(latex)
     pieces = each(lambda piece: command(_kind(piece), math(piece, where)), parts.pieces)
     return command("equationline", math(parts.left, where), "".join(pieces))

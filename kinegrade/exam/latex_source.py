@@ -1,7 +1,9 @@
-r"""Papers as LaTeX source, put together with PyLaTeX: the style `kinegrade.sty` holds the look, this the content.
+r"""Papers as LaTeX source, put together with PyLaTeX: the style `kinegrade.sty` holds the look,
+this the content.
 
-A body is one student's sheet; a document is a preamble with one body or with those of a whole class. Comment
-lines that begin with two percent signs say which paper and question follows: faults are named by them.
+A body is one student's sheet; a document is a preamble with one body or with those of a whole
+class. Comment lines that begin with two percent signs say which paper and question follows: faults
+are named by them.
 """
 
 from __future__ import annotations
@@ -56,7 +58,9 @@ class Answers(Block):
 def document(
     bodies: Iterable[str], language: Language, size: PaperSize, words: Any, fonts: str
 ) -> str:
-    """A whole LaTeX source; `words` is a dataclass of fixed words, `fonts` the folder of the Chinese fonts."""
+    """A whole LaTeX source; `words` is a dataclass of fixed words, `fonts` the folder of the
+    Chinese fonts.
+    """
     whole = Document(
         documentclass="article",
         fontenc=None,
@@ -76,7 +80,9 @@ def document(
 
 
 def paper_body(paper: Paper, number: int) -> str:
-    """One student's paper, the sheet of that number; raises TypesetError with all faults of its texts."""
+    """One student's paper, the sheet of that number; raises TypesetError with all faults of its
+    texts.
+    """
     words, where = words_of(paper.language), f"paper {paper.code}"
     parts = gathered(
         rules=lambda: each(lambda rule: prose(rule, "rules"), paper.rules),
@@ -135,7 +141,9 @@ def _word(name: str, text: str) -> Command:
 
 
 def _mark(code: str) -> str:
-    r"""The QR code: its size in modules, then \dark{column}{row}{length} for each run of dark ones, row by row."""
+    r"""The QR code: its size in modules, then \dark{column}{row}{length} for each run of dark ones,
+    row by row.
+    """
     mark = code_mark(code)
     rows = groupby(mark.runs, lambda run: run.y)
     drawn = (
@@ -205,9 +213,8 @@ def _question(question: QuestionSheet, words: Words, paper: str) -> str:
 def _statement(text: str, figure: Scene | None, drawn: str) -> str:
     if figure is None:
         return command("statement", text)
-    if (
-        figure.width <= BESIDE and figure.height >= figure.width / 4
-    ):  # a flat one stands better below the text
+    # A flat one stands better below the text
+    if figure.width <= BESIDE and figure.height >= figure.width / 4:
         return command("beside", f"{figure.width:.6g}mm", text, drawn)
     return command("statement", text) + "\n" + command("below", drawn)
 

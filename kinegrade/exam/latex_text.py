@@ -1,7 +1,9 @@
-r"""Plain text into LaTeX: whatever a name or a course's title holds, it is printed and never obeyed.
+r"""Plain text into LaTeX: whatever a name or a course's title holds, it is printed and never
+obeyed.
 
-What a control word, a ligature or an active character would make of a text is taken away here. The older
-engine, pdflatex, prints the Latin letters of T1; `is_latin` tells whether it suffices for a text.
+What a control word, a ligature or an active character would make of a text is taken away here. The
+older engine, pdflatex, prints the Latin letters of T1; `is_latin` tells whether it suffices for a
+text.
 """
 
 from __future__ import annotations
@@ -36,9 +38,8 @@ _WRITTEN = {
     "\u202f": r"\,",
     "\u2212": "$-$",
 }
-_LIGATURE = re.compile(
-    "([-,])(?=[-,])"
-)  # two hyphens would print a dash, two commas a quotation mark
+# Two hyphens would print a dash, two commas a quotation mark
+_LIGATURE = re.compile("([-,])(?=[-,])")
 _CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
 _INVISIBLE = "Cf"  # joiners, marks of direction: no font of these has them
 _LATIN = re.compile("[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*")
@@ -90,7 +91,8 @@ def is_latin(text: str) -> bool:
 
 
 def is_surely_printed(character: str) -> bool:
-    """Whether a font of either program is known to have it: most Latin, plain Greek and Cyrillic, common Chinese.
+    """Whether a font of either program is known to have it: most Latin, plain Greek and Cyrillic,
+    common Chinese.
 
     >>> is_surely_printed("é"), is_surely_printed("堃"), is_surely_printed("한")
     (True, True, False)

@@ -1,6 +1,8 @@
-"""A Typst source as one call of a layout with one string of data, and how its parts are gathered with all their faults.
+"""A Typst source as one call of a layout with one string of data, and how its parts are gathered
+with all their faults.
 
-As all data is one string, what two sheets share is the same to Typst, which then need not lay it out again.
+As all data is one string, what two sheets share is the same to Typst, which then need not lay it
+out again.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""The numbers that every part of a class got, known to all processes that draw: a page for each part, in a folder."""
+"""The numbers that every part of a class got, known to all processes that draw: a page for each
+part, in a folder.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ Numbers = Mapping[str, Values]  # of a paper: the values drawn for each question
 
 @dataclass
 class Ledger:
-    """The pages in a folder, of which this process has read the first `known`; `taken` has what stands on those."""
+    """The pages in a folder, of which this process has read the first `known`; `taken` has what
+    stands on those.
+    """
 
     folder: Path
     known: int = 0
@@ -31,7 +35,9 @@ class Ledger:
         draft.replace(self.folder / str(part))
 
     def read_before(self, part: int) -> None:
-        """Read the pages of all parts before this one. Parts are begun in order: a page that is missing is waited for."""
+        """Read the pages of all parts before this one. Parts are begun in order: a page that is
+        missing is waited for.
+        """
         while self.known < part:
             page = self.folder / str(self.known)
             while not page.exists():

@@ -1,8 +1,10 @@
-"""Prose into Typst: Markdown with `$...$` LaTeX math becomes a Typst code block that yields content.
+"""Prose into Typst: Markdown with `$...$` LaTeX math becomes a Typst code block that yields
+content.
 
-Text leaves here only as string literals and formulas only through `kinegrade.exam.formula`, so nothing in a
-statement or title can become Typst code. Paragraphs, emphasis, lists and math are what an exam needs; any
-other thing is refused by name. `kinegrade.exam.typst_source` puts the pieces of a paper together.
+Text leaves here only as string literals and formulas only through `kinegrade.exam.formula`, so
+nothing in a statement or title can become Typst code. Paragraphs, emphasis, lists and math are what
+an exam needs; any other thing is refused by name. `kinegrade.exam.typst_source` puts the pieces of
+a paper together.
 """
 
 from __future__ import annotations
@@ -68,8 +70,8 @@ def prose(markdown: str, where: str) -> str:
 
 
 def _prose_around_formulas(markdown: str) -> str | None:
-    """The code of a text that differs from one already converted in its formulas alone; None where it must be read as
-    a whole, be it for its faults.
+    """The code of a text that differs from one already converted in its formulas alone; None where
+    it must be read as a whole, be it for its faults.
     """
     separated = _separated(markdown)
     if separated is None:
@@ -85,7 +87,9 @@ def _prose_around_formulas(markdown: str) -> str | None:
 
 @lru_cache(maxsize=1024)
 def _code_between_formulas(words: str) -> tuple[str, ...]:
-    """No dollar sign stands in words but around the formulas, so that no text can look like a formula's code."""
+    """No dollar sign stands in words but around the formulas, so that no text can look like a
+    formula's code.
+    """
     code = _join(read_prose(words, ""), "").removesuffix("parbreak();")
     return tuple(code.split(_boxed(_ANY_FORMULA, "")))
 
@@ -110,15 +114,17 @@ def _line(markdown: str) -> str:
 
 
 def read_prose(markdown: str, where: str) -> list[Token]:
-    """The tokens of several paragraphs, none of them in `REFUSED`. Raises TypesetError as `prose` does."""
+    """The tokens of several paragraphs, none of them in `REFUSED`. Raises TypesetError as `prose`
+    does.
+    """
     tokens = _with_math(markdown) or _reader().parse(markdown)
     _refuse_faults(tokens, where)
     return tokens
 
 
 def _with_math(markdown: str) -> list[Token] | None:
-    """The tokens of a text, whose words are read once for all its formulas: papers differ in these alone. None where
-    what stands between dollar signs may be no formula.
+    """The tokens of a text, whose words are read once for all its formulas: papers differ in these
+    alone. None where what stands between dollar signs may be no formula.
     """
     separated = _separated(markdown)
     if separated is None:
@@ -135,7 +141,9 @@ def _with_math(markdown: str) -> list[Token] | None:
 
 
 def _separated(markdown: str) -> tuple[str, list[str]] | None:
-    """The text with the same short formula in the place of each, and the formulas; None as `_with_math`."""
+    """The text with the same short formula in the place of each, and the formulas; None as
+    `_with_math`.
+    """
     parts = _MATH.split(markdown)
     words, formulas = f"${_ANY_FORMULA}$".join(parts[::2]), parts[1::2]
     if markdown.count("$") != 2 * len(formulas) or "\\$" in markdown or "`" in markdown:
@@ -222,7 +230,9 @@ def _boxed(latex: str, where: str) -> str:
 
 
 def _glue(leaves: Sequence[Token], index: int) -> str:
-    """A word joiner between a formula and a Chinese colon or semicolon, else Unicode's rules let it begin a line."""
+    """A word joiner between a formula and a Chinese colon or semicolon, else Unicode's rules let it
+    begin a line.
+    """
     after_math = index > 0 and leaves[index - 1].type == "math_inline"
     return "\u2060" if after_math and leaves[index].content[0] in "：；" else ""
 

@@ -100,7 +100,9 @@ def answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow:
 
 
 def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyBook:
-    """The instructor's book: a key for each paper, which may come one after another, or for each version."""
+    """The instructor's book: a key for each paper, which may come one after another, or for each
+    version.
+    """
     shown = each_version(tuple(papers), language) if bank.versions else papers
     return KeyBook(
         language,

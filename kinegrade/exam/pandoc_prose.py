@@ -39,14 +39,18 @@ def line_inlines(markdown: str, where: str) -> list[Node]:
 
 
 def math_inline(latex: str, where: str, display: bool = False) -> Node:
-    """A formula. Raises TypesetError where it holds anything but the math that every press prints."""
+    """A formula. Raises TypesetError where it holds anything but the math that every press
+    prints.
+    """
     return math(
         TEXT.sub(lambda match: _written(match[1], match[2]), checked(latex.strip(), where)), display
     )
 
 
 def _written(words: str | None, comma: str | None) -> str:
-    """`\\text{...}` and `\\unit{...}` with raised exponents; a decimal comma as text, with no space behind it."""
+    """`\\text{...}` and `\\unit{...}` with raised exponents; a decimal comma as text, with no space
+    behind it.
+    """
     return f"\\text{{{comma or unit_text(words or '')}}}"
 
 

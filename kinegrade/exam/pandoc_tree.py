@@ -1,4 +1,5 @@
-"""The pieces of a pandoc document as values of its JSON form; nothing in them is ever read as Markdown, HTML or TeX.
+"""The pieces of a pandoc document as values of its JSON form; nothing in them is ever read as
+Markdown, HTML or TeX.
 
 `Node` is one element. Attributes are a style for Word and a class for HTML.
 """
@@ -85,7 +86,9 @@ def numbered(items: Sequence[Sequence[Node]], start: int) -> Node:
 
 
 def styled(name: str, blocks: Sequence[Node]) -> Node:
-    """Blocks in a style: "Answer box" is Word's style of that name and the HTML class "answer-box"."""
+    """Blocks in a style: "Answer box" is Word's style of that name and the HTML class
+    "answer-box".
+    """
     return {
         "t": "Div",
         "c": [["", [name.lower().replace(" ", "-")], [["custom-style", name]]], list(blocks)],
@@ -99,7 +102,9 @@ def table(
     head: Sequence[Node],
     rows: Sequence[Sequence[Node]],
 ) -> Node:
-    """A table whose columns have these parts of the page's width; a cell is one block, `head` may be empty."""
+    """A table whose columns have these parts of the page's width; a cell is one block, `head` may
+    be empty.
+    """
     columns = [
         [{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
         for side, width in zip(alignments, widths, strict=True)

@@ -1,6 +1,8 @@
-"""A paper as a pandoc document: what `layouts/paper.typ` lays out, in headings, paragraphs and tables.
+"""A paper as a pandoc document: what `layouts/paper.typ` lays out, in headings, paragraphs and
+tables.
 
-The names of styles are those of `layouts/word-styles.xml`, and in small letters the classes of `layouts/paper.css`.
+The names of styles are those of `layouts/word-styles.xml`, and in small letters the classes of
+`layouts/paper.css`.
 """
 
 from __future__ import annotations
@@ -42,7 +44,8 @@ GAP = 2 * NO_BREAK
 
 
 def paper_tree(paper: Paper, figures: Mapping[int, str]) -> bytes:
-    """The document, to be handed to pandoc as `json`; `figures` holds a data URI for each question that has a figure.
+    """The document, to be handed to pandoc as `json`; `figures` holds a data URI for each question
+    that has a figure.
 
     Raises TypesetError with all faults of the paper's texts.
     """

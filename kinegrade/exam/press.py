@@ -1,6 +1,7 @@
 """What every typesetter offers: papers, worked solutions and keys as PDF files.
 
-`kinegrade.exam.typst` and `kinegrade.exam.latex` are the two presses; `kinegrade.exam.generate` uses either.
+`kinegrade.exam.typst` and `kinegrade.exam.latex` are the two presses; `kinegrade.exam.generate`
+uses either.
 """
 
 from __future__ import annotations

@@ -1,6 +1,8 @@
-"""Whether the texts of a template can be printed: all that papers may show, in every language, whatever is asked.
+"""Whether the texts of a template can be printed: all that papers may show, in every language,
+whatever is asked.
 
-`kinegrade check` looks here, so that a formula without its end is found by the author, not when papers are made.
+`kinegrade check` looks here, so that a formula without its end is found by the author, not when
+papers are made.
 """
 
 from __future__ import annotations
@@ -20,7 +22,9 @@ Writer = Callable[[str, str], str]  # takes a text and its place, gives Typst co
 
 
 def printing_faults(template: Template) -> list[str]:
-    """What keeps texts of a template from being printed, each with its place; empty where nothing does."""
+    """What keeps texts of a template from being printed, each with its place; empty where nothing
+    does.
+    """
     faults: list[str] = []
     codes: dict[str, str] = {}
     for where, text, written in _texts(template):
@@ -32,7 +36,9 @@ def printing_faults(template: Template) -> list[str]:
 
 
 def _refused(codes: dict[str, str]) -> list[str]:
-    """What the typesetter says of codes by their places: of all at once, and only of a refused lot one by one."""
+    """What the typesetter says of codes by their places: of all at once, and only of a refused lot
+    one by one.
+    """
     press = TypstPress()
     try:
         press.require_printable("\n".join(codes.values()), "texts")

@@ -1,4 +1,6 @@
-"""Papers that are drawn become files: a part of the class at a time, by whichever press the exam asks for."""
+"""Papers that are drawn become files: a part of the class at a time, by whichever press the exam
+asks for.
+"""
 
 from __future__ import annotations
 
@@ -46,8 +48,9 @@ class PressOrder:
 
 @dataclass(frozen=True)
 class Extras:
-    """What is wanted beside papers and key: worked solutions, by `method` where several serve, and papers in the
-    other kinds of files named (docx, html)."""
+    """What is wanted beside papers and key: worked solutions, by `method` where several serve, and
+    papers in the other kinds of files named (docx, html).
+    """
 
     solutions: bool = False
     method: Method | None = None
@@ -56,7 +59,9 @@ class Extras:
 
 @dataclass(frozen=True)
 class PrintRun:
-    """All that holds for every paper of an exam; `sketchbook` is a private folder where processes share figures."""
+    """All that holds for every paper of an exam; `sketchbook` is a private folder where processes
+    share figures.
+    """
 
     bank: Bank
     language: Language
@@ -69,7 +74,9 @@ class PrintRun:
 
 @dataclass(frozen=True)
 class Printed:
-    """What remains of a paper when it is printed: its line of key.jsonl, and its part of the instructor's key."""
+    """What remains of a paper when it is printed: its line of key.jsonl, and its part of the
+    instructor's key.
+    """
 
     record: str
     key: KeyPaper
@@ -97,9 +104,8 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
     }
     press.papers(pages, run.papers)
     if run.extras.solutions:
-        from kinegrade.exam.solution_pages import (
-            solution_sheet,
-        )  # loads the whole of worked solutions
+        # Loads the whole of worked solutions
+        from kinegrade.exam.solution_pages import solution_sheet
 
         press.solutions(
             {
@@ -122,7 +128,9 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
 
 
 def write_also(pages: Mapping[str, Paper], run: PrintRun) -> None:
-    """Write `NAME.docx`, `NAME.html` beside `NAME.pdf`. Raises TypesetError as `kinegrade.exam.word` does."""
+    """Write `NAME.docx`, `NAME.html` beside `NAME.pdf`. Raises TypesetError as
+    `kinegrade.exam.word` does.
+    """
     from kinegrade.exam.word import PandocPress  # few exams need it
 
     press = PandocPress(run.press_order.paper_size)

@@ -1,4 +1,6 @@
-"""A program of the machine, run to its end or stopped: whatever ends this process in between, it does not go on alone."""
+"""A program of the machine, run to its end or stopped: whatever ends this process in between, it
+does not go on alone.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,9 @@ _ENDING = (signal.SIGINT, signal.SIGTERM)
 
 @dataclass(frozen=True)
 class ProgramRun:
-    """What came of it: the exit status, 0 for success, and what was written on both standard channels."""
+    """What came of it: the exit status, 0 for success, and what was written on both standard
+    channels.
+    """
 
     status: int
     output: bytes
@@ -33,13 +37,13 @@ def run_program(
 ) -> ProgramRun:
     """Run a program with this input, in this folder.
 
-    Raises OSError where it cannot be started, TimeoutError where it has not ended after that time; then it is stopped.
+    Raises OSError where it cannot be started, TimeoutError where it has not ended after that time;
+    then it is stopped.
     """
     process: subprocess.Popen[bytes] | None = None
     try:
-        with (
-            _signals_deferred()
-        ):  # between start and the next line there is nobody who could stop it
+        # Between start and the next line there is nobody who could stop it
+        with _signals_deferred():
             process = subprocess.Popen(
                 command,
                 cwd=folder,

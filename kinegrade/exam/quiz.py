@@ -1,7 +1,9 @@
-"""From an exam folder to a quiz: everybody's paper, or variants of every question for all, one after the other.
+"""From an exam folder to a quiz: everybody's paper, or variants of every question for all, one
+after the other.
 
-`read_quiz` is called by `kinegrade quiz`. Papers are made when they are asked for, a few ahead by several processes, so
-that memory does not grow with the class. Numbers are those of the key; nothing is solved again but worked solutions.
+`read_quiz` is called by `kinegrade quiz`. Papers are made when they are asked for, a few ahead by
+several processes, so that memory does not grow with the class. Numbers are those of the key;
+nothing is solved again but worked solutions.
 """
 
 from __future__ import annotations
@@ -25,8 +27,8 @@ from kinegrade.language import Language
 CHUNK = 20  # papers in one task, few enough for all processes to end together
 AHEAD = 2  # tasks for each process that are under way or wait for it
 ENDED = (
-    "quiz: a process that makes papers was ended from outside - expected room for all of them in memory - use "
-    "fewer: --jobs 1"
+    "quiz: a process that makes papers was ended from outside - expected room for all of them in "
+    "memory - use fewer: --jobs 1"
 )
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
@@ -52,17 +54,19 @@ def read_quiz(
     jobs: int = 1,
     progress: Progress = lambda papers, count: papers,
 ) -> Quiz:
-    """The quiz of an exam folder, in the papers' language unless another one is wanted, by up to `jobs` processes.
+    """The quiz of an exam folder, in the papers' language unless another one is wanted, by up to
+    `jobs` processes.
 
-    Everybody's own paper, of exams with versions one for each version; or the first `variants` papers for everybody.
-    Raises ExamError where the folder is at fault or has fewer papers; the papers raise it too, when their turn comes.
+    Everybody's own paper, of exams with versions one for each version; or the first `variants`
+    papers for everybody. Raises ExamError where the folder is at fault or has fewer papers; the
+    papers raise it too, when their turn comes.
     """
     source = read_quiz_source(folder, language)
     available = len(source.versions) or len(source.names)
     if variants is not None and variants > available:
         raise ExamError(
-            f"{folder}: has {available} different papers - expected {variants} for {variants} variants of "
-            f"each question - ask for up to {available}"
+            f"{folder}: has {available} different papers - expected {variants} for {variants} "
+            f"variants of each question - ask for up to {available}"
         )
     order = QuizOrder(folder, language, wishes, variants is not None)
     lines = islice(different(source), variants)
@@ -78,7 +82,9 @@ def read_quiz(
 
 
 def different(source: QuizSource) -> Iterator[Line]:
-    """The line of the key for every student, or for every version that somebody has, by letter. Raises ExamError."""
+    """The line of the key for every student, or for every version that somebody has, by letter.
+    Raises ExamError.
+    """
     if not source.versions:
         yield from key_lines(source.folder)
         return

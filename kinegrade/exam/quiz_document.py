@@ -1,7 +1,9 @@
-"""A quiz as a learning management system puts it: texts, figures, right numbers and how far from them is right.
+"""A quiz as a learning management system puts it: texts, figures, right numbers and how far from
+them is right.
 
-`kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose, math and plain text
-are those of `kinegrade.exam.document`. Numbers are exact fractions in the unit of the ask.
+`kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose,
+math and plain text are those of `kinegrade.exam.document`. Numbers are exact fractions in the unit
+of the ask.
 """
 
 from __future__ import annotations
@@ -26,7 +28,9 @@ class QuizMistake:
 
     @property
     def interval(self) -> tuple[Fraction, Fraction]:
-        """What is taken for this mistake, both ends included: as far from its value as the ask's rule allows."""
+        """What is taken for this mistake, both ends included: as far from its value as the ask's
+        rule allows.
+        """
         return (
             self.value if self.low is None else self.low,
             self.value if self.high is None else self.high,
@@ -84,7 +88,9 @@ class QuizQuestion:
 
 @dataclass(frozen=True)
 class QuizPaper:
-    """The questions of one student's paper; student and name are "" where questions are pooled for everybody."""
+    """The questions of one student's paper; student and name are "" where questions are pooled for
+    everybody.
+    """
 
     code: str  # plain, as are student and name
     student: str
@@ -94,10 +100,12 @@ class QuizPaper:
 
 @dataclass(frozen=True)
 class Quiz:
-    """All papers of an exam, which may come one after another so that a large class needs no more memory.
+    """All papers of an exam, which may come one after another so that a large class needs no more
+    memory.
 
-    `identifier` tells the exam from others, also from those of the same title. `asks` are those of all the papers by
-    question, ahead of them and without known mistakes, for what must be alike for a whole class.
+    `identifier` tells the exam from others, also from those of the same title. `asks` are those of
+    all the papers by question, ahead of them and without known mistakes, for what must be alike for
+    a whole class.
     """
 
     language: Language

@@ -1,4 +1,6 @@
-"""From a paper's line of the key to its questions in a quiz: statement, figure, right numbers, known mistakes."""
+"""From a paper's line of the key to its questions in a quiz: statement, figure, right numbers,
+known mistakes.
+"""
 
 from __future__ import annotations
 
@@ -35,8 +37,9 @@ Record = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class QuizWishes:
-    """What a quiz shall hold: known mistakes, each with a share of the points, the bank's where none is wished; worked
-    solutions, by `method` where several serve."""
+    """What a quiz shall hold: known mistakes, each with a share of the points, the bank's where
+    none is wished; worked solutions, by `method` where several serve.
+    """
 
     mistakes: bool = True
     credit: Fraction | None = None
@@ -49,8 +52,9 @@ def quiz_paper(
 ) -> QuizPaper:
     """The questions of one paper, of nobody where they are pooled.
 
-    They stand in the bank's order even where the paper is shuffled, for in that order responses are read again. Raises
-    ExamError where the line is broken, TypesetError for texts that cannot be shown.
+    They stand in the bank's order even where the paper is shuffled, for in that order responses are
+    read again. Raises ExamError where the line is broken, TypesetError for texts that cannot be
+    shown.
     """
     try:
         student = str(record["student"])
@@ -123,7 +127,9 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
 
 
 def given_text(entry: Record) -> str:
-    """A drawn value as it is written in a template: exactly, or as a decimal where it is known no better."""
+    """A drawn value as it is written in a template: exactly, or as a decimal where it is known no
+    better.
+    """
     if entry["exact"] is not None:
         return str(entry["exact"])
     written_number(entry["value"])  # a number of bounded size, or it would be written out at length
@@ -131,7 +137,8 @@ def given_text(entry: Record) -> str:
 
 
 def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quantity], Mechanism]:
-    """What a paper shows of an instance, its parameters and the mechanism to be drawn, without solving it.
+    """What a paper shows of an instance, its parameters and the mechanism to be drawn, without
+    solving it.
 
     Raises TemplateError, MechanismError.
     """

@@ -1,7 +1,8 @@
-r"""Prose and math into HTML as learning management systems show it: formulas between `\(` and `\)`, set by MathJax.
+r"""Prose and math into HTML as learning management systems show it: formulas between `\(` and `\)`,
+set by MathJax.
 
-Every character that comes in is escaped; the only tags are those made here, and they are well-formed XML too.
-Prose is read token by token as `kinegrade.exam.markup` reads it.
+Every character that comes in is escaped; the only tags are those made here, and they are
+well-formed XML too. Prose is read token by token as `kinegrade.exam.markup` reads it.
 """
 
 from __future__ import annotations
@@ -30,15 +31,15 @@ WRITTEN = {
     "list_item_close": "</li>\n",
     "hardbreak": "<br/>\n",
 }
-_CONTROL = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]"
-)  # what no XML document may hold
+# What no XML document may hold
+_CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]")
 _BOLD = re.compile(r"\\bm(?![A-Za-z])")
 
 
 @lru_cache(maxsize=512)  # the lines about what is asked for stand on every paper
 def prose_html(markdown: str, where: str = "text", *, inline: bool = False) -> str:
-    r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line without a paragraph of its own.
+    r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line without a paragraph of
+    its own.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 

@@ -1,6 +1,8 @@
-r"""A worked solution as HTML with math between `\(` and `\)`, for a learning management system to show after the quiz.
+r"""A worked solution as HTML with math between `\(` and `\)`, for a learning management system to
+show after the quiz.
 
-It is the text of the printed solution with its equations and tables; the pictures stay with the printed one.
+It is the text of the printed solution with its equations and tables; the pictures stay with the
+printed one.
 """
 
 from __future__ import annotations
@@ -47,7 +49,9 @@ def solution_html(
 
 
 def blocks_html(blocks: Sequence[Block], language: Language) -> str:
-    """The blocks of a worked solution one after the other; pictures are left out. Raises TypesetError."""
+    """The blocks of a worked solution one after the other; pictures are left out. Raises
+    TypesetError.
+    """
     words = solution_words_of(language)
     return "".join(_block(block, words) for block in blocks)
 
@@ -64,7 +68,8 @@ def _block(block: Block, words: SolutionWords) -> str:
         case TermTable():
             return _terms(block.terms, words)
         case Results():
-            return f"<ul>\n{''.join(f'<li>{_result(result)}</li>{chr(10)}' for result in block.results)}</ul>\n"
+            items = "".join(f"<li>{_result(result)}</li>\n" for result in block.results)
+            return f"<ul>\n{items}</ul>\n"
         case Pictures():
             return ""
         case _:
@@ -77,7 +82,8 @@ def _aligned(lines: Sequence[str]) -> str:
     for latex in lines:
         parts = equation_line(latex)
         rows += [
-            f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} {' '.join(parts.pieces[1:])}".strip()
+            f"{parts.left} &{parts.pieces[0] if parts.pieces else ''} "
+            f"{' '.join(parts.pieces[1:])}".strip()
         ]
     body = r" \\ ".join(rows)
     return math_html(rf"\begin{{aligned}} {body} \end{{aligned}}", WHERE, display=True)

@@ -1,4 +1,6 @@
-"""What a quiz needs of an exam folder besides the papers' own lines of the key: title, templates, who has a paper."""
+"""What a quiz needs of an exam folder besides the papers' own lines of the key: title, templates,
+who has a paper.
+"""
 
 from __future__ import annotations
 
@@ -32,12 +34,12 @@ MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 class QuizSource:
     """An exam folder; `identifier` tells it from other exams.
 
-    It is of the bank and of what the papers' codes are made from, which tells nothing of the secret that draws the
-    numbers: another exam of the same bank is another one, and whoever is on the roster in whatever order changes
-    nothing.
+    It is of the bank and of what the papers' codes are made from, which tells nothing of the secret
+    that draws the numbers: another exam of the same bank is another one, and whoever is on the
+    roster in whatever order changes nothing.
 
-    `templates` and `names` go by question and by student, `tolerances` by question and ask, `credits`, the shares of
-    the points that the bank gives for known mistakes, by mistake.
+    `templates` and `names` go by question and by student, `tolerances` by question and ask,
+    `credits`, the shares of the points that the bank gives for known mistakes, by mistake.
     """
 
     folder: Path
@@ -53,7 +55,8 @@ class QuizSource:
 
 
 def read_quiz_source(folder: Path, language: Language | None = None) -> QuizSource:
-    """Reads exam.json, bank.toml and the templates; in the papers' language unless another one is wanted.
+    """Reads exam.json, bank.toml and the templates; in the papers' language unless another one is
+    wanted.
 
     Raises ExamError, with the faults of all templates.
     """
@@ -157,7 +160,9 @@ def _head(path: Path) -> dict[str, Any]:
 
 
 def _identifier(head: Mapping[str, Any], bank: str) -> str:
-    """What tells the exam from others; of a folder whose secret was taken out of it, by the first paper's code."""
+    """What tells the exam from others; of a folder whose secret was taken out of it, by the first
+    paper's code.
+    """
     secret = secret_of(head)
     if secret is None:
         return sha256(f"{head['students'][0]['paper']}\n{bank}".encode()).hexdigest()[:DIGITS]
@@ -194,7 +199,9 @@ def _templates(folder: Path, head: Mapping[str, Any]) -> dict[str, Template]:
 
 
 def _tolerances(folder: Path) -> dict[tuple[str, str], Tolerance]:
-    """By question and ask the least that is allowed: where the answer is no zero, what the bank says."""
+    """By question and ask the least that is allowed: where the answer is no zero, what the bank
+    says.
+    """
     found: dict[tuple[str, str], Tolerance] = {}
     for number, line in islice(key_lines(folder), LOOKED_AT):
         record = key_record(folder, number, line)

@@ -21,7 +21,9 @@ def digits_to_type(tolerances: Iterable[Tolerance]) -> int:
 
 @dataclass(frozen=True)
 class AskRule:
-    """How far from right an ask's answer may be, and the unit in which that is said: a quiz has no table of units."""
+    """How far from right an ask's answer may be, and the unit in which that is said: a quiz has no
+    table of units.
+    """
 
     tolerance: Tolerance
     unit: str

@@ -237,9 +237,9 @@ def require_nothing_edited(old: Path, new: Path) -> None:
 def edited_since(folder: Path, names: Sequence[str]) -> OutputError:
     """The refusal to replace a folder that holds these files."""
     return OutputError(
-        f"{folder}: holds {', '.join(names[:NAMED])}, edited or added since it was generated, which "
-        "would be lost - expected only what is written again - move it elsewhere or choose another "
-        "folder"
+        f"{folder}: holds {', '.join(names[:NAMED])}, edited or added since it was generated, "
+        "which would be lost - expected only what is written again - move it elsewhere or choose "
+        "another folder"
     )
 
 

@@ -1,7 +1,8 @@
 """The class: who gets a paper.
 
-`read_roster` is called by `generate`. Columns `student` and `name`, optionally `email`, by any of their usual
-names, in any order; other columns are ignored. Ids are texts: leading zeros and case are kept.
+`read_roster` is called by `generate`. Columns `student` and `name`, optionally `email`, by any of
+their usual names, in any order; other columns are ignored. Ids are texts: leading zeros and case
+are kept.
 """
 
 from __future__ import annotations
@@ -84,7 +85,8 @@ def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
 
 
 def student_key(student: str) -> str:
-    """An id as it is compared: surrounding blanks and full-width forms do not count, zeros and case do.
+    """An id as it is compared: surrounding blanks and full-width forms do not count, zeros and case
+    do.
 
     >>> student_key("\\uff10\\uff10\\uff17 ")
     '007'
@@ -120,7 +122,9 @@ def _capitals_encoded(stem: str) -> str:
 
 
 def _cut(student: str, stem: str) -> str:
-    """No file system takes more than 255 bytes; `%-` never comes out of the encoding, so it stays unique."""
+    """No file system takes more than 255 bytes; `%-` never comes out of the encoding, so it stays
+    unique.
+    """
     if len(stem) <= _LONGEST_STEM:
         return stem
     digest = sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:32]
@@ -158,7 +162,9 @@ def _roster(table: Table, *, odd_ids: bool) -> Roster:
 
 
 def _columns(table: Table) -> dict[str, int]:
-    """Where each column stands; of several names for one column the one first in COLUMN_NAMES counts."""
+    """Where each column stands; of several names for one column the one first in COLUMN_NAMES
+    counts.
+    """
     header = [header_key(cell) for cell in table.header]
     found = {
         column: header.index(next(name for name in names if name in header))
@@ -181,7 +187,10 @@ def _empty_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:
     for row in table.rows:
         if not trimmed(row.cell(columns["student"])):
             name = shortened(trimmed(row.cell(columns["name"])))
-            yield f'{table.file}:{row.line}: no student id ("{name}") - expected one on every line - add it'
+            yield (
+                f'{table.file}:{row.line}: no student id ("{name}") - expected one on every line '
+                "- add it"
+            )
 
 
 def _repeated_ids(table: Table, columns: Mapping[str, int]) -> Iterator[str]:

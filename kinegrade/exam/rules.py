@@ -13,29 +13,30 @@ from kinegrade.language import Language
 from kinegrade.problem.tolerance import Tolerance
 
 WRITING = {
-    "en": "Write one number into each box, in the unit printed there, with at least {digits} significant digits: "
-    "{point} or {comma}. Do not separate thousands.",
+    "en": "Write one number into each box, in the unit printed there, with at least {digits} "
+    "significant digits: {point} or {comma}. Do not separate thousands.",
     "zh": "每个答案框内填写一个数，单位已印在框内，至少保留{digits}位有效数字，写成 {point} 或 {comma} 均可；"
     "不要使用千位分隔符。",
 }
 AXES = {
-    "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive unless stated "
-    "otherwise. Figures are drawn to scale.",
+    "en": "The $x$ axis points to the right, the $y$ axis upwards; counter-clockwise is positive "
+    "unless stated otherwise. Figures are drawn to scale.",
     "zh": "$x$ 轴向右，$y$ 轴向上；除另有说明外，均以逆时针为正。附图按比例绘制。",
 }
 RELATIVE = {
-    "en": "An answer is right if it differs from the exact value by at most {relative} of that value{absolute}. {zero}",
+    "en": "An answer is right if it differs from the exact value by at most {relative} of that "
+    "value{absolute}. {zero}",
     "zh": "答案与精确值之差不超过精确值的 {relative}{absolute}即判为正确。{zero}",
 }
 FIGURES = {
-    "en": "An answer is right if it agrees with the exact value to {figures} significant digits (where that is "
-    "{example}, from {low} to {high}){others}. {zero}",
+    "en": "An answer is right if it agrees with the exact value to {figures} significant digits "
+    "(where that is {example}, from {low} to {high}){others}. {zero}",
     "zh": "答案与精确值在 {figures} 位有效数字内一致（如精确值为 {example} 时，从 {low} 到 {high}）{others}即判为正确。"
     "{zero}",
 }
 ZERO = {
-    "en": "Where the exact value is zero, or less than {share} of the largest quantity of its kind in the mechanism, "
-    "{share} of that quantity is allowed.",
+    "en": "Where the exact value is zero, or less than {share} of the largest quantity of its kind "
+    "in the mechanism, {share} of that quantity is allowed.",
     "zh": "精确值为零或小于该机构中同类量最大值的 {share} 时，允许偏差为该最大值的 {share}。",
 }
 ABSOLUTE = {
@@ -63,10 +64,11 @@ PART = {"en": "question {number}, ${symbol}$", "zh": "第 {number} 题 ${symbol}
 
 
 def rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[str, ...]:
-    """The sentences of the rules box, with the tolerances of single questions and asks where they differ.
+    """The sentences of the rules box, with the tolerances of single questions and asks where they
+    differ.
 
-    `order` are the identifiers of the questions as they follow on the paper, by whose numbers they are called there;
-    the bank's where it is left out.
+    `order` are the identifiers of the questions as they follow on the paper, by whose numbers they
+    are called there; the bank's where it is left out.
     """
     places = order or [question.identifier for question in bank.questions]
     numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
@@ -86,7 +88,9 @@ def rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[st
 def exceptions(
     bank: Bank, question: BankQuestion, number: int, language: Language
 ) -> Iterator[tuple[Tolerance, str]]:
-    """The tolerances of a question that are not the bank's, with what they hold for: all of it, or single asks."""
+    """The tolerances of a question that are not the bank's, with what they hold for: all of it, or
+    single asks.
+    """
     tolerances = {ask.tolerance for ask in question.asks}
     if len(tolerances) == 1 and tolerances != {bank.tolerance}:
         yield tolerances.pop(), WHOLE[language].format(number=number)
@@ -98,7 +102,9 @@ def exceptions(
 
 
 def writing_rule(bank: Bank, language: Language) -> str:
-    """How to write answers: with four digits, or as many as the strictest tolerance takes to tell right from wrong."""
+    """How to write answers: with four digits, or as many as the strictest tolerance takes to tell
+    right from wrong.
+    """
     carried = [
         ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks
     ]
@@ -113,7 +119,8 @@ def writing_rule(bank: Bank, language: Language) -> str:
 def marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> str:
     """When an answer is right, in words a first-year reads.
 
-    An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there is no table.
+    An amount is in the unit of the paper's table, or in `unit`, which is named with it, where there
+    is no table.
     """
     zero = ZERO[language].format(share=percent(tolerance.share))
     if tolerance.figures:
@@ -130,7 +137,9 @@ def marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> st
 def figures_rule(
     tolerance: Tolerance, figures: int, zero: str, language: Language, unit: str = ""
 ) -> str:
-    """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to 1.235."""
+    """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to
+    1.235.
+    """
     example = f"{'1.23456'[: figures + 1]}04"
     low, high = figures_interval(Fraction(example), figures)
     amounts = []

@@ -1,4 +1,6 @@
-"""Pages of a single template: a sample for the author (`kinegrade show -o`), a worked solution (`solve -o`)."""
+"""Pages of a single template: a sample for the author (`kinegrade show -o`), a worked solution
+(`solve -o`).
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ from kinegrade.worked.solution import worked_solution
 
 
 def shown(template: Template) -> tuple[str, ...]:
-    """What a page for the author asks: what has points, or all of it where everything is on request."""
+    """What a page for the author asks: what has points, or all of it where everything is on
+    request.
+    """
     return template.asked() or tuple(template.asks)
 
 
@@ -46,7 +50,9 @@ def sample_page(template: Template, seed: str, language: Language) -> bytes:
 
 
 def worked_page(solution: Solution, language: Language, method: Method | None = None) -> bytes:
-    """The worked solution of an instance for what the template asks, as PDF; the method as in `worked_solution`."""
+    """The worked solution of an instance for what the template asks, as PDF; the method as in
+    `worked_solution`.
+    """
     template = solution.template
     try:
         require_doubles(solution)

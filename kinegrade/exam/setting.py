@@ -1,4 +1,5 @@
-"""Setting an exam: for each student of the roster, or for each version, every question is drawn and solved.
+"""Setting an exam: for each student of the roster, or for each version, every question is drawn and
+solved.
 
 `set_exam` gives the papers one after the other, so that memory does not grow with the class.
 """
@@ -46,8 +47,8 @@ class SetQuestion:
 class SetPaper:
     """One student's paper; `code` is printed on it and kept in the key.
 
-    `questions` stand in the bank's order, `order` says in which they are printed; `version` is a letter, or "" where
-    the paper is the student's own.
+    `questions` stand in the bank's order, `order` says in which they are printed; `version` is a
+    letter, or "" where the paper is the student's own.
     """
 
     student: Student
@@ -135,7 +136,9 @@ class Setting:
 
 
 def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
-    """A setting. Raises DrawError for every question with fewer combinations than there are papers to be drawn."""
+    """A setting. Raises DrawError for every question with fewer combinations than there are papers
+    to be drawn.
+    """
     decks = {
         question.identifier: Deck(
             question.template,
@@ -176,7 +179,9 @@ def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
 def set_ask(
     question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles
 ) -> SetAsk:
-    """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is next to zero."""
+    """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is
+    next to zero.
+    """
     tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)
 

@@ -1,4 +1,6 @@
-"""What both presses ask of a worked solution's blocks: what stays together, and how a result is written."""
+"""What both presses ask of a worked solution's blocks: what stays together, and how a result is
+written.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,8 @@ UNKNOWN = "?"
 def stays(block: Block, following: Block | None = None, third: Block | None = None) -> bool:
     """Whether a block stays on the page of the next one.
 
-    So do a heading with what it heads, a table of terms with its projection, a sentence with the equation it announces.
+    So do a heading with what it heads, a table of terms with its projection, a sentence with the
+    equation it announces.
 
     >>> stays(Prose("Projected on AB:"), Display(("v_A = v_B",)))
     True
@@ -24,7 +27,8 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
             return True
         case [TermTable(), Display(), _] | [TermTable(), Prose(), Display()]:
             return True
-        case _:  # any other neighbours may be parted: what stays together is named, a new block stands alone
+        # Any other neighbours may be parted: what stays together is named, a new block stands alone
+        case _:
             return False
 
 

@@ -1,7 +1,8 @@
 """Worked solutions as Typst source: one call of the layout `solution.typ` with one string of data.
 
-Prose and math become Typst code by `kinegrade.exam.markup` and `formula`, pictures through their own back end. What
-must fit the page (equations, tables of terms) goes to the layout in pieces, which it measures and breaks.
+Prose and math become Typst code by `kinegrade.exam.markup` and `formula`, pictures through their
+own back end. What must fit the page (equations, tables of terms) goes to the layout in pieces,
+which it measures and breaks.
 """
 
 from __future__ import annotations
@@ -39,7 +40,9 @@ UNKNOWN = "?"
 
 
 def solution_source(sheet: SolutionSheet, size: PaperSize = "a4") -> str:
-    """Typst source of one student's worked solutions; raises TypesetError with all faults of their texts."""
+    """Typst source of one student's worked solutions; raises TypesetError with all faults of their
+    texts.
+    """
     words = solution_words_of(sheet.language)
     data: Sheet = {
         "questions": each(lambda question: _question(question, words, size), sheet.questions)
@@ -116,7 +119,9 @@ def _term(term: Term, where: str) -> Sheet:
 
 
 def _cell(text: str, where: str) -> Sheet:
-    """A formula alone is made smaller where its column is narrow, other text is broken into lines."""
+    """A formula alone is made smaller where its column is narrow, other text is broken into
+    lines.
+    """
     return {
         "text": line(text, where),
         "formula": bool(fullmatch(FORMULA_ALONE, text)),

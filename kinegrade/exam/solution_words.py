@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class SolutionWords:
-    """What the layout of worked solutions prints besides the solutions' own texts; `{}` takes a number or a text."""
+    """What the layout of worked solutions prints besides the solutions' own texts; `{}` takes a
+    number or a text.
+    """
 
     worked: str
     name: str

@@ -1,7 +1,9 @@
-"""Student ids as files of answers hold them: what a spreadsheet or a form made of them, traced back to one student.
+"""Student ids as files of answers hold them: what a spreadsheet or a form made of them, traced back
+to one student.
 
-Used wherever answers come in. A spreadsheet eats leading zeros, people change case, exports wrap ids as ="007". Such an
-id is restored where it can mean one student only; where it can mean two, nobody is guessed.
+Used wherever answers come in. A spreadsheet eats leading zeros, people change case, exports wrap
+ids as ="007". Such an id is restored where it can mean one student only; where it can mean two,
+nobody is guessed.
 """
 
 from __future__ import annotations
@@ -13,9 +15,8 @@ from collections.abc import Collection, Iterable, Mapping
 from kinegrade.exam.roster import student_key
 from kinegrade.tables import shortened, trimmed
 
-_WRITTEN_AS_FRACTION = re.compile(
-    r"([0-9]+)\.0+"
-)  # as programs write a column of numbers with gaps
+# As programs write a column of numbers with gaps
+_WRITTEN_AS_FRACTION = re.compile(r"([0-9]+)\.0+")
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
@@ -58,8 +59,8 @@ class StudentIds:
     def restored(self, cells: Iterable[str], taken: Collection[str]) -> Mapping[str, str]:
         """Of cells that are no ids those that can mean one student only, with that student.
 
-        `taken` are the students whose own ids stand in the same file: for them nothing is restored. Neither is it
-        where two different cells would mean the same student.
+        `taken` are the students whose own ids stand in the same file: for them nothing is restored.
+        Neither is it where two different cells would mean the same student.
         """
         meant: dict[str, set[str]] = defaultdict(set)
         for cell in cells:

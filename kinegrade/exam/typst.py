@@ -1,9 +1,11 @@
-"""The press that needs no installation: papers, solutions, keys and galleries as PDF, by the embedded Typst.
+"""The press that needs no installation: papers, solutions, keys and galleries as PDF, by the
+embedded Typst.
 
-A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep one press
-per thread or process. Same input, same bytes: the fonts come with the installation and the date is fixed.
-Plain PDF prints a box, silently, for a character that no font has; PDF/A-2b refuses it, but takes longer. Therefore
-each character is looked at once, and only a source that holds a bad one is asked for as PDF/A-2b, to be refused.
+A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep
+one press per thread or process. Same input, same bytes: the fonts come with the installation and
+the date is fixed. Plain PDF prints a box, silently, for a character that no font has; PDF/A-2b
+refuses it, but takes longer. Therefore each character is looked at once, and only a source that
+holds a bad one is asked for as PDF/A-2b, to be refused.
 """
 
 from __future__ import annotations
@@ -26,7 +28,8 @@ from kinegrade.exam.layout_call import each
 from kinegrade.exam.press import Press
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
-KEY_CHUNK = 10  # papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
+# Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
+KEY_CHUNK = 10
 FIXED_TIME = (
     946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
 )
@@ -54,11 +57,15 @@ class TypstPress:
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
     def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every paper. Raises TypesetError with all faults of all of them."""
+        """Write `folder/NAME.pdf` for every paper. Raises TypesetError with all faults of all of
+        them.
+        """
         _write(papers, self.paper, folder)
 
     def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every student's worked solutions. Raises TypesetError as `papers` does."""
+        """Write `folder/NAME.pdf` for every student's worked solutions. Raises TypesetError as
+        `papers` does.
+        """
         _write(sheets, self.solution, folder)
 
     def paper(self, paper: Paper) -> bytes:
@@ -76,7 +83,9 @@ class TypstPress:
             raise TypesetError(*problems) from error
 
     def page_images(self, paper: Paper, ppi: int = 100) -> list[bytes]:
-        """The pages of a paper as PNG, `ppi` pixels to the inch; raises TypesetError as `paper` does."""
+        """The pages of a paper as PNG, `ppi` pixels to the inch; raises TypesetError as `paper`
+        does.
+        """
         self.paper(paper)
         named = self._legible(paper)
         source = paper_source(named, self._size).encode()
@@ -85,7 +94,9 @@ class TypstPress:
         return [page for page in pages if page is not None]
 
     def solution(self, sheet: SolutionSheet) -> bytes:
-        """One student's worked solutions as PDF; names are printed and errors raised as by `paper`."""
+        """One student's worked solutions as PDF; names are printed and errors raised as by
+        `paper`.
+        """
         from kinegrade.exam.solution_source import solution_source  # noqa: PLC0415  # few exams need it
 
         named = self._legible(sheet)
@@ -96,7 +107,9 @@ class TypstPress:
         target.write_bytes(joined(self._key_parts(book)))
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
-        """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is told of `where`."""
+        """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
+        told of `where`.
+        """
         return self._explaining(gallery_source(gallery, self._size), where)
 
     def require_printable(self, source: str, where: str) -> None:
@@ -104,7 +117,9 @@ class TypstPress:
         self._explaining(source, where)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
-        """The characters of `texts` that no font of the press can print: one look for a whole roster."""
+        """The characters of `texts` that no font of the press can print: one look for a whole
+        roster.
+        """
         characters = {
             character for text in texts for character in set(text) if ord(character) > 126
         }
@@ -131,7 +146,9 @@ class TypstPress:
         return legible_owners(book, self)
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
-        """Those of `characters` that the compiler complains of; it may need several looks to find all."""
+        """Those of `characters` that the compiler complains of; it may need several looks to find
+        all.
+        """
         if not characters:
             return set()
         date = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
@@ -144,7 +161,9 @@ class TypstPress:
         return set()
 
     def _faults(self, paper: Paper) -> tuple[str, ...]:
-        """What the compiler says of the frame around the questions, or else of each question alone."""
+        """What the compiler says of the frame around the questions, or else of each question
+        alone.
+        """
         where = f"paper {paper.code}"
         frame = self._fault(replace(paper, questions=()), where)
         if frame:
@@ -181,7 +200,9 @@ class TypstPress:
 
 
 def _write(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes], folder: Path) -> None:
-    """The PDF of every sheet by its name, one at a time; one error with the faults of all, each told once."""
+    """The PDF of every sheet by its name, one at a time; one error with the faults of all, each
+    told once.
+    """
     try:
         each(lambda name: (folder / f"{name}.pdf").write_bytes(pdf(sheets[name])), sheets)
     except TypesetError as error:
@@ -223,9 +244,9 @@ def _boxed(error: typst.TypstError) -> list[str]:
 def _explained(error: typst.TypstError, where: str) -> tuple[str, ...]:
     boxed = dict.fromkeys("".join(_boxed(error)))
     if not boxed:
-        return (f"{where}: {error.message}; expected math that can be typeset; mend the formulas",)
+        return (f"{where}: {error.message}; expected math that can be typeset; fix the formulas",)
     return tuple(
-        f"{where}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, Cyrillic or"
-        " Chinese; write it otherwise"
+        f"{where}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, "
+        "Cyrillic or Chinese; write it otherwise"
         for character in boxed
     )

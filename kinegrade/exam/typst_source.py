@@ -1,8 +1,9 @@
 """Papers, keys and galleries as Typst source: one call of a layout with one string of data.
 
-Plain text goes into the data as it is, prose and math as Typst code made by `kinegrade.exam.markup` and
-`formula`, figures through their own back end. The layouts (`layouts/*.typ`) evaluate such code. As all data
-is one string, what two papers share is the same to Typst, which then need not lay it out again.
+Plain text goes into the data as it is, prose and math as Typst code made by `kinegrade.exam.markup`
+and `formula`, figures through their own back end. The layouts (`layouts/*.typ`) evaluate such code.
+As all data is one string, what two papers share is the same to Typst, which then need not lay it
+out again.
 """
 
 from __future__ import annotations
@@ -76,7 +77,9 @@ def paper_source(paper: Paper, size: PaperSize = "a4") -> str:
 
 
 def key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> str:
-    """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all faults."""
+    """Typst source of a key, its pages numbered from `first_page`; raises TypesetError with all
+    faults.
+    """
     sheet: Sheet = {
         "papers": each(_key_paper, book.papers),
         "words": _words(words_of(book.language)),
@@ -86,7 +89,9 @@ def key_source(book: KeyBook, first_page: int = 1, size: PaperSize = "a4") -> st
 
 
 def gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
-    """Typst source of a contact sheet of templates; raises TypesetError with all faults of their texts."""
+    """Typst source of a contact sheet of templates; raises TypesetError with all faults of their
+    texts.
+    """
     words = gallery_words_of(gallery.language)
     entries = each(lambda entry: _gallery_entry(entry, words), gallery.entries)
     families = [
@@ -122,7 +127,9 @@ def _code_image(code: str) -> str:
 
 
 def _marks(paper: Paper, words: Words) -> list[list[tuple[str, str]]]:
-    """The columns of the marker's table, number and points of each question and the total, in rows of columns."""
+    """The columns of the marker's table, number and points of each question and the total, in rows
+    of columns.
+    """
     columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
     columns.append((words.total, points_text(paper.points)))
     return [
@@ -167,9 +174,11 @@ def _beside(figure: Scene) -> bool:
 
 
 def _height_at_most(question: QuestionSheet) -> float:
-    """Millimetres that a question's block does not exceed, with wide characters and tall lines throughout.
+    """Millimetres that a question's block does not exceed, with wide characters and tall lines
+    throughout.
 
-    Only for questions above a page's height need Typst measure, which makes typesetting several times as long.
+    Only for questions above a page's height need Typst measure, which makes typesetting several
+    times as long.
     """
     figure = question.figure
     beside = figure is not None and _beside(figure)
@@ -183,7 +192,9 @@ def _height_at_most(question: QuestionSheet) -> float:
 
 
 def _seen(math: str) -> str:
-    """The text with each LaTeX command as one letter and without braces and dollar signs: what takes up room."""
+    """The text with each LaTeX command as one letter and without braces and dollar signs: what
+    takes up room.
+    """
     return re.sub(r"[{}$_^]", "", re.sub(r"\\[A-Za-z]+", "x", math))
 
 
@@ -233,7 +244,9 @@ def _key_entry(entry: KeyEntry, where: str) -> Sheet:
 
 
 def _key_parameter(parameter: KeyParameter, where: str) -> str:
-    """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same way."""
+    """`r = 1/5 = 0.2 m`; the decimal is not repeated where the exact value is written the same
+    way.
+    """
     equation = f"${formula(parameter.symbol, where)}$;"
     if parameter.exact is not None and parameter.exact != parameter.decimal:
         equation += f'" = ";${formula(parameter.exact, where)}$;'

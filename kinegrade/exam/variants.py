@@ -1,7 +1,8 @@
-"""The variants of a pool: which lines of the key a quiz offers to everybody, kept so that its responses can be marked.
+"""The variants of a pool: which lines of the key a quiz offers to everybody, kept so that its
+responses can be marked.
 
-`kinegrade quiz --variants` stores them as variants.jsonl in the exam folder, in the form of key.jsonl;
-`kinegrade.lms.responses` recognises by them what a student was put.
+`kinegrade quiz --variants` stores them as variants.jsonl in the exam folder, in the form of
+key.jsonl; `kinegrade.lms.responses` recognises by them what a student was put.
 """
 
 from __future__ import annotations
@@ -34,16 +35,18 @@ Numbers = tuple[str, ...]
 
 
 def store_variants(folder: Path, count: int) -> None:
-    """Stores the first `count` variants of an exam folder; more that are there already stay, none is ever changed.
+    """Stores the first `count` variants of an exam folder; more that are there already stay, none
+    is ever changed.
 
-    Raises ExamError where those that are stored are of another key, OutputError where nothing can be written there.
+    Raises ExamError where those that are stored are of another key, OutputError where nothing can
+    be written there.
     """
     lines = [line.rstrip("\n") for _, line in islice(different(read_quiz_source(folder)), count)]
     path, before = folder / POOL, _stored_lines(folder)
     if before[: len(lines)] != lines[: len(before)]:
         raise ExamError(
-            f"{path}: has variants of another key - expected the lines of key.jsonl - if no quiz made of "
-            "them is in use any more, delete the file"
+            f"{path}: has variants of another key - expected the lines of key.jsonl - if no quiz "
+            "made of them is in use any more, delete the file"
         )
     if len(lines) > len(before):
         write_file(path, "".join(f"{line}\n" for line in lines).encode(), force=True)
@@ -51,7 +54,8 @@ def store_variants(folder: Path, count: int) -> None:
 
 
 def numbers_in(text: str) -> Numbers:
-    """The numbers of a text as they are written, by which a question's text is recognised in whatever layout.
+    """The numbers of a text as they are written, by which a question's text is recognised in
+    whatever layout.
 
     >>> numbers_in(r"a crank of \\(r = 0.25\\,\\mathrm{m/s^{2}}\\)")
     ('0.25', '2')
@@ -78,7 +82,9 @@ def letters_in(text: str) -> str:
 
 @dataclass(frozen=True)
 class Variant:
-    """One question of a pool: `source` is the student on whose line of the key it stands, `right` is by ask."""
+    """One question of a pool: `source` is the student on whose line of the key it stands, `right`
+    is by ask.
+    """
 
     source: str
     right: Mapping[str, float]
@@ -108,10 +114,11 @@ class Variant:
 
 
 def of_text(variants: Sequence[Variant], shown: str) -> list[Variant]:
-    """The variants whose statement stands in the text of a question: letter by letter, else by its numbers.
+    """The variants whose statement stands in the text of a question: letter by letter, else by its
+    numbers.
 
-    Of statements of which one begins like the other the longest is meant. Numbers alone tell a text that somebody
-    corrected in the system, and not whether the crank in it speeds up or slows down.
+    Of statements of which one begins like the other the longest is meant. Numbers alone tell a text
+    that somebody corrected in the system, and not whether the crank in it speeds up or slows down.
     """
     text = plain_text(shown)
     letters, numbers = letters_in(text), numbers_in(text)
@@ -134,7 +141,9 @@ class Variants:
 
 
 def read_variants(folder: Path) -> Variants | None:
-    """The variants that are stored in an exam folder; None where no pool was made. Raises ExamError."""
+    """The variants that are stored in an exam folder; None where no pool was made. Raises
+    ExamError.
+    """
     lines = _stored_lines(folder)
     if not lines:
         return None

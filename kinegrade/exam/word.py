@@ -1,7 +1,9 @@
-"""Papers for those who edit them: Word (.docx) with equations, tables and styles of its own, and HTML in one file.
+"""Papers for those who edit them: Word (.docx) with equations, tables and styles of its own, and
+HTML in one file.
 
-pandoc writes both, and is an optional extra. It gets a document of values (`kinegrade.exam.paper_tree`), no text to
-read, and runs in its sandbox with no file but the reference document of Word's styles. Same input, same bytes.
+pandoc writes both, and is an optional extra. It gets a document of values
+(`kinegrade.exam.paper_tree`), no text to read, and runs in its sandbox with no file but the
+reference document of Word's styles. Same input, same bytes.
 """
 
 from __future__ import annotations
@@ -44,7 +46,9 @@ _UNREAD = re.compile(r"Could not convert TeX math (.*?), rendering as TeX")
 
 
 class PandocPress:
-    """Writes papers as Word or HTML; keep one for many papers, and one for each thread or process."""
+    """Writes papers as Word or HTML; keep one for many papers, and one for each thread or
+    process.
+    """
 
     def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
@@ -54,7 +58,9 @@ class PandocPress:
         )
 
     def also(self, paper: Paper, kind: str) -> bytes:
-        """The paper as "docx" or "html". Raises TypesetError as `docx` and `html` do, and for another kind."""
+        """The paper as "docx" or "html". Raises TypesetError as `docx` and `html` do, and for
+        another kind.
+        """
         match kind:
             case "docx":
                 return self.docx(paper)
@@ -62,11 +68,14 @@ class PandocPress:
                 return self.html(paper)
             case _:
                 raise TypesetError(
-                    f"{kind}: not a kind of file that papers are written in; {did_you_mean(kind, KINDS)}"
+                    f"{kind}: not a kind of file that papers are written in; "
+                    f"{did_you_mean(kind, KINDS)}"
                 )
 
     def docx(self, paper: Paper) -> bytes:
-        """The paper for Word. Raises TypesetError with all faults of its texts, and where there is no pandoc."""
+        """The paper for Word. Raises TypesetError with all faults of its texts, and where there is
+        no pandoc.
+        """
         reference = word_reference(self._default_reference, paper, self._size)
         tree = paper_tree(paper, self._figures(paper, "png"))
         with temporary_folder() as folder:
@@ -125,7 +134,9 @@ def _pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
 
 
 def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
-    """What pandoc writes. Raises TypesetError where there is none, and with its own words where it fails or warns."""
+    """What pandoc writes. Raises TypesetError where there is none, and with its own words where it
+    fails or warns.
+    """
     command = [_pandoc_path(kind), "--sandbox", *options]
     try:
         result = run_program(command, SECONDS, given=given)
@@ -146,10 +157,11 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
         return (
-            f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of version 3",
+            f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of "
+            "version 3",
         )
     return tuple(
-        f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; mend it"
+        f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; fix it"
         for latex in formulas
     )
 

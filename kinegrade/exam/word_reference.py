@@ -1,6 +1,7 @@
 """The document from which Word papers take page, styles and footer: pandoc's own, with ours put in.
 
-The parts stand in `layouts/word-*.xml`. Texts are put in as XML text, whatever characters they hold.
+The parts stand in `layouts/word-*.xml`. Texts are put in as XML text, whatever characters they
+hold.
 """
 
 from __future__ import annotations
@@ -47,7 +48,9 @@ def word_reference(default: bytes, paper: Paper, size: PaperSize) -> bytes:
 
 
 def layout(name: str, **texts: str) -> str:
-    """A file of `layouts/` with texts in place of its `$name`s, escaped for XML; control characters become spaces."""
+    """A file of `layouts/` with texts in place of its `$name`s, escaped for XML; control characters
+    become spaces.
+    """
     clean = {
         key: "".join(letter if letter.isprintable() else " " for letter in text)
         for key, text in texts.items()

@@ -13,12 +13,14 @@ class Words:
     student: str
     paper: str
     total: str
-    number_column: str  # heads of the rows of the marker's table: numbers of questions, what they are worth, marks
+    # Heads of the rows of the marker's table: numbers of questions, what they are worth, marks
+    number_column: str
     out_of: str
     mark: str
     rules: str
     version: str
-    known: str  # takes the question's number in the answer sheet where it differs from that on the paper
+    # Takes the question's number in the answer sheet where it differs from that on the paper
+    known: str
     point: str  # takes the number one
     points: str  # takes any other number
     asked: str

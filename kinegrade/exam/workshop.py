@@ -1,10 +1,12 @@
-"""A class drawn and printed by several processes at once, and the results in the order of the roster.
+"""A class drawn and printed by several processes at once, and the results in the order of the
+roster.
 
-Each task is a part of the class. A few tasks are under way at any time, so memory does not grow with the class, and a
-worker ends when the process that it works for is gone. Workers are copies of this process, with all that it has loaded
-and looked at, as long as it surely has no other thread, which a copy would lack; else they are started afresh. (A
-typesetter that has worked has threads.) What several of them need to draw, the first one draws and keeps for the others
-in a folder of their own, where they also tell each other what numbers they gave away.
+Each task is a part of the class. A few tasks are under way at any time, so memory does not grow
+with the class, and a worker ends when the process that it works for is gone. Workers are copies of
+this process, with all that it has loaded and looked at, as long as it surely has no other thread,
+which a copy would lack; else they are started afresh. (A typesetter that has worked has threads.)
+What several of them need to draw, the first one draws and keeps for the others in a folder of their
+own, where they also tell each other what numbers they gave away.
 """
 
 from __future__ import annotations
@@ -31,17 +33,21 @@ from kinegrade.exam.setting import Setting, set_exam
 from kinegrade.temporary import temporary_folder
 
 CHUNK = 20  # papers in one task at least: else there are too many of them
-MOST = 60  # papers in one task at most: what is worked out together for a part costs little for each paper then
+# Papers in one task at most: what is worked out together for a part costs little for each paper
+# then
+MOST = 60
 AHEAD = 2  # tasks for each process that are under way or wait for it
 ENDED = (
-    "generate: a process that prints papers was ended from outside; expected room for all of them in memory; "
-    "use fewer: --jobs 1"
+    "generate: a process that prints papers was ended from outside; expected room for all of "
+    "them in memory; use fewer: --jobs 1"
 )
 
 
 @dataclass(frozen=True)
 class Job:
-    """An exam to be printed, known by the folder of its papers: what a worker needs, and keeps between its tasks."""
+    """An exam to be printed, known by the folder of its papers: what a worker needs, and keeps
+    between its tasks.
+    """
 
     folder: Path
     run: PrintRun = field(compare=False)
@@ -58,7 +64,8 @@ class Job:
 def printed(
     run: PrintRun, setting: Setting, press: Press, jobs: int
 ) -> Generator[Printed, None, None]:
-    """What remains of each paper, in order, by up to `jobs` processes; a small class by this one and its press.
+    """What remains of each paper, in order, by up to `jobs` processes; a small class by this one
+    and its press.
 
     Raises DrawError, and TypesetError with the faults of the first part of the class that has any.
     """
@@ -141,7 +148,9 @@ def prepare(job: Job) -> None:
 
 
 def work(job: Job, number: int, places: range, plans: Plans) -> list[Draft]:
-    """A task: the part of the class with this number, the students at these places of the roster."""
+    """A task: the part of the class with this number, the students at these places of the
+    roster.
+    """
     place = workplace(job)
     use(plans, place.setting)
     return drafts(job.run, place, number, places)

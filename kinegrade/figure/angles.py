@@ -1,4 +1,6 @@
-"""Angles: arcs of several radii, with thin lines to whatever side of the angle is not drawn as a bar."""
+"""Angles: arcs of several radii, with thin lines to whatever side of the angle is not drawn as a
+bar.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +59,9 @@ def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
 
 
 def least_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Primitive, ...]:
-    """The thin lines that the sides of an angle need in any case, to be spared by what is written before it."""
+    """The thin lines that the sides of an angle need in any case, to be spared by what is written
+    before it.
+    """
     lines = tuple(
         line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3]))
     )
@@ -80,7 +84,9 @@ def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg,
 
 @dataclass(frozen=True)
 class Leg:
-    """A side of an angle: its direction, how far a bar is drawn along it, and how far the point on it is (or 0)."""
+    """A side of an angle: its direction, how far a bar is drawn along it, and how far the point on
+    it is (or 0).
+    """
 
     angle: float
     drawn: float
@@ -97,13 +103,17 @@ class Leg:
 
 
 def _demerit(radius: float, nicest: float, legs: Iterable[Leg]) -> float:
-    """The farther from the nicest radius the worse, and worse still where a bar has to be prolonged."""
+    """The farther from the nicest radius the worse, and worse still where a bar has to be
+    prolonged.
+    """
     prolonged = sum(0 < leg.drawn < radius for leg in legs)
     return 0.6 * abs(radius - nicest) + EXTENDED * prolonged
 
 
 def _room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
-    """How far it is along the sides of an angle to the next point, which may have marks of its own."""
+    """How far it is along the sides of an angle to the next point, which may have marks of its
+    own.
+    """
     steps = [(point - vertex, polar(side)) for point in points for side in sides]
     reaches = [step.dot(toward) for step, toward in steps if abs(step.cross(toward)) < NEAR]
     return min((reach for reach in reaches if reach > NEAR), default=inf)
@@ -125,7 +135,9 @@ def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
 
 @dataclass(frozen=True)
 class AngleArc:
-    """An arc, with an arrowhead when the sense matters, and the thin lines it needs for its sides."""
+    """An arc, with an arrowhead when the sense matters, and the thin lines it needs for its
+    sides.
+    """
 
     bow: Bow
     legs: tuple[Leg, ...]

@@ -1,4 +1,5 @@
-"""The straight parts of a body: links, slotted bars, bars in sleeves, faces, plates, rods in ground guides.
+"""The straight parts of a body: links, slotted bars, bars in sleeves, faces, plates, rods in ground
+guides.
 
 All of it follows from the points of the body and from the lines on which other bodies act.
 """
@@ -44,7 +45,8 @@ GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any othe
 
 @dataclass(frozen=True)
 class Bar:
-    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests on it.
+    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests
+    on it.
 
     A rack has its pitch line as axis and its material in the direction `back`.
     """
@@ -70,7 +72,9 @@ class SlottedDisc:
 
 @dataclass(frozen=True)
 class Rod:
-    """A body that translates in a straight ground guide near its end; `free` are its ends without a marked point."""
+    """A body that translates in a straight ground guide near its end; `free` are its ends without a
+    marked point.
+    """
 
     body: str
     start: Vector
@@ -107,7 +111,9 @@ def bodies_of(
 
 
 def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
-    """Of two bodies sliding in each other, the bar and the sleeve: the bar has more points on the line."""
+    """Of two bodies sliding in each other, the bar and the sleeve: the bar has more points on the
+    line.
+    """
     on_it = [
         sum(on_line(mechanism.points[name], joint.line) for name in _names(mechanism, body))
         for body in (joint.body, joint.of)
@@ -130,7 +136,9 @@ def sleeve_centre(mechanism: Mechanism, joint: Sleeve) -> Vector:
 
 
 def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
-    """The bodies that translate along a straight ground guide, each with its guided point and the guide."""
+    """The bodies that translate along a straight ground guide, each with its guided point and the
+    guide.
+    """
     fixed = {
         GROUND,
         *(
@@ -151,7 +159,9 @@ def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
 def rods(
     mechanism: Mechanism, shapes: Mapping[str, str], found: tuple[Rim, ...], bars: tuple[Bar, ...]
 ) -> tuple[Rod, ...]:
-    """The translating rods, each away from the rest and long enough to have its guide clear of the bars."""
+    """The translating rods, each away from the rest and long enough to have its guide clear of the
+    bars.
+    """
     parts = []
     for body, (start, line) in translating(mechanism).items():
         others = [

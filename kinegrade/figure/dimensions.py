@@ -1,4 +1,6 @@
-"""Distances between points: dimension lines at several distances, or the symbol at a drawn line or led to it."""
+"""Distances between points: dimension lines at several distances, or the symbol at a drawn line or
+led to it.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +39,9 @@ DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss eithe
 
 
 def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
-    """Dimension lines, and the symbol alone where a line is drawn between the two points and no farther."""
+    """Dimension lines, and the symbol alone where a line is drawn between the two points and no
+    farther.
+    """
     start, end = at[hint.start], at[hint.end]
     measured = {"horizontal": Vector(1.0, 0.0), "vertical": Vector(0.0, 1.0)}.get(
         hint.along or "", unit(end - start)
@@ -67,7 +71,9 @@ def _dimension(points: Segment, measured: Vector, offset: float, symbol: str) ->
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
-    """Whether one of the other points divides the line, so that a letter beside it could mean a part."""
+    """Whether one of the other points divides the line, so that a letter beside it could mean a
+    part.
+    """
     return any(
         length(point - nearest_of(point, start, end)) < NEAR
         and length(point - start) > NEAR < length(point - end)
@@ -118,7 +124,9 @@ class Dimension:
 
 @dataclass(frozen=True)
 class Lettered:
-    """The symbol alone, close beside a line that is drawn between the two points: the clearest where it fits."""
+    """The symbol alone, close beside a line that is drawn between the two points: the clearest
+    where it fits.
+    """
 
     start: Vector
     end: Vector
@@ -143,7 +151,9 @@ class Lettered:
 
 @dataclass(frozen=True)
 class Leader:
-    """The symbol at the end of a thin line that leads to the middle of a bar: where the bar is short and crowded."""
+    """The symbol at the end of a thin line that leads to the middle of a bar: where the bar is
+    short and crowded.
+    """
 
     middle: Vector
     angle: float

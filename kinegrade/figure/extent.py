@@ -1,4 +1,6 @@
-"""How much room a symbol takes on paper, estimated on the safe side from its LaTeX for all back ends."""
+"""How much room a symbol takes on paper, estimated on the safe side from its LaTeX for all back
+ends.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""To scale and within the paper: the largest scale at which a drawing, whose symbols do not scale, fits its frame."""
+"""To scale and within the paper: the largest scale at which a drawing, whose symbols do not scale,
+fits its frame.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,8 @@ from kinegrade.problem.hints import FigureHints
 
 WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
 ATTEMPTS = 6
-MARGIN = 1.2  # millimetres a figure that was too large is aimed below its limit, for marks find new places
+# Millimetres a figure that was too large is aimed below its limit, for marks find new places
+MARGIN = 1.2
 
 
 def fitted(
@@ -23,9 +26,11 @@ def fitted(
     span: tuple[float, float],
     height: float = HEIGHT,
 ) -> Scene:
-    """The scene that `compose` gives at the first scale, from `scale` downward, at which it is within WIDTH x `height`.
+    """The scene that `compose` gives at the first scale, from `scale` downward, at which it is
+    within WIDTH x `height`.
 
-    `span` is the width and height of what scales, in the unit that the scale (millimetres per unit) is about.
+    `span` is the width and height of what scales, in the unit that the scale (millimetres per unit)
+    is about.
     """
     for _ in range(ATTEMPTS):
         primitives = compose(scale)
@@ -55,7 +60,9 @@ def _in_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene
 def span_of(
     mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
 ) -> tuple[float, float]:
-    """Width and height in metres of what scales: points, circles, profiles of cams, and points `beside` them."""
+    """Width and height in metres of what scales: points, circles, profiles of cams, and points
+    `beside` them.
+    """
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
     for rim in rims(mechanism, hints.shapes, hints.circles):
         match rim.kind:

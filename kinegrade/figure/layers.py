@@ -1,4 +1,6 @@
-"""The mechanism itself as primitives, from the lowest layer up: circles, stands, bars, blocks, pins."""
+"""The mechanism itself as primitives, from the lowest layer up: circles, stands, bars, blocks,
+pins.
+"""
 
 from __future__ import annotations
 
@@ -238,7 +240,9 @@ def _blocks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive,
 
 
 def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
-    """The side of a guide away from the mechanism; below, or to the right, when bars leave to both sides."""
+    """The side of a guide away from the mechanism; below, or to the right, when bars leave to both
+    sides.
+    """
     at = mechanism.points[name]
     across = along.turned()
     below = -across if across.y > 1e-9 or (abs(across.y) <= 1e-9 and across.x < 0) else across
@@ -258,7 +262,9 @@ def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
 def _pins(
     mechanism: Mechanism, found: tuple[Rim, ...], hints: FigureHints, knives: set[str]
 ) -> tuple[Primitive, ...]:
-    """Open circles at pins, crosses at centres and at labelled constructions, dots at other marked points."""
+    """Open circles at pins, crosses at centres and at labelled constructions, dots at other marked
+    points.
+    """
     pinned = {joint.point for joint in mechanism.joints if isinstance(joint, Pin)}
     translated = translating(mechanism)
     sliding = [joint for joint in mechanism.joints if isinstance(joint, Slide)]

@@ -1,4 +1,6 @@
-"""A figure in the making: what is drawn and written so far, and how one thing more finds its place."""
+"""A figure in the making: what is drawn and written so far, and how one thing more finds its
+place.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +55,9 @@ class Layout:
         return layout
 
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
-        """With the alternative that covers least, and its label; what is still to come may be spared."""
+        """With the alternative that covers least, and its label; what is still to come may be
+        spared.
+        """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark, wish = least_covering(alternatives, crowded)
         layout = self.drawn(mark.primitives())
@@ -75,10 +79,11 @@ def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
 
 
 def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
-    """The cheapest by what its line covers, what its label covers, and its demerit; the nicest of equals. And its wish.
+    """The cheapest by what its line covers, what its label covers, and its demerit; the nicest of
+    equals. And its wish.
 
-    Alternatives are judged the nicest first, some at once, and what one covers only while it can still decide: first
-    its line, then its label.
+    Alternatives are judged the nicest first, some at once, and what one covers only while it can
+    still decide: first its line, then its label.
     """
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
     best: tuple[Mark, Wish] | None = None

@@ -1,4 +1,6 @@
-"""One way to draw a mark (a dimension, an angle, a motion): every mark has several to choose from."""
+"""One way to draw a mark (a dimension, an angle, a motion): every mark has several to choose
+from.
+"""
 
 from __future__ import annotations
 
@@ -14,11 +16,15 @@ from kinegrade.mechanics.vector import Vector
 
 
 class Mark(Protocol):
-    """One way to draw a mark; few of them are ever asked for their wish, and one for its primitives."""
+    """One way to draw a mark; few of them are ever asked for their wish, and one for its
+    primitives.
+    """
 
     @property
     def demerit(self) -> float:
-        """How much less nice it is than the nicest way; 10 weighs as much as one firm line crossed."""
+        """How much less nice it is than the nicest way; 10 weighs as much as one firm line
+        crossed.
+        """
 
     @property
     def shared(self) -> bool:

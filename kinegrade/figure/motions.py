@@ -1,4 +1,6 @@
-"""Given motions as arrows: curved about a pivot, straight at a point, each in several ways to choose from."""
+"""Given motions as arrows: curved about a pivot, straight at a point, each in several ways to
+choose from.
+"""
 
 from __future__ import annotations
 
@@ -83,7 +85,9 @@ def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) ->
 
 
 def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
-    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the middle of its points."""
+    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the middle
+    of its points.
+    """
     for joint in mechanism.joints:
         if isinstance(joint, Pin) and GROUND in joint.bodies and body in joint.bodies:
             return mechanism.points[joint.point]
@@ -99,7 +103,9 @@ def _imposed_sense(mechanism: Mechanism, body: str) -> Sense:
 
 
 def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
-    """Arrows in the direction of the motion: from the point, then beside it, off the mechanism first."""
+    """Arrows in the direction of the motion: from the point, then beside it, off the mechanism
+    first.
+    """
     point = mechanism.points[hint.point]
     toward = (
         unit(direction(mechanism.points, point, hint.along))

@@ -19,7 +19,8 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-MISTAKEN = 20.0  # cost of a letter that may be read as that of another point: between a thin and a firm line
+# Cost of a letter that may be read as that of another point: between a thin and a firm line
+MISTAKEN = 20.0
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
 
@@ -66,7 +67,9 @@ def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> It
 
 
 def _away(at: Vector, drawing: Drawing) -> Vector | None:
-    """The direction that leaves a point between its bars and off its circle; None when none is better."""
+    """The direction that leaves a point between its bars and off its circle; None when none is
+    better.
+    """
     toward = Vector(0.0, 0.0)
     for part in drawing.parts:
         if isinstance(part, Bar | Rod) and on_line(at, Line(part.start, part.end - part.start)):
@@ -79,7 +82,9 @@ def _away(at: Vector, drawing: Drawing) -> Vector | None:
 
 
 def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
-    """Points that belong to a body, to a circle or to the ground, or are labelled: others are construction only."""
+    """Points that belong to a body, to a circle or to the ground, or are labelled: others are
+    construction only.
+    """
     used = {name for body in mechanism.bodies for name in body.points} | {
         rim.centre for rim in drawing.rims
     }
@@ -122,6 +127,7 @@ def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
         raise TemplateError(
-            f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its points"
+            f"figure.labels.{body}: no circle and no bar of {body!r} is drawn; label one of its "
+            "points"
         )
     return Wish(symbol, around(symbol, (parts[0].start + parts[0].end) / 2))

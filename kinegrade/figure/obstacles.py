@@ -1,10 +1,11 @@
-"""What is drawn so far, as lines and rings, ready to be asked what a rectangle laid over it would cover.
+"""What is drawn so far, as lines and rings, ready to be asked what a rectangle laid over it would
+cover.
 
-Costs are whole numbers, so that a sum does not depend on the order of its terms, and what merely touches is
-free by a margin far above rounding: the same figure comes out on every machine.
+Costs are whole numbers, so that a sum does not depend on the order of its terms, and what merely
+touches is free by a margin far above rounding: the same figure comes out on every machine.
 
-Few things are near any one place, and one of the first places asked about is free as a rule: to look at those few in
-plain numbers takes less than to compute with arrays of all.
+Few things are near any one place, and one of the first places asked about is free as a rule: to
+look at those few in plain numbers takes less than to compute with arrays of all.
 """
 
 from __future__ import annotations
@@ -45,10 +46,11 @@ CORNER = 1.5  # times half its width, how far a pen's corners reach at any angle
 
 @dataclass(frozen=True)
 class Obstacles:
-    """Lines and rings, each after the box it lies in (left, bottom, right, top); never changed, only extended.
+    """Lines and rings, each after the box it lies in (left, bottom, right, top); never changed,
+    only extended.
 
-    A line has x, y of its start, the steps dx, dy to its end, their negative inverses, half of its pen's width and its
-    cost. A ring has x, y, inner radius, outer radius and cost.
+    A line has x, y of its start, the steps dx, dy to its end, their negative inverses, half of its
+    pen's width and its cost. A ring has x, y, inner radius, outer radius and cost.
     """
 
     lines: Sequence[Boxed]
@@ -96,7 +98,8 @@ class Obstacles:
     def along(self, path: Sequence[Segment], shared: bool) -> float:
         """The cost of drawing something thin along straight pieces.
 
-        What the path meets counts once; when lines may be shared, a thin line on the axis of a piece not at all.
+        What the path meets counts once; when lines may be shared, a thin line on the axis of a
+        piece not at all.
         """
         if not path:
             return 0.0
@@ -141,14 +144,18 @@ def _near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
 
 
 def _strip(start: Vector, end: Vector, half: float) -> Numbers:
-    """A strip about a straight piece: its centre x, y, its direction x, y, half its length and half its width."""
+    """A strip about a straight piece: its centre x, y, its direction x, y, half its length and half
+    its width.
+    """
     (x, y), (to_x, to_y) = start, end
     size = max(hypot(to_x - x, to_y - y), TOUCH)
     return ((x + to_x) / 2, (y + to_y) / 2, (to_x - x) / size, (to_y - y) / size, size / 2, half)
 
 
 def _strip_crosses(strip: Numbers, line: Numbers, shared: bool) -> bool:
-    """Whether a strip meets a line; one that may be shared does not meet a thin line on its axis."""
+    """Whether a strip meets a line; one that may be shared does not meet a thin line on its
+    axis.
+    """
     centre_x, centre_y, along, across, half_length, half_width = strip
     x, y, dx, dy, _, _, pen, cost = line
     start, off = _turned(x - centre_x, y - centre_y, along, across)
@@ -174,7 +181,8 @@ def _pace(step: float) -> float:
 
 
 def _crosses(across: Numbers, upward: Numbers) -> bool:
-    """Whether a line meets a box about the origin: on its way it is in both bands at once (Liang and Barsky).
+    """Whether a line meets a box about the origin: on its way it is in both bands at once (Liang
+    and Barsky).
 
     For either coordinate where the line starts, its pace, and half of the box.
     """
@@ -188,7 +196,9 @@ def _crosses(across: Numbers, upward: Numbers) -> bool:
 
 
 def _encircles(x: float, y: float, half: tuple[float, float], inner: float, outer: float) -> bool:
-    """Whether a ring meets a box about the origin: the box's nearest point within, its farthest without."""
+    """Whether a ring meets a box about the origin: the box's nearest point within, its farthest
+    without.
+    """
     away_x, away_y, wide, high = abs(x), abs(y), half[0] - TOUCH, half[1] - TOUCH
     if max(away_x - wide, 0.0) ** 2 + max(away_y - high, 0.0) ** 2 > outer**2:
         return False
@@ -201,9 +211,11 @@ def _turned(x: float, y: float, along: float, across: float) -> tuple[float, flo
 
 
 def _label(label: Label) -> list[Boxed]:
-    """A label's box as its longer middle line, with a pen as wide as the box is narrow, and its diagonals.
+    """A label's box as its longer middle line, with a pen as wide as the box is narrow, and its
+    diagonals.
 
-    The middle line is exact against upright boxes; the diagonals reach the corners for strips at an angle.
+    The middle line is exact against upright boxes; the diagonals reach the corners for strips at an
+    angle.
     """
     half = min(label.width, label.height) / 2
     along, rise = (

@@ -1,4 +1,6 @@
-"""From metres to millimetres on paper: one factor for both axes, so that a figure is true to scale."""
+"""From metres to millimetres on paper: one factor for both axes, so that a figure is true to
+scale.
+"""
 
 from __future__ import annotations
 

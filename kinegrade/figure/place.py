@@ -32,9 +32,11 @@ _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
 
 @dataclass(frozen=True)
 class Wish:
-    """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and what it is at.
+    """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and
+    what it is at.
 
-    When none of its spots is free, any other around that point will do. A spot may have a demerit of its own.
+    When none of its spots is free, any other around that point will do. A spot may have a demerit
+    of its own.
     """
 
     symbol: str
@@ -90,7 +92,9 @@ def _best(
 
 
 def around(symbol: str, anchor: Vector, gap: float = 0.0, away: Vector | None = None) -> Floats:
-    """Spots for a symbol around a point, in sixteen directions, nearest first, towards `away` first."""
+    """Spots for a symbol around a point, in sixteen directions, nearest first, towards `away`
+    first.
+    """
     half = np.array(symbol_size(symbol)) / 2
     toward = _TOWARD
     if away is not None:
@@ -101,7 +105,9 @@ def around(symbol: str, anchor: Vector, gap: float = 0.0, away: Vector | None = 
 
 
 def nearer_to_others(symbol: str, spots: Floats, own: Vector, others: Sequence[Vector]) -> Floats:
-    """For each spot 1 where a letter would stand about as near to another point as to its own, else 0."""
+    """For each spot 1 where a letter would stand about as near to another point as to its own, else
+    0.
+    """
     if not others:
         return np.zeros(len(spots))
     half = np.array(symbol_size(symbol)) / 2

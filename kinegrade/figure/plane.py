@@ -1,4 +1,6 @@
-"""Plane geometry of the drawing, in floats: unit vectors, angles, feet, hulls (mechanics is exact)."""
+"""Plane geometry of the drawing, in floats: unit vectors, angles, feet, hulls (mechanics is
+exact).
+"""
 
 from __future__ import annotations
 

@@ -28,7 +28,9 @@ def plate_of(body: Body, own: Sequence[Vector], shapes: Mapping[str, str]) -> Pl
 
 
 def outward(plate: Plate, line: Line) -> Vector | None:
-    """The direction (of any length) that leaves a plate across its edge on the line; None when none lies there."""
+    """The direction (of any length) that leaves a plate across its edge on the line; None when none
+    lies there.
+    """
     for start, end in pairwise((*plate.corners, plate.corners[0])):
         if on_line(start, line) and on_line(end, line):
             return -(end - start).turned()

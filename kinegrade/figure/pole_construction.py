@@ -1,4 +1,6 @@
-"""The construction of a velocity pole: normals to velocities meet in it; what is far away is pointed to."""
+"""The construction of a velocity pole: normals to velocities meet in it; what is far away is
+pointed to.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,6 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import pi
 
-from kinegrade.figure.bare import BareMechanism, bold_lines
 from kinegrade.figure.fitting import HEIGHT, fitted
 from kinegrade.figure.layout import Layout
 from kinegrade.figure.mark import Mark
@@ -15,6 +16,7 @@ from kinegrade.figure.motions import TURNING_ARC, TWELFTHS, TurningArrow
 from kinegrade.figure.names import body_names, letters
 from kinegrade.figure.obstacles import Segment
 from kinegrade.figure.place import Wish, around
+from kinegrade.figure.plain_mechanism import BareMechanism, bold_lines
 from kinegrade.figure.plane import angle_of, length, mean, on_line, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Outline, Pen, Primitive, Scene, Strokes
 from kinegrade.figure.symbols import arrowhead, dot
@@ -38,7 +40,9 @@ SAME = 1e-3  # millimetres within which two points are one
 
 @dataclass(frozen=True)
 class Pole:
-    """A velocity pole: its symbol (LaTeX math), and where it is (m), None when it is at infinity."""
+    """A velocity pole: its symbol (LaTeX math), and where it is (m), None when it is at
+    infinity.
+    """
 
     symbol: str
     at: Vector | None
@@ -51,12 +55,14 @@ def pole_picture(
     rays: Sequence[PointArrow],
     rotation: Turning | None = None,
 ) -> Scene:
-    """The mechanism (floats, metres) with its letters, the velocities `rays` of points of one body, and its pole.
+    """The mechanism (floats, metres) with its letters, the velocities `rays` of points of one body,
+    and its pole.
 
-    A dashed normal leads from each point to the pole, with a right angle between it and the velocity; where
-    all normals coincide, a dashed line through the tips of the velocities finds the pole on them. Normals to a pole
-    outside the picture end in an arrowhead with its symbol; to one at infinity they are parallel. A pole at the
-    contact of a rolling wheel needs no rays. `rotation` is drawn as a curved arrow about a pole in the picture.
+    A dashed normal leads from each point to the pole, with a right angle between it and the
+    velocity; where all normals coincide, a dashed line through the tips of the velocities finds the
+    pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol; to one
+    at infinity they are parallel. A pole at the contact of a rolling wheel needs no rays.
+    `rotation` is drawn as a curved arrow about a pole in the picture.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
@@ -78,7 +84,9 @@ class _Construction:
     near: bool
 
     def compose(self, bare: BareMechanism, scale: float) -> tuple[Primitive, ...]:
-        """The normals under the velocities, then the letters, the symbols, the rotation, the names of bodies."""
+        """The normals under the velocities, then the letters, the symbols, the rotation, the names
+        of bodies.
+        """
         paper, drawing = bare.at(scale)
         placed = placed_arrows(self.rays, scale, drawing, LEAST)
         bars = tuple(bold_lines(drawing.primitives))
@@ -99,7 +107,9 @@ class _Construction:
     def normals(
         self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
     ) -> Iterator[tuple[VectorArrow, Vector]]:
-        """Each velocity with the end of its normal on paper; `bars` are bold lines, on which no normal can be seen."""
+        """Each velocity with the end of its normal on paper; `bars` are bold lines, on which no
+        normal can be seen.
+        """
         first: Vector | None = None
         for arrow in placed:
             if self.pole.at is None:
@@ -116,7 +126,9 @@ class _Construction:
     def lines(
         self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
     ) -> tuple[Primitive, ...]:
-        """The normals, the marks of right angles, the line through the tips of parallel velocities."""
+        """The normals, the marks of right angles, the line through the tips of parallel
+        velocities.
+        """
         ways = list(self.normals(placed, scale, bars))
         if not ways:
             return ()

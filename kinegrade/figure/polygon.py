@@ -1,4 +1,6 @@
-"""The polygon of a vector equation, to scale: both sides laid tip to tail from one origin to one end."""
+"""The polygon of a vector equation, to scale: both sides laid tip to tail from one origin to one
+end.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +42,9 @@ ZERO = Vector(0.0, 0.0)
 
 @dataclass(frozen=True)
 class Arrow:
-    """A vector of an equation by its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known` before solving."""
+    """A vector of an equation by its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known`
+    before solving.
+    """
 
     symbol: str
     value: Vector
@@ -50,10 +54,11 @@ class Arrow:
 def polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
-    Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors shorter than a
-    hundredth of the longest are not drawn. Where vectors lie on one line they are drawn side by side, tied by
-    thin lines to where they belong. The scale of the scene is millimetres per m/s (or m/s^2), a round number.
-    The figure is within WIDTH x HEIGHT of `fitting`.
+    Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
+    shorter than a hundredth of the longest are not drawn. Where vectors lie on one line they are
+    drawn side by side, tied by thin lines to where they belong. The scale of the scene is
+    millimetres per m/s (or m/s^2), a round number. The figure is within WIDTH x HEIGHT of
+    `fitting`.
     """
     across, upward = (_span(axis) for axis in zip(*_corners(left), *_corners(right), strict=True))
     if across + upward == 0.0:
@@ -91,7 +96,9 @@ def _span(numbers: Sequence[float]) -> float:
 
 
 def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[Primitive, ...]:
-    """The arrows, then the symbols, of the shortest arrow first: it has the least choice of place."""
+    """The arrows, then the symbols, of the shortest arrow first: it has the least choice of
+    place.
+    """
     least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _laid(side, scale, least)]
     arrows = side_by_side(laid, (), OFFSETS)

@@ -48,8 +48,8 @@ def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> 
     )
     centres = {rim.centre for rim in found}
     raise TemplateError(
-        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints and from 'circles'; "
-        f"{did_you_mean(hint.centre, centres)}"
+        f"figure.radii: no circle{of} about {hint.centre!r}; circles come from the joints and "
+        f"from 'circles'; {did_you_mean(hint.centre, centres)}"
     )
 
 

@@ -1,4 +1,6 @@
-"""The circles a mechanism has: wheels, gears, tracks, discs, slotted rings, each read from the joints."""
+"""The circles a mechanism has: wheels, gears, tracks, discs, slotted rings, each read from the
+joints.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +49,9 @@ class Rim:
 def rims(
     mechanism: Mechanism, shapes: Mapping[str, str], circles: Iterable[Rimmed] = ()
 ) -> tuple[Rim, ...]:
-    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; asked ones come last."""
+    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; asked
+    ones come last.
+    """
     found: dict[tuple[str, str, float], Rim] = {}
     for joint in mechanism.joints:
         for rim in _of_joint(mechanism, joint, shapes):

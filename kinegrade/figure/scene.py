@@ -1,7 +1,8 @@
-"""A drawing as plain values: what every back end (Typst, TikZ, a browser) receives and none may change.
+"""A drawing as plain values: what every back end (Typst, TikZ, a browser) receives and none may
+change.
 
-Millimetres on paper, x right, y up, origin at the lower left corner; angles in radians, counter-clockwise
-positive. Primitives are listed from the lowest layer to the topmost.
+Millimetres on paper, x right, y up, origin at the lower left corner; angles in radians,
+counter-clockwise positive. Primitives are listed from the lowest layer to the topmost.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""From a mechanism to its figure: `sketch` is the way in, `typst` (and its siblings) the way out."""
+"""From a mechanism to its figure: `sketch` is the way in, `typst` (and its siblings) the way
+out.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
-from kinegrade.figure.alike import Subject, subject
 from kinegrade.figure.angles import angle_marks, least_legs
 from kinegrade.figure.dimensions import length_marks
 from kinegrade.figure.fitting import HEIGHT, WIDTH, fitted, span_of
@@ -19,6 +20,7 @@ from kinegrade.figure.place import Wish, around
 from kinegrade.figure.plane import length
 from kinegrade.figure.radii import radius_marks
 from kinegrade.figure.scene import THIN, Primitive, Scene, Strokes, box_around
+from kinegrade.figure.similar_mechanisms import Subject, subject
 from kinegrade.figure.symbols import arrowhead
 from kinegrade.figure.view import in_view
 from kinegrade.mechanics.mechanism import Mechanism
@@ -43,7 +45,8 @@ PLAIN = FigureHints()
 
 
 def sketch(mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
-    """The figure of a mechanism whose numbers are floats in metres: to scale, within WIDTH x HEIGHT.
+    """The figure of a mechanism whose numbers are floats in metres: to scale, within WIDTH x
+    HEIGHT.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
@@ -71,8 +74,8 @@ def drawn(shown: Subject) -> Scene:
 def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
     """The mechanism, then what has least choice of place first, each against what is already there.
 
-    Letters must stand near their points, after the marks that are bound to points but before the radii, which
-    may go anywhere; the name of a body may stand anywhere in it.
+    Letters must stand near their points, after the marks that are bound to points but before the
+    radii, which may go anywhere; the name of a body may stand anywhere in it.
     """
     paper = to_paper(mechanism, scale)
     drawing = draw(paper, hints)
@@ -90,7 +93,9 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
 def _with_bound_marks(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
-    """Marks bound to points: angles, rotations (which spare the letters at their pivots), distances, motions."""
+    """Marks bound to points: angles, rotations (which spare the letters at their pivots),
+    distances, motions.
+    """
     legs = [least_legs(paper.points, angle, drawing) for angle in hints.angles]
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [line for lines in legs[number:] for line in lines]
@@ -123,7 +128,9 @@ def _with_axes(layout: Layout) -> Layout:
 
 
 def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]) -> float:
-    """The scale that leaves room for the symbols, which do not scale, and for the writing about them."""
+    """The scale that leaves room for the symbols, which do not scale, and for the writing about
+    them.
+    """
     guess = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))
     box = box_around(draw(to_paper(mechanism, guess), hints).primitives)
     straight = any(isinstance(given, Moving) for given in hints.arrows)

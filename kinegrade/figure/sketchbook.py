@@ -1,4 +1,6 @@
-"""Figures that several processes need are drawn by the first of them, and kept in a folder for the others."""
+"""Figures that several processes need are drawn by the first of them, and kept in a folder for the
+others.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +12,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from kinegrade.figure.alike import Subject
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
+from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import PLAIN, drawn, sized
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -30,7 +32,9 @@ def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) ->
 
 @lru_cache(maxsize=1024)
 def _kept(book: Path, shown: Subject) -> Scene:
-    """The figure of a mechanism of unit size, from the book or into it. A page appears in it whole."""
+    """The figure of a mechanism of unit size, from the book or into it. A page appears in it
+    whole.
+    """
     page = book / sha256(shown.text.encode()).hexdigest()
     try:
         scene: Scene = _scene_part(json.loads(page.read_text(encoding="utf-8")))

@@ -1,4 +1,6 @@
-"""What stands on the ground: the triangles of fixed pins, and the wedges on which the edges of plates rest."""
+"""What stands on the ground: the triangles of fixed pins, and the wedges on which the edges of
+plates rest.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ STAND_ROOM = 0.85  # radians between a stand's axis and a bar, that the bar is c
 def knife_edges(
     mechanism: Mechanism, parts: tuple[Bar | Plate | SlottedDisc | Rod, ...]
 ) -> dict[str, Vector]:
-    """The fixed points on which the edge of a plate rests, each with the direction that leaves the plate."""
+    """The fixed points on which the edge of a plate rests, each with the direction that leaves the
+    plate.
+    """
     plates = {part.body: part for part in parts if isinstance(part, Plate)}
     found = {}
     for joint in mechanism.joints:

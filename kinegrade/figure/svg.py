@@ -1,6 +1,7 @@
 """A scene as SVG, written straight, for browsers: a millisecond, and no typesetter.
 
-It is black on white whatever the page around it, needs nothing but itself, and holds no script, link or style sheet.
+It is black on white whatever the page around it, needs nothing but itself, and holds no script,
+link or style sheet.
 """
 
 from __future__ import annotations
@@ -56,8 +57,8 @@ def _document(width: float, height: float, primitives: tuple[Primitive, ...]) ->
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{across}mm" height="{upward}mm" '
             f'viewBox="0 0 {across} {upward}">',
             f'<rect width="{across}" height="{upward}" fill="#fff"/>',
-            f'<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" '
-            f'font-size="{_mm(EM)}">',
+            '<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round" '
+            f'font-family="{FONTS}" font-size="{_mm(EM)}">',
             *lines,
             "</g>",
             "</svg>",
@@ -112,7 +113,9 @@ def _style(pen: Pen | None, fill: Fill) -> str:
 
 
 def _label(label: Label, height: float) -> str:
-    """The symbol with the middle of its letters, as far as they reach up and down, in the middle of its box."""
+    """The symbol with the middle of its letters, as far as they reach up and down, in the middle of
+    its box.
+    """
     runs = _runs(label.symbol)
     middle = (max(run.top for run in runs) + min(run.bottom for run in runs)) / 2 * EM
     place = f'x="{_mm(label.centre.x)}" y="{_mm(height - label.centre.y + middle)}"'
@@ -148,5 +151,7 @@ def _point(point: Vector, height: float) -> str:
 
 
 def _mm(value: float) -> str:
-    """To a hundredth, rounded twice, so that the last bits of a sine, which differ between machines, never show."""
+    """To a hundredth, rounded twice, so that the last bits of a sine, which differ between
+    machines, never show.
+    """
     return f"{round(round(value, 6), 2) + 0.0:g}"

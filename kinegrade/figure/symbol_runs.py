@@ -1,7 +1,8 @@
-"""A LaTeX symbol as runs of text: what back ends draw that have letters but no typesetter of formulas.
+"""A LaTeX symbol as runs of text: what back ends draw that have letters but no typesetter of
+formulas.
 
-Letters are italic, digits and `\\mathrm` upright, scripts small and shifted, as in print. Lengths are in em of the
-symbol's own size.
+Letters are italic, digits and `\\mathrm` upright, scripts small and shifted, as in print. Lengths
+are in em of the symbol's own size.
 """
 
 from __future__ import annotations
@@ -70,7 +71,9 @@ _LOW, _DEEP, _BOTH = (
 
 @dataclass(frozen=True)
 class Run:
-    """Letters of one lettering; `shift` is the height of their baseline, `back` how far to go back before them."""
+    """Letters of one lettering; `shift` is the height of their baseline, `back` how far to go back
+    before them.
+    """
 
     text: str
     italic: bool = False
@@ -109,7 +112,9 @@ class _Reader:
         self._place = 0
 
     def row(self, style: Run) -> list[Run]:
-        """What stands up to a closing brace or the end, in a style; scripts belong to the atom before them."""
+        """What stands up to a closing brace or the end, in a style; scripts belong to the atom
+        before them.
+        """
         runs: list[Run] = []
         while token := self._next():
             if token == "}":

@@ -1,4 +1,6 @@
-"""The symbols of kinematic diagrams (ISO 3952, GB/T 4460) in millimetres, at a point, in a direction."""
+"""The symbols of kinematic diagrams (ISO 3952, GB/T 4460) in millimetres, at a point, in a
+direction.
+"""
 
 from __future__ import annotations
 

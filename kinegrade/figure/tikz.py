@@ -1,7 +1,8 @@
 r"""A scene as LaTeX source: one `tikzpicture`, drawn with PGF's basic layer.
 
-The basic layer (`\pgfpathmoveto` and its kin) sets the same figure eight times as fast as TikZ's own `\draw`,
-because nothing is parsed; an editor may put `\draw` beside it, in the same millimetres, where `x=1mm,y=1mm`.
+The basic layer (`\pgfpathmoveto` and its kin) sets the same figure eight times as fast as TikZ's
+own `\draw`, because nothing is parsed; an editor may put `\draw` beside it, in the same
+millimetres, where `x=1mm,y=1mm`.
 """
 
 from __future__ import annotations
@@ -29,15 +30,15 @@ from kinegrade.problem.hints import symbol_fault
 
 _FILLS: dict[Fill, str] = {"none": "", "white": "white", "grey": "black!9", "black": "black"}
 _DASHES = {"solid": "", "dashed": "{3pt}{3pt}", "dash-dotted": "{3pt}{2pt}{0.01pt}{2pt}"}
-_BEND = (
-    pi / 2
-)  # the longest sweep of one Bezier curve: it leaves the circle by 0.03 % of the radius
+# The longest sweep of one Bezier curve: it leaves the circle by 0.03 % of the radius
+_BEND = pi / 2
 
 
 def to_tikz(scene: Scene) -> str:
     r"""LaTeX for the scene: a box of its width and height, its lower edge on the baseline.
 
-    It needs the package tikz and nothing else. Raises TypesetError for a label that is no LaTeX symbol.
+    It needs the package tikz and nothing else. Raises TypesetError for a label that is no LaTeX
+    symbol.
     """
     commands = chain.from_iterable(_commands(scene.primitives))
     size = _corner(Vector(scene.width, scene.height))

@@ -1,4 +1,6 @@
-"""Straight tracks of the ground: one surface under all wheels that stand on the same line, or a fixed rack."""
+"""Straight tracks of the ground: one surface under all wheels that stand on the same line, or a
+fixed rack.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,9 @@ class _Foot:
 
 
 def tracks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
-    """The hatched surfaces, each as long as its wheels need and on to the ground pins that lie on it."""
+    """The hatched surfaces, each as long as its wheels need and on to the ground pins that lie on
+    it.
+    """
     groups: list[list[_Foot]] = []
     for standing in _feet(mechanism, shapes):
         home = next((group for group in groups if _one_surface(group[0], standing)), None)
@@ -39,7 +43,9 @@ def tracks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, 
 
 
 def fixed_pins(mechanism: Mechanism) -> list[str]:
-    """The points that stand on the ground: its pins, and those about which it guides a moving line."""
+    """The points that stand on the ground: its pins, and those about which it guides a moving
+    line.
+    """
     pins = [
         joint.point
         for joint in mechanism.joints

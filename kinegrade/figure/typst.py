@@ -1,4 +1,6 @@
-"""A scene as Typst source: one self-contained box, drawn by Typst itself, or faster with an SVG picture in it."""
+"""A scene as Typst source: one self-contained box, drawn by Typst itself, or faster with an SVG
+picture in it.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +56,8 @@ def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
 
 
 def to_typst_picture(scene: Scene) -> str:
-    """The same box with the lines as one SVG picture and the symbols over it: Typst sets it three times as fast.
+    """The same box with the lines as one SVG picture and the symbols over it: Typst sets it three
+    times as fast.
 
     Raises TypesetError for a label that is no LaTeX symbol.
     """
@@ -63,7 +66,9 @@ def to_typst_picture(scene: Scene) -> str:
 
 @lru_cache(maxsize=256)
 def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
-    """The picture in its box, hidden from those who listen, as lines are; labels are topmost in every scene."""
+    """The picture in its box, hidden from those who listen, as lines are; labels are topmost in
+    every scene.
+    """
     lines = tuple(primitive for primitive in primitives if not isinstance(primitive, Label))
     drawing = to_svg(Scene(width, height, 1.0, lines)).replace('"', "'")
     symbols = "\n".join(

@@ -1,5 +1,6 @@
-"""Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head, told apart in
-black and white; arrows that would lie on one another, or on a bold line, stand side by side.
+"""Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head,
+told apart in black and white; arrows that would lie on one another, or on a bold line, stand side
+by side.
 """
 
 from __future__ import annotations
@@ -23,12 +24,15 @@ HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
 CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
 STRETCH = 0.8  # millimetres that two lines may run close together
 NEARER = 0.3  # millimetres by which a symbol has to be nearer to its own arrow than to any other
-MISTAKEN = 40.0  # cost of a symbol that may be read as that of another arrow: more than a firm line covered
+# Cost of a symbol that may be read as that of another arrow: more than a firm line covered
+MISTAKEN = 40.0
 
 
 @dataclass(frozen=True)
 class VectorArrow:
-    """An arrow on paper, in millimetres, `aside` of where it belongs when another line lies there."""
+    """An arrow on paper, in millimetres, `aside` of where it belongs when another line lies
+    there.
+    """
 
     symbol: str
     start: Vector
@@ -69,7 +73,9 @@ class VectorArrow:
         )
 
     def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
-        """The symbol about the tip of the arrow, or beside its farther half, nearer to it than to any other."""
+        """The symbol about the tip of the arrow, or beside its farther half, nearer to it than to
+        any other.
+        """
         start, end = self.line
         half = beside(self.symbol, (start + end) / 2, end, gaps=(0.5, 1.4))
         return self._wish(
@@ -91,7 +97,9 @@ class VectorArrow:
 
 
 def nearer_to_lines(symbol: str, spots: Floats, own: Segment, others: Sequence[Segment]) -> Floats:
-    """For each spot 1 where a symbol would stand about as near to another line as to its own, else 0."""
+    """For each spot 1 where a symbol would stand about as near to another line as to its own, else
+    0.
+    """
     if not others:
         return np.zeros(len(spots))
     half = np.array(symbol_size(symbol)) / 2
@@ -112,7 +120,8 @@ def _distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
 def side_by_side(
     arrows: Iterable[VectorArrow], drawn: Iterable[Segment], offsets: Sequence[float]
 ) -> tuple[VectorArrow, ...]:
-    """The arrows in order, each put aside by the first of the offsets at which it lies on no line and no arrow.
+    """The arrows in order, each put aside by the first of the offsets at which it lies on no line
+    and no arrow.
 
     Offsets are millimetres to the upper side of the arrow's line (to the right of a vertical one).
     """

@@ -1,4 +1,6 @@
-"""The mechanism to scale with velocities or accelerations as arrows at its points, and rotations as curved arrows."""
+"""The mechanism to scale with velocities or accelerations as arrows at its points, and rotations as
+curved arrows.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +8,12 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kinegrade.figure.bare import BareMechanism, bold_lines, pins
 from kinegrade.figure.fitting import fitted
 from kinegrade.figure.layers import Drawing
 from kinegrade.figure.layout import Layout
 from kinegrade.figure.motions import pivot_of, turning_marks
 from kinegrade.figure.names import body_names, letters
+from kinegrade.figure.plain_mechanism import BareMechanism, bold_lines, pins
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Primitive, Scene
 from kinegrade.figure.vector_arrows import VectorArrow, side_by_side
@@ -39,7 +41,9 @@ LETTERED = (
 
 @dataclass(frozen=True)
 class PointArrow:
-    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before it is solved."""
+    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before it
+    is solved.
+    """
 
     symbol: str
     at: Vector
@@ -53,11 +57,12 @@ def with_vectors(
     arrows: Sequence[PointArrow],
     turnings: Sequence[Turning] = (),
 ) -> Scene:
-    """The mechanism (floats, metres) with its letters but without its givens, and all arrows to one scale.
+    """The mechanism (floats, metres) with its letters but without its givens, and all arrows to one
+    scale.
 
-    The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or too short to
-    be seen are left out. `turnings` are the curved arrows of rotations, each with its sense. The scale of the
-    scene is that of the mechanism.
+    The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or
+    too short to be seen are left out. `turnings` are the curved arrows of rotations, each with its
+    sense. The scale of the scene is that of the mechanism.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
@@ -70,7 +75,9 @@ def with_vectors(
 def placed_arrows(
     arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = SHORTEST
 ) -> tuple[VectorArrow, ...]:
-    """The arrows on paper to one scale of their own, beside bold lines and beside each other, the longest first."""
+    """The arrows on paper to one scale of their own, beside bold lines and beside each other, the
+    longest first.
+    """
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
     reach = (
         CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
@@ -121,7 +128,9 @@ def with_turnings(
 def _compose(
     bare: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
 ) -> tuple[Primitive, ...]:
-    """The mechanism and its arrows, then what has least choice of place first: letters, symbols, names of bodies."""
+    """The mechanism and its arrows, then what has least choice of place first: letters, symbols,
+    names of bodies.
+    """
     paper, drawing = bare.at(scale)
     placed = placed_arrows(arrows, scale, drawing)
     layout = with_arrows(Layout.of(drawing.primitives), placed, drawing)

@@ -1,7 +1,8 @@
 """Answers that a policy accepts beside the key, worked out for every paper.
 
-`alternatives` is called by `grade`. Values are expressions of the grammar of templates: exact where a small field holds
-them, else known to 38 digits. A name in them is a parameter of the question or one of its right answers, in SI.
+`alternatives` is called by `grade`. Values are expressions of the grammar of templates: exact where
+a small field holds them, else known to 38 digits. A name in them is a parameter of the question or
+one of its right answers, in SI.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ _PURE = WrittenUnit(Fraction(1), 0, 0, 0, 0)
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
-    """An accepted answer on one paper, in the ask's unit; `error` is how far an irrational value may be off."""
+    """An accepted answer on one paper, in the ask's unit; `error` is how far an irrational value
+    may be off.
+    """
 
     accepted: Accepted
     value: Fraction
@@ -52,8 +55,8 @@ def alternatives(
 ) -> Alternatives:
     """All accepted answers of all papers, and of those put together from a pool.
 
-    `sources` are the papers from which these were put together. The names in a value stand for the numbers of the
-    paper that the ask comes from, wherever the other asks of its question come from.
+    `sources` are the papers from which these were put together. The names in a value stand for the
+    numbers of the paper that the ask comes from, wherever the other asks of its question come from.
 
     Raises PolicyError where one has no value.
     """
@@ -90,7 +93,9 @@ def _places(
     papers: Iterable[Paper],
     sources: Mapping[str, Paper],
 ) -> Iterator[tuple[Ask, Accepted, Paper, Which]]:
-    """Where something is accepted, each with the whole paper that the ask comes from; not what nobody was put."""
+    """Where something is accepted, each with the whole paper that the ask comes from; not what
+    nobody was put.
+    """
     numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
     for paper in papers:
         for ask, accepted in wanted:
@@ -112,8 +117,10 @@ def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]
     student, fault = failing[0]
     others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
     return (
-        f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value for student '
-        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend it'
+        f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value '
+        "for student "
+        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend '
+        "it"
     )
 
 
@@ -126,7 +133,9 @@ def _on_paper(
 def _numbers(
     exam: Sitting, ask: Ask, paper: Paper, givens: Givens, used: set[str]
 ) -> Mapping[str, Number]:
-    """What the names stand for, each with its unit: a text for a parameter, a number for a right answer."""
+    """What the names stand for, each with its unit: a text for a parameter, a number for a right
+    answer.
+    """
     found: dict[str, Number] = {}
     for number, other in enumerate(exam.asks):
         if other.question == ask.question and other.ask in used:
@@ -160,7 +169,9 @@ def _amount(accepted: Accepted, numbers: Mapping[str, Number], arithmetic: Any) 
 
 
 def _in_si(number: Number, arithmetic: Any) -> Any:
-    """A number with its unit in SI; angles are angles, which an exact field holds as parts of a turn only."""
+    """A number with its unit in SI; angles are angles, which an exact field holds as parts of a
+    turn only.
+    """
     amount, unit = number
     written = written_unit(unit) if unit != "1" else _PURE
     if written is None:

@@ -9,7 +9,8 @@ PLACES = 4
 
 
 def amount_text(amount: Fraction, places: int = PLACES) -> str:
-    """The shortest decimal with at most that many places, halves rounded up; amounts are not negative.
+    """The shortest decimal with at most that many places, halves rounded up; amounts are not
+    negative.
 
     >>> amount_text(Fraction(7, 2)), amount_text(Fraction(2, 3))
     ('3.5', '0.6667')
@@ -17,9 +18,8 @@ def amount_text(amount: Fraction, places: int = PLACES) -> str:
     return _amount_text(amount.numerator, amount.denominator, places)
 
 
-@lru_cache(
-    maxsize=4096
-)  # by whole numbers, because to hash a fraction takes longer than to write it
+# By whole numbers, because to hash a fraction takes longer than to write it
+@lru_cache(maxsize=4096)
 def _amount_text(numerator: int, denominator: int, places: int) -> str:
     whole, decimals = divmod(
         (2 * numerator * 10**places + denominator) // (2 * denominator), 10**places

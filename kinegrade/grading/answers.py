@@ -1,9 +1,11 @@
-"""What a student typed into one cell, read digit by digit: number or formula, unit, and sense in words.
+"""What a student typed into one cell, read digit by digit: number or formula, unit, and sense in
+words.
 
-`read` is called for every cell of an answer sheet; `judge` is the next storey up. Values are exact fractions, or known
-to 38 digits where they are irrational; nothing is rounded, nothing evaluated but the small grammar of `typed_value`.
-What can be understood in two ways is unreadable and says both. `number_text` reads digits, `decimal_style` decides
-about `1,234`, `unit_spelling` converts units, `sense` turns clockwise into a sign.
+`read` is called for every cell of an answer sheet; `judge` is the next storey up. Values are exact
+fractions, or known to 38 digits where they are irrational; nothing is rounded, nothing evaluated
+but the small grammar of `typed_value`. What can be understood in two ways is unreadable and says
+both. `number_text` reads digits, `decimal_style` decides about `1,234`, `unit_spelling` converts
+units, `sense` turns clockwise into a sign.
 """
 
 from __future__ import annotations
@@ -38,7 +40,8 @@ LONGEST_ANSWER = 200
 SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
 
-PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?"  # what most people type
+# What most people type
+PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?"
 _PLAIN = re.compile(PLAIN)
 _NO_LABEL = r"(?!sqrt|pi\b|\u03c0\s*=)"
 _LABEL = re.compile(
@@ -57,10 +60,12 @@ _SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One cell read: `typed` as it came, `read_as` in plain digits with a point, `value` in the ask's unit.
+    """One cell read: `typed` as it came, `read_as` in plain digits with a point, `value` in the
+    ask's unit.
 
-    `error` is how far an irrational value may be off, zero where `value` is exact. `reason` says why a cell is
-    unreadable or its unit wrong; `remark` is for a person to look at although the cell was read.
+    `error` is how far an irrational value may be off, zero where `value` is exact. `reason` says
+    why a cell is unreadable or its unit wrong; `remark` is for a person to look at although the
+    cell was read.
     """
 
     kind: Literal["number", "blank", "unreadable", "wrong unit"]
@@ -73,9 +78,11 @@ class Reading:
 
 
 def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: str = "") -> Reading:
-    """Reads an answer in `unit`, which is meant where none is typed; dashes alone count as blank. Never raises.
+    """Reads an answer in `unit`, which is meant where none is typed; dashes alone count as blank.
+    Never raises.
 
-    `style` decides about 1,234; `convention` is the ask's sign convention, for answers with a sense in words.
+    `style` decides about 1,234; `convention` is the ask's sign convention, for answers with a sense
+    in words.
 
     >>> read("8,66E-1 m/s", "m/s").value, read("866 mm/s", "m/s").read_as
     (Fraction(433, 500), '0.866')
@@ -127,7 +134,9 @@ def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: 
 
 
 def _doubt(found: TypedNumber | Formula, minus: bool) -> str:
-    """What a person should know of how a number was read, with the sign that was typed or said in words."""
+    """What a person should know of how a number was read, with the sign that was typed or said in
+    words.
+    """
     match found:
         case TypedNumber():
             return found.reason and f"read as {_signed(found, minus)}: {found.reason}"

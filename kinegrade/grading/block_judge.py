@@ -1,7 +1,9 @@
-"""Thousands of answers held against their keys at once: what `decide` says of each, in a fraction of the time.
+"""Thousands of answers held against their keys at once: what `decide` says of each, in a fraction
+of the time.
 
-`marks` uses it. Plain numbers are compared in double precision by `nearness`; `decide` is asked about all that this
-leaves open: a number near a bound, several mistakes that lead to one answer, accepted answers, a wrong unit.
+`marks` uses it. Plain numbers are compared in double precision by `bulk_comparison`; `decide` is
+asked about all that this leaves open: a number near a bound, several mistakes that lead to one
+answer, accepted answers, a wrong unit.
 """
 
 from __future__ import annotations
@@ -19,21 +21,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.grading.accepted import Alternative, Alternatives
+from kinegrade.grading.bulk_comparison import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.decimal_style import FileStyle
 from kinegrade.grading.decision import BY_POLICY, Decision, besides, decide, voided
 from kinegrade.grading.follow import Decided, Follows, follow_through
 from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.key import Ask, Key, Paper, Rule, rule
-from kinegrade.grading.nearness import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.stated_keys import StatedKeys, stated_mistakes
 from kinegrade.grading.typed_cells import CellReader
 
 Places = NDArray[np.intp]
-Open = dict[
-    int, Collection[str] | None
-]  # places to be decided one by one: the mistakes that come in question, or all
+# Places to be decided one by one: the mistakes that come in question, or all
+Open = dict[int, Collection[str] | None]
 _LED_ON: tuple[Kind, ...] = (
     "wrong",
     "mistake",
@@ -58,7 +59,9 @@ class _Way(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class BlockJudge:
-    """What it takes to judge the rows of a class; `follows` is asked where somebody may have gone on from an error."""
+    """What it takes to judge the rows of a class; `follows` is asked where somebody may have gone
+    on from an error.
+    """
 
     asks: tuple[Ask, ...]
     policy: Policy
@@ -148,7 +151,9 @@ class BlockJudge:
         return found
 
     def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> Open:
-        """Puts down the wrong answers to which just one mistake leads; gives those with several, or other ways out."""
+        """Puts down the wrong answers to which just one mistake leads; gives those with several, or
+        other ways out.
+        """
         listed, none = wrong.tolist(), block.credits[NO_SHARE]
         credit = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         found: Open = (
@@ -251,7 +256,8 @@ class BlockJudge:
 
 
 def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
-    """Of the mistakes that lead to an answer the one with the best credit, of equal ones the nearest, then by name.
+    """Of the mistakes that lead to an answer the one with the best credit, of equal ones the
+    nearest, then by name.
 
     None where double precision cannot tell.
     """

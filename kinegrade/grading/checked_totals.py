@@ -1,8 +1,9 @@
-"""Whether grades.csv still says what marks.csv adds up to: totals that were changed by hand are refused.
+"""Whether grades.csv still says what marks.csv adds up to: totals that were changed by hand are
+refused.
 
-`refuse_changed_totals` is called by every command that hands totals out. marks.csv is read one student after the other.
-A total that kept.csv keeps is held against kept.csv. Every amount is written with four places, so a sum of amounts may
-be off by half a place for each.
+`refuse_changed_totals` is called by every command that hands totals out. marks.csv is read one
+student after the other. A total that kept.csv keeps is held against kept.csv. Every amount is
+written with four places, so a sum of amounts may be off by half a place for each.
 """
 
 from __future__ import annotations
@@ -30,12 +31,16 @@ _UNIT = 10**20
 _HALF_A_PLACE = _UNIT // (2 * 10**PLACES)
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 _MOST_NAMED = 20
-_MENDING = "expected the file as kinegrade grade wrote it - grade again; to change marks, grade by a --policy"
+_MENDING = (
+    "expected the file as kinegrade grade wrote it - grade again; to change marks, grade by "
+    "a --policy"
+)
 
 
 @dataclass(frozen=True, slots=True)
 class _Sums:
-    """What one student's lines of marks.csv add up to, by question; amounts are whole numbers of 10^-20 points.
+    """What one student's lines of marks.csv add up to, by question; amounts are whole numbers of
+    10^-20 points.
 
     `answered` is whether anything besides blanks and dashes was typed.
     """
@@ -74,7 +79,8 @@ def _sums(path: Path) -> Iterator[_Sums]:
             answered = answered or _is_answer(response)
         if student in seen:
             raise TableError(
-                f'{path}:{count}: the lines of student "{one_line(student)}" do not stand together - '
+                f'{path}:{count}: the lines of student "{one_line(student)}" do not stand together '
+                "- "
                 "expected the file as kinegrade grade wrote it - grade again"
             )
         seen.add(student)
@@ -226,6 +232,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> Table:
     if missing or table.complaints:
         problems = [*(f"no column {name}" for name in missing), *map(str, table.complaints)]
         raise TableError(
-            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again"
+            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - "
+            "grade again"
         )
     return table

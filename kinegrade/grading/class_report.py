@@ -1,7 +1,7 @@
 """The class report: one HTML page that stands by itself, in English or Chinese.
 
-`class_report` is called by the command line. The page has no scripts and no links; every text in it is escaped by
-the layout engine. Same marks, same bytes.
+`class_report` is called by the command line. The page has no scripts and no links; every text in it
+is escaped by the layout engine. Same marks, same bytes.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
 
 def class_report(marks: Path, exam: Path, wording: Wording, language: Language) -> str:
-    """The page of a marks folder, by the exam folder it was made from. Raises TableError, ExamError."""
+    """The page of a marks folder, by the exam folder it was made from. Raises TableError,
+    ExamError.
+    """
     record = read_exam_record(exam)
     counts, words = tally(marks, exam, record), report_words_of(language)
     page: Page = {
@@ -177,7 +179,9 @@ def legend(counts: ClassTally, words: ReportWords) -> list[tuple[str, str]]:
 def note(
     facility: float | None, discrimination: float | None, students: int, words: ReportWords
 ) -> str:
-    """What is worth a look, in words; a correlation within two standard errors of zero counts as none."""
+    """What is worth a look, in words; a correlation within two standard errors of zero counts as
+    none.
+    """
     notes = []
     if facility is not None and facility < HARD:
         notes.append(words.hard)
@@ -235,7 +239,9 @@ def reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
 def hardness_part(
     counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords
 ) -> Page:
-    """Whether papers were equally hard: versions against each other, or drawn numbers against points."""
+    """Whether papers were equally hard: versions against each other, or drawn numbers against
+    points.
+    """
     enough = len(counts.answered) >= ENOUGH
     part: Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
     if any(counts.versions):

@@ -1,7 +1,9 @@
-"""One answer sheet of one file or several: versions' quizzes, or parts of the exam that several assistants typed.
+"""One answer sheet of one file or several: versions' quizzes, or parts of the exam that several
+assistants typed.
 
-`class_sheet` is called by `grade`. Cells of one student that stand in different files are put together; where two files
-give different answers for one cell, the first file counts and a complaint names both.
+`class_sheet` is called by `grade`. Cells of one student that stand in different files are put
+together; where two files give different answers for one cell, the first file counts and a complaint
+names both.
 """
 
 from __future__ import annotations
@@ -27,7 +29,8 @@ def read_sheet(table: Table, exam: Sitting) -> Sheet:
 def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
     """Finds everybody's responses in these files, which are one class.
 
-    Raises TableError if one has no student column, no answer column, or is the sheet of another exam.
+    Raises TableError if one has no student column, no answer column, or is the sheet of another
+    exam.
     """
     parts = [read_part(answers, exam) for answers in files]
     names = ", ".join(part.file for part in parts)
@@ -85,7 +88,8 @@ def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
 def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
     """The attempts of one student in all files, in their order.
 
-    Where one file has the attempts at some answers and the others hold other answers, each attempt has those too.
+    Where one file has the attempts at some answers and the others hold other answers, each attempt
+    has those too.
     """
     repeated_in = [entries for entries in several if len(entries) > 1]
     if len(repeated_in) > 1 or not _answers_differ(several):
@@ -159,7 +163,9 @@ def _missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Itera
 
 
 def _left_out(left_out: Sequence[LeftOut], entries: Entries) -> Iterator[Complaint]:
-    """Why rows are not marked; of somebody without an attempt once, and only where no other file has one."""
+    """Why rows are not marked; of somebody without an attempt once, and only where no other file
+    has one.
+    """
     absent: set[str] = set()
     for each in left_out:
         if each.attempted:

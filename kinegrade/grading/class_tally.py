@@ -38,10 +38,12 @@ _BESIDES = re.compile(rf"; so do(?:es)? ({_NAME}(?:, {_NAME})*)$")
 
 @dataclass(frozen=True)
 class ClassTally:
-    """The students who answered anything: a row each in `points`, and in the order of `columns` their asks.
+    """The students who answered anything: a row each in `points`, and in the order of `columns`
+    their asks.
 
-    `answered` are these students, `silent` those who answered nothing. `verdicts` counts by ask, `losses` counts by
-    ask why points were lost: an identifier of a mistake, a kind of hint, a verdict, or `UNEXPLAINED`.
+    `answered` are these students, `silent` those who answered nothing. `verdicts` counts by ask,
+    `losses` counts by ask why points were lost: an identifier of a mistake, a kind of hint, a
+    verdict, or `UNEXPLAINED`.
     """
 
     columns: tuple[str, ...]
@@ -109,7 +111,8 @@ def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
         _open(count, columns, [float(answer.out_of) for answer in answers])
         if columns != count.columns or student not in totals:
             raise TableError(
-                f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or the '
+                f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or '
+                "the "
                 "others - expected the same asks for everybody - grade again"
             )
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
@@ -153,7 +156,9 @@ def _closed(count: _Count) -> ClassTally:
 
 
 def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
-    """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the verdict."""
+    """Why an answer did not get all its points, in one term: a mistake, a kind of hint, or else the
+    verdict.
+    """
     mistakes = mistakes_of(answer)
     if mistakes:
         return mistakes[0]
@@ -164,14 +169,16 @@ def loss(answer: MarkedAnswer, paper: PaperRecord) -> str:
 
 
 def mistakes_of(answer: MarkedAnswer) -> tuple[str, ...]:
-    """The identifiers of the known mistakes that the marks name, the likeliest first; none for other verdicts."""
+    """The identifiers of the known mistakes that the marks name, the likeliest first; none for
+    other verdicts.
+    """
     return named_mistakes(answer.reason) if answer.verdict == "mistake" else ()
 
 
 def named_mistakes(reason: str) -> tuple[str, ...]:
     """The identifiers in the reason of a mistake, as `kinegrade.grading.decision` puts it.
 
-    >>> named_mistakes("coriolis-dropped: leads to 3, difference 0, allowed 0.03; so does sense-reversed")
+    >>> named_mistakes("coriolis-dropped: leads to 3, allowed 0.03; so does sense-reversed")
     ('coriolis-dropped', 'sense-reversed')
     """
     first, besides = _MISTAKE.match(reason), _BESIDES.search(reason)

@@ -1,7 +1,8 @@
 """Two folders of marks held against each other: who changes, by how much, and why.
 
-`compare` is called by `kinegrade diff`; `comparison_csv` gives its file, `comparison_text` what it tells a person.
-A student goes up or down by the share of the points, which is by the points where both markings are out of the same.
+`compare` is called by `kinegrade diff`; `comparison_csv` gives its file, `comparison_text` what it
+tells a person. A student goes up or down by the share of the points, which is by the points where
+both markings are out of the same.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ from kinegrade.grading.text_table import aligned, cut
 
 HEADER = (
     "student", "name", "what", "before", "after", "change", "out_of_before", "out_of_after",
-    "verdict_before", "verdict_after", "response_before", "response_after", "reason_before", "reason_after",
+    "verdict_before", "verdict_after", "response_before", "response_after",
+    "reason_before", "reason_after",
 )  # fmt: skip
 _WIDEST_NAME = 24
 _NOTHING = Line("", "", "", Fraction(0), Fraction(0))
@@ -57,7 +59,9 @@ class AskChange:
 
 @dataclass(frozen=True, slots=True)
 class StudentChange:
-    """One student of whom something changes; a side is None where that marking has no such student."""
+    """One student of whom something changes; a side is None where that marking has no such
+    student.
+    """
 
     student: str
     before: Total | None
@@ -73,10 +77,11 @@ class StudentChange:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Everybody of whom something changes, in the order of the markings, and how many students both have.
+    """Everybody of whom something changes, in the order of the markings, and how many students both
+    have.
 
-    `up` and `down` count shares of the points; the means are over the students of both, in points and in percentage
-    points.
+    `up` and `down` count shares of the points; the means are over the students of both, in points
+    and in percentage points.
     """
 
     changes: tuple[StudentChange, ...]
@@ -113,7 +118,9 @@ def compare(first: Path, second: Path) -> Comparison:
 
 
 def comparison_csv(comparison: Comparison) -> bytes:
-    """A CSV file: for each student the total, and under it the answers that are judged otherwise."""
+    """A CSV file: for each student the total, and under it the answers that are judged
+    otherwise.
+    """
     return for_people(csv_text(HEADER, _rows(comparison)))
 
 
@@ -169,7 +176,9 @@ def _mean(amounts: Sequence[Fraction]) -> Fraction:
 
 
 def _amounts(before: Line | Total | None, after: Line | Total | None) -> tuple[str, ...]:
-    """Points before, after and their change, then what they are out of before and after; blank on a side that is not."""
+    """Points before, after and their change, then what they are out of before and after; blank on a
+    side that is not.
+    """
     points = [amount_text(side.points) if side else "" for side in (before, after)]
     change = change_text(after.points - before.points) if before and after else ""
     return (

@@ -1,10 +1,12 @@
-"""What a lone comma or point before three digits means in a file: declared, detected, or by the paper's rule.
+"""What a lone comma or point before three digits means in a file: declared, detected, or by the
+paper's rule.
 
-Papers say that 0.5 and 0,5 are read alike and that thousands are not separated: so `1,234` is 1.234 and `1.234` too.
-That holds unless the decimal mark is declared; unless the student's own answers group digits (`1,234.5`); or unless
-all answers that leave no doubt have a decimal point, those of this student or of most others among them: then a comma
-groups. A majority of others never decides against anybody who writes decimal commas. Every such reading is remarked;
-`marks` says once what was declared, or decided for the whole file.
+Papers say that 0.5 and 0,5 are read alike and that thousands are not separated: so `1,234` is 1.234
+and `1.234` too. That holds unless the decimal mark is declared; unless the student's own answers
+group digits (`1,234.5`); or unless all answers that leave no doubt have a decimal point, those of
+this student or of most others among them: then a comma groups. A majority of others never decides
+against anybody who writes decimal commas. Every such reading is remarked; `marks` says once what
+was declared, or decided for the whole file.
 """
 
 from __future__ import annotations
@@ -37,7 +39,9 @@ _AGAINST_OWN_POINTS = (
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """Which marks certainly stand before decimals in some answers, and which certainly group digits."""
+    """Which marks certainly stand before decimals in some answers, and which certainly group
+    digits.
+    """
 
     decimal: frozenset[str] = frozenset()
     groups: frozenset[str] = frozenset()
@@ -48,7 +52,8 @@ _NOTHING, _POINT = Evidence(), Evidence(decimal=frozenset("."))
 
 @dataclass(frozen=True, slots=True)
 class FileStyle:
-    """The style of a whole file, for rows that say nothing themselves; `declared` overrules every row.
+    """The style of a whole file, for rows that say nothing themselves; `declared` overrules every
+    row.
 
     `commas` tells whether anybody writes a decimal comma.
     """
@@ -59,11 +64,15 @@ class FileStyle:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """What was declared or decided for the whole file, or holds of many students alike, as remarks say it."""
+        """What was declared or decided for the whole file, or holds of many students alike, as
+        remarks say it.
+        """
         return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
-        """The style of one student's answers: as declared, else as they show themselves, else the file's."""
+        """The style of one student's answers: as declared, else as they show themselves, else the
+        file's.
+        """
         if self.declared:
             return self.style
         own = evidence(cells)
@@ -111,7 +120,9 @@ def evidence(cells: Sequence[str]) -> Evidence:
 
 
 def _marks(cell: str) -> tuple[str | None, str | None]:
-    """The decimal and the grouping mark of the first number in a cell, where they are beyond doubt."""
+    """The decimal and the grouping mark of the first number in a cell, where they are beyond
+    doubt.
+    """
     if len(cell) > LONGEST_EVIDENCE:
         return None, None
     usual = _USUAL.fullmatch(cell)  # most cells of most files
@@ -126,7 +137,9 @@ def _marks(cell: str) -> tuple[str | None, str | None]:
 
 
 def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> FileStyle:
-    """The style of a file from all its rows of answers, or as declared: the name of its decimal mark."""
+    """The style of a file from all its rows of answers, or as declared: the name of its decimal
+    mark.
+    """
     if declared is not None:
         reason = f"the decimal mark was declared to be the {declared}"
         return FileStyle(_declared_style(declared, reason), declared=True)
@@ -134,7 +147,10 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
     commas = sum("," in each.decimal for each in found)
     points = sum("." in each.decimal for each in found)
     comma, reason = _file_comma(commas, points, len(found))
-    doubt = "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"
+    doubt = (
+        "a point is a decimal point, as the papers say; all other answers that tell have a "
+        "decimal comma"
+    )
     return FileStyle(
         DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""),
         commas=commas > 0,
@@ -152,15 +168,18 @@ def _declared_style(mark: Mark, reason: str) -> DecimalStyle:
 
 
 def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
-    """What a comma means where a row says nothing: it groups if most rows show a decimal point and none a comma."""
+    """What a comma means where a row says nothing: it groups if most rows show a decimal point and
+    none a comma.
+    """
     if not commas and 2 * points > rows:
         return (
             "groups",
-            f"the point is the decimal mark in the answers of {counted(points, 'student')}, and nobody's the comma",
+            f"the point is the decimal mark in the answers of {counted(points, 'student')}, and "
+            "nobody's the comma",
         )
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason
     return "decimal", (
-        "a comma is the decimal mark, as the papers say; "
-        f"so it is in the answers of {counted(commas, 'student')}, the point in those of {counted(points, 'student')}"
+        "a comma is the decimal mark, as the papers say; so it is in the answers of "
+        f"{counted(commas, 'student')}, the point in those of {counted(points, 'student')}"
     )

@@ -1,8 +1,9 @@
-"""What one answer is worth: held against the key, and against all else that a policy gives credit for.
+"""What one answer is worth: held against the key, and against all else that a policy gives credit
+for.
 
-`decide` is pure and is called by `judged_block` for every answer that a plain comparison leaves open; `judge` compares,
-this chooses. The best credit counts; of equal ones the first of: the key, the accepted answers in their order, the
-mistakes, the right number in a wrong unit.
+`decide` is pure and is called by `judged_block` for every answer that a plain comparison leaves
+open; `judge` compares, this chooses. The best credit counts; of equal ones the first of: the key,
+the accepted answers in their order, the mistakes, the right number in a wrong unit.
 """
 
 from __future__ import annotations
@@ -51,7 +52,9 @@ def decide(
 
 
 def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
-    """What becomes of a decision where the ask is void: full points to whoever handed in, or nothing of nothing."""
+    """What becomes of a decision where the ask is void: full points to whoever handed in, or
+    nothing of nothing.
+    """
     verdict, _ = decision
     by_key = f"; by the key: {verdict.kind}" + (f" ({verdict.reason})" if verdict.reason else "")
     match ruling.void:
@@ -81,7 +84,10 @@ def _accepted(
         verdict = judge(margin, ruling.beside(key, other.value))
         if verdict.kind == "right":
             compared = verdict.reason.removeprefix("key ")
-            reason = f"accepted answer {other.accepted.number} of the policy, {other.accepted.text} = {compared}"
+            reason = (
+                f"accepted answer {other.accepted.number} of the policy, "
+                f"{other.accepted.text} = {compared}"
+            )
             yield Verdict("accepted", reason), other.accepted.credit
 
 
@@ -118,7 +124,9 @@ def besides(others: Collection[str]) -> str:
 
 
 def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
-    """False only where `judge` would certainly find no agreement; it costs a twentieth of asking."""
+    """False only where `judge` would certainly find no agreement; it costs a twentieth of
+    asking.
+    """
     if key.period:
         return True
     size, stated = abs(float(wrong)), key.rule or Rule(absolute=key.tolerance)
@@ -132,7 +140,9 @@ def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
 def _bare_number(
     reading: Reading, key: Key, ruling: Ruling, reread: Callable[[str], Reading]
 ) -> Iterable[Decision]:
-    """The number alone, where its unit is wrong and a policy gives credit for it: the longest beginning that is one."""
+    """The number alone, where its unit is wrong and a policy gives credit for it: the longest
+    beginning that is one.
+    """
     if reading.kind != "wrong unit" or not ruling.wrong_unit:
         return
     ends = range(len(reading.typed) - 1, 0, -1)

@@ -1,7 +1,9 @@
-"""Whether papers were equally hard: versions held against each other, drawn numbers held against points.
+"""Whether papers were equally hard: versions held against each other, drawn numbers held against
+points.
 
-Two rank tests, their p-values by permutations that are always the same: no assumption on the distribution, and the
-same marks give the same report. `PCG64` promises its stream; a permutation is the order of its numbers.
+Two rank tests, their p-values by permutations that are always the same: no assumption on the
+distribution, and the same marks give the same report. `PCG64` promises its stream; a permutation is
+the order of its numbers.
 """
 
 from __future__ import annotations
@@ -16,7 +18,8 @@ import numpy.typing as npt
 from kinegrade.grading.item_statistics import Points, correlation
 
 MOST_PERMUTATIONS, FEWEST_PERMUTATIONS = 9999, 199
-WORK = 10_000_000  # numbers shuffled at most: a class of 60 gets 9,999 permutations, one of 100,000 only 199
+# Numbers shuffled at most: a class of 60 gets 9,999 permutations, one of 100,000 only 199
+WORK = 10_000_000
 ENOUGH = 30  # students: with fewer, nothing can be said
 AT_ONCE = 1_000_000  # numbers in memory
 SEED = 20_260_501
@@ -26,7 +29,9 @@ Orders = npt.NDArray[np.intp]  # a permutation in each row
 
 @dataclass(frozen=True)
 class Test:
-    """`p` is how often chance alone does at least as much, in `permutations` shuffles of the students."""
+    """`p` is how often chance alone does at least as much, in `permutations` shuffles of the
+    students.
+    """
 
     statistic: float
     p: float
@@ -35,7 +40,9 @@ class Test:
 
 @dataclass(frozen=True)
 class Third:
-    """The students with the lowest, middle or highest numbers: the range of these and the mean share of points."""
+    """The students with the lowest, middle or highest numbers: the range of these and the mean
+    share of points.
+    """
 
     lowest: float
     highest: float
@@ -45,7 +52,9 @@ class Third:
 
 @dataclass(frozen=True)
 class ParameterTrend:
-    """How the share of a question's points goes with a number drawn for it; `adjusted` is p by Holm's method."""
+    """How the share of a question's points goes with a number drawn for it; `adjusted` is p by
+    Holm's method.
+    """
 
     question: str
     parameter: str
@@ -68,7 +77,9 @@ def ranks(values: Points) -> Points:
 
 
 def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
-    """Whether groups differ in location: H with its correction for ties. None for one group, or where all are equal."""
+    """Whether groups differ in location: H with its correction for ties. None for one group, or
+    where all are equal.
+    """
     names, place = np.unique(np.asarray(groups), return_inverse=True)
     count = len(values)
     if len(names) < 2 or count < 3 or np.ptp(values) == 0:
@@ -103,7 +114,9 @@ def spearman(first: Points, second: Points) -> Test | None:
 def parameter_trends(
     parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
 ) -> tuple[ParameterTrend, ...]:
-    """For each drawn number that varies its trend, the clearest first; NaN stands for a student without one."""
+    """For each drawn number that varies its trend, the clearest first; NaN stands for a student
+    without one.
+    """
     found = []
     for (question, name), numbers in parameters.items():
         known = np.isfinite(numbers) & np.isfinite(shares[question])
@@ -119,7 +132,9 @@ def parameter_trends(
 
 
 def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
-    """Students in up to three groups by a drawn number, equal numbers together; the shares are means."""
+    """Students in up to three groups by a drawn number, equal numbers together; the shares are
+    means.
+    """
     lower, upper = np.quantile(numbers, (1 / 3, 2 / 3))
     masks = (numbers <= lower, (numbers > lower) & (numbers <= upper), numbers > upper)
     return tuple(
@@ -148,7 +163,9 @@ def holm(ascending: Sequence[float]) -> tuple[float, ...]:
 
 
 def _tested(observed: float, count: int, reaches: Callable[[Orders], Any]) -> Test:
-    """The test of a statistic of `count` students; `reaches` tells of each order whether it gives as much."""
+    """The test of a statistic of `count` students; `reaches` tells of each order whether it gives
+    as much.
+    """
     permutations = min(MOST_PERMUTATIONS, max(FEWEST_PERMUTATIONS, WORK // count))
     generator = np.random.PCG64(SEED)
     at_once = max(1, AT_ONCE // count)

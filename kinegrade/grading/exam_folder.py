@@ -1,7 +1,7 @@
 """Reading exam.json and key.jsonl of an exam folder, with all faults at once.
 
-`open_exam` is called by `grade` and gives one paper after the other, so that a class of any size needs the memory of a
-few; `read_exam` gives them all.
+`open_exam` is called by `grade` and gives one paper after the other, so that a class of any size
+needs the memory of a few; `read_exam` gives them all.
 """
 
 from __future__ import annotations
@@ -29,9 +29,8 @@ from kinegrade.grading.key import Ask, Exam, Examinee, Paper, questions
 from kinegrade.grading.key_decoding import PaperDecoder
 
 FORMAT = 1
-_BUFFER = (
-    2**17
-)  # bytes: some lines, which are long, and not more than stays in the fast memory of a processor
+# Bytes: some lines, which are long, and not more than stays in the fast memory of a processor
+_BUFFER = 2**17
 _MENDING = "restore the exam folder as it was generated"
 Item = TypeVar("Item")
 
@@ -40,7 +39,8 @@ Item = TypeVar("Item")
 class ExamFolder:
     """The head of an exam; `names` are those of the students by id, in the order of the roster.
 
-    `credit` is the table of the exam's bank for answers that are not right, as exam.json has it, or None.
+    `credit` is the table of the exam's bank for answers that are not right, as exam.json has it, or
+    None.
     """
 
     folder: Path
@@ -70,7 +70,9 @@ class ExamFolder:
             raise _unreadable(self.folder / "key.jsonl", fault) from fault
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
-        """The papers on these students' lines of the key, or of variants.jsonl. Raises ExamError where one is missing."""
+        """The papers on these students' lines of the key, or of variants.jsonl. Raises ExamError
+        where one is missing.
+        """
         if not students:
             return {}
         found = {paper.student: paper for paper in self.papers() if paper.student in students}
@@ -83,7 +85,9 @@ class ExamFolder:
         return found
 
     def variants(self) -> tuple[Paper, ...]:
-        """The papers of a pool that was made of the exam, none where there was none made. Raises ExamError."""
+        """The papers of a pool that was made of the exam, none where there was none made. Raises
+        ExamError.
+        """
         path, decoder = self.folder / POOL, PaperDecoder(self.asks, self.names)
         try:
             lines = [line for line in path.read_bytes().splitlines() if line.strip()]
@@ -117,7 +121,9 @@ def read_exam(folder: Path) -> Exam:
 
 
 def open_exam(folder: Path) -> ExamFolder:
-    """The head of an exam folder; raises ExamError for faults of exam.json, and if key.jsonl cannot be read."""
+    """The head of an exam folder; raises ExamError for faults of exam.json, and if key.jsonl cannot
+    be read.
+    """
     faults: list[str] = []
     exam = _head(_text(folder), faults)
     listed = _each("exam.json: questions", list_of(exam, "questions"), _question, faults)
@@ -141,7 +147,9 @@ class _Line(NamedTuple):
 
 
 class _Papers:
-    """Puts the lines of key.jsonl into the order of the roster; where one is early, its place is kept, not its text."""
+    """Puts the lines of key.jsonl into the order of the roster; where one is early, its place is
+    kept, not its text.
+    """
 
     def __init__(self, exam: ExamFolder, stream: BinaryIO) -> None:
         self.exam, self.stream, self.decoder = exam, stream, PaperDecoder(exam.asks, exam.names)
@@ -245,7 +253,8 @@ def _head(text: str, faults: list[str]) -> Any:
         exam = parsed(text)
         if field(exam, "format", Decimal) != FORMAT:
             raise FieldError(
-                f'"format" is {shown(exam["format"])} - expected {FORMAT}, the only one this kinegrade reads'
+                f'"format" is {shown(exam["format"])} - expected {FORMAT}, the only one this '
+                "kinegrade reads"
             )
     except FieldError as fault:
         faults.append(f"exam.json: {fault}")

@@ -1,7 +1,9 @@
-"""What reports and feedback tell about an exam: its title, who had which paper, and what was right on it.
+"""What reports and feedback tell about an exam: its title, who had which paper, and what was right
+on it.
 
-`read_exam_record` reads exam.json; `PaperRecords` finds single lines of key.jsonl, so that a class of any size needs
-memory for one paper. Marks are not decided here: that is `exam_folder` and `judge`.
+`read_exam_record` reads exam.json; `PaperRecords` finds single lines of key.jsonl, so that a class
+of any size needs memory for one paper. Marks are not decided here: that is `exam_folder` and
+`judge`.
 """
 
 from __future__ import annotations
@@ -28,7 +30,9 @@ _BROKEN = (KeyError, TypeError, ValueError, AttributeError, ArithmeticError, Rec
 
 @dataclass(frozen=True, slots=True)
 class Sitter:
-    """A student of the exam: the paper's code, the version where there are versions, the stem of all own files."""
+    """A student of the exam: the paper's code, the version where there are versions, the stem of
+    all own files.
+    """
 
     student: str
     name: str
@@ -57,7 +61,9 @@ class ExamRecord:
 
 @dataclass(frozen=True, slots=True)
 class RightAnswer:
-    """What was right: `exact` as an expression where it has one; `allowed` is how far off was right by the paper."""
+    """What was right: `exact` as an expression where it has one; `allowed` is how far off was right
+    by the paper.
+    """
 
     value: Fraction
     exact: str | None
@@ -67,7 +73,8 @@ class RightAnswer:
 
 @dataclass(frozen=True)
 class PaperRecord:
-    """One paper: the questions as printed, right answers by column, drawn numbers by question and parameter.
+    """One paper: the questions as printed, right answers by column, drawn numbers by question and
+    parameter.
 
     A number is NaN where the question's asks were put with different ones.
     """
@@ -118,7 +125,8 @@ def _sitter(entry: Mapping[str, Any], stem: str) -> Sitter:
 class PaperRecords:
     """The lines of key.jsonl by student, each read when it is wanted.
 
-    `put` says which answers were marked by other lines than the student's own, where questions came from a pool.
+    `put` says which answers were marked by other lines than the student's own, where questions came
+    from a pool.
     """
 
     def __init__(self, folder: Path, put: Put | None = None) -> None:
@@ -138,32 +146,39 @@ class PaperRecords:
         """The paper of a student. Raises ExamError where the exam has none of that student's."""
         if student not in self._lines:
             raise ExamError(
-                f'{self._path}: no paper of student "{student}" - expected one for everybody who is marked '
+                f'{self._path}: no paper of student "{student}" - expected one for everybody who '
+                "is marked "
                 "- name the exam folder by which these marks were made"
             )
         try:
             return _paper(self._lines.paper(student, written_number))
         except _BROKEN as fault:
             raise ExamError(
-                f'{self._path}: the paper of student "{student}" is broken ({type(fault).__name__}: '
+                f'{self._path}: the paper of student "{student}" is broken '
+                f"({type(fault).__name__}: "
                 f"{fault}) - {_MENDING}"
             ) from fault
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
-        """The paper of a student whose answers stand in these columns. Raises ExamError where it does not ask them."""
+        """The paper of a student whose answers stand in these columns. Raises ExamError where it
+        does not ask them.
+        """
         paper = self._as_put(self.paper(student), self._put.get(student, {}))
         unknown = next((column for column in columns if column not in paper.answers), None)
         if unknown is not None:
             raise ExamError(
-                f'{self._path}: the paper of student "{student}" does not ask {unknown}, which was marked '
+                f'{self._path}: the paper of student "{student}" does not ask {unknown}, which was '
+                "marked "
                 "- expected the marks of this exam - name the exam folder by which they were made"
             )
         return paper
 
     def _as_put(self, own: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
-        """The paper with those answers, and the numbers of their questions, that were put to the student.
+        """The paper with those answers, and the numbers of their questions, that were put to the
+        student.
 
-        A question whose asks come from several variants has several numbers for each parameter, so it has none.
+        A question whose asks come from several variants has several numbers for each parameter, so
+        it has none.
         """
         answers, parameters = dict(own.answers), dict(own.parameters)
         sources: dict[str, set[str]] = {}
@@ -213,6 +228,6 @@ def _right_answer(entry: Mapping[str, Any]) -> RightAnswer:
 
 def _missing(path: Path, fault: OSError) -> ExamError:
     return ExamError(
-        f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade generate "
-        "- check the name"
+        f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade "
+        "generate - check the name"
     )

@@ -1,8 +1,9 @@
-"""What one student gets to read: own answers, right answers, what probably went wrong, and the points.
+"""What one student gets to read: own answers, right answers, what probably went wrong, and the
+points.
 
 `feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown` and
-`kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain, prose (Markdown with
-`$...$` LaTeX math), math (LaTeX).
+`kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain, prose
+(Markdown with `$...$` LaTeX math), math (LaTeX).
 """
 
 from __future__ import annotations
@@ -44,7 +45,9 @@ _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
 
 @dataclass(frozen=True)
 class FeedbackRow:
-    """One ask. `remark` is prose for the student, `guess` whether it is one; `reason` is what the reading said."""
+    """One ask. `remark` is prose for the student, `guess` whether it is one; `reason` is what the
+    reading said.
+    """
 
     symbol: str  # math
     meaning: str  # prose
@@ -70,7 +73,9 @@ class FeedbackQuestion:
 
 @dataclass(frozen=True)
 class FeedbackSheet:
-    """One student's sheet, plain but for its questions; `solution` names a file beside it, or is ""."""
+    """One student's sheet, plain but for its questions; `solution` names a file beside it, or is
+    "".
+    """
 
     words: FeedbackWords
     course: str
@@ -93,19 +98,23 @@ class FeedbackSheet:
 def feedback_sheets(
     marks: Path, exam: Path, wording: Wording, language: Language
 ) -> Iterator[tuple[Sitter, FeedbackSheet]]:
-    """The sheets in the order of the roster, each with whose it is. Raises TableError, ExamError."""
+    """The sheets in the order of the roster, each with whose it is. Raises TableError,
+    ExamError.
+    """
     record, totals = read_exam_record(exam), student_totals(marks)
     papers = PaperRecords(exam, read_put(marks))
     words = feedback_words_of(language)
     for student, answers in answers_by_student(marks):
         if student not in record.students or student not in totals:
             raise ExamError(
-                f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the marks of '
+                f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the '
+                "marks of "
                 f"this exam - grade again with {exam}"
             )
         sitter, total = record.students[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
-        # Every amount is written with four places, so that three thirds of a point fall short of one.
+        # Every amount is written with four places, so that three thirds of a point fall short of
+        # one.
         rounding = Fraction(len(answers) + 1, 2 * 10**PLACES)
         kept = total.total - sum(answer.points for answer in answers) > rounding
         yield (

@@ -1,6 +1,7 @@
 """`kinegrade feedback`: a folder with a sheet for every student, written whole or not at all.
 
-`sheets/` holds one file for each student; `feedback.csv` says which is whose, for programs that send them out.
+`sheets/` holds one file for each student; `feedback.csv` says which is whose, for programs that
+send them out.
 """
 
 from __future__ import annotations
@@ -22,9 +23,8 @@ from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 
 Text = Literal["html", "md"]
-Press = Callable[
-    [FeedbackSheet, bytes | None], bytes
-]  # the sheet as PDF, a solution behind it where there is one
+# The sheet as PDF, a solution behind it where there is one
+Press = Callable[[FeedbackSheet, bytes | None], bytes]
 MARKER, SHEETS = "feedback.csv", "sheets"
 
 
@@ -39,15 +39,16 @@ def write_feedback(
     solutions: bool = False,
     force: bool = False,
 ) -> int:
-    """Writes the folder `output` and gives the number of sheets; `form` is a kind of text, or what prints a PDF.
+    """Writes the folder `output` and gives the number of sheets.
 
-    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as a file beside.
-    Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
+    `form` is a kind of text, or what prints a PDF.
+    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
+    a file beside. Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
     if solutions and read_put(marks):
         raise ExamError(
-            f"{marks}: the answers were given to questions from a pool, and {exam} has worked solutions of the "
-            "students' own papers - expected no solutions - add --no-solutions"
+            f"{marks}: the answers were given to questions from a pool, and {exam} has worked "
+            "solutions of the students' own papers - expected no solutions - add --no-solutions"
         )
     with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
         (folder / SHEETS).mkdir()
@@ -100,6 +101,6 @@ def _solution(exam: Path, sitter: Sitter) -> bytes:
         return path.read_bytes()
     except OSError as fault:
         raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions - "
-            "generate the exam with --solutions, or leave them out"
+            f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions "
+            "- generate the exam with --solutions, or leave them out"
         ) from fault

@@ -10,7 +10,9 @@ FULL = "void, full points"  # in `explained`: of an ask that is void and still g
 
 @dataclass(frozen=True)
 class FeedbackWords:
-    """What a feedback sheet says to a student besides the exam's own texts; hints are prose with `$...$` math."""
+    """What a feedback sheet says to a student besides the exam's own texts; hints are prose with
+    `$...$` math.
+    """
 
     language: str  # as HTML names it
     feedback: str
@@ -63,7 +65,8 @@ ENGLISH = FeedbackWords(
     total="Total",
     kept="The total is that of an earlier marking: it stands because it was higher.",
     none="none",
-    about_hints="A remark that says “perhaps” was guessed from the number alone; compare it with your own working.",
+    about_hints="A remark that says “perhaps” was guessed from the number alone; compare it with "
+    "your own working.",
     solution="Worked solution",
     page="page {} of {}",
     verdicts={
@@ -88,20 +91,32 @@ ENGLISH = FeedbackWords(
     reasons_are_told=True,
     or_else=" Or: ",
     hints={
-        "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or the sign convention "
-        "overlooked.",
-        "twice": "This is twice the right value: perhaps a factor 2 too many, or a diameter for a radius.",
-        "half": "This is half the right value: perhaps a factor 2 was forgotten, or a radius taken for a "
-        "diameter.",
-        "degrees for radians": "This is the right value times 180/π: perhaps degrees were used in place of radians.",
-        "radians for degrees": "This is the right value times π/180: perhaps radians were used in place of degrees.",
-        "revolutions per minute": "This is the right value in revolutions per minute: perhaps it was not converted.",
-        "revolutions per second": "This is the right value in revolutions per second: perhaps it was not converted.",
+        "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or "
+        "the sign convention overlooked.",
+        "twice": "This is twice the right value: perhaps a factor 2 too many, or a diameter for a "
+        "radius.",
+        "half": "This is half the right value: perhaps a factor 2 was forgotten, or a radius taken "
+        "for a diameter.",
+        "degrees for "
+        "radians": "This is the right value times 180/π: perhaps degrees were used in place of "
+        "radians.",
+        "radians for "
+        "degrees": "This is the right value times π/180: perhaps radians were used in place of "
+        "degrees.",
+        "revolutions per "
+        "minute": "This is the right value in revolutions per minute: perhaps it was not "
+        "converted.",
+        "revolutions per "
+        "second": "This is the right value in revolutions per second: perhaps it was not "
+        "converted.",
     },
     turned="The sign is opposite as well.",
-    too_large="This is the right value times {}: perhaps the decimal point slipped, or a unit was not converted.",
-    too_small="This is the right value divided by {}: perhaps the decimal point slipped, or a unit was not converted.",
-    close="Close: off by {} where {} is allowed; perhaps an intermediate value was rounded too early.",
+    too_large="This is the right value times {}: perhaps the decimal point slipped, or a unit was "
+    "not converted.",
+    too_small="This is the right value divided by {}: perhaps the decimal point slipped, or a unit "
+    "was not converted.",
+    close="Close: off by {} where {} is allowed; perhaps an intermediate value was rounded too "
+    "early.",
     by_policy="less",
     other_ask="This is the right value of ${}$: perhaps it went into the wrong box.",
 )

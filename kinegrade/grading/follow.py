@@ -1,9 +1,11 @@
-"""Follow-through: the answers of one student that follow from the student's own wrong answers to earlier asks.
+"""Follow-through: the answers of one student that follow from the student's own wrong answers to
+earlier asks.
 
-`follow_through` is pure and is called with the answers to one question as they were decided by the key, the policy and
-the known mistakes. What follows is worked out by whoever is given as `follows` (`kinegrade.exam.follow_through`); here
-stands what counts: the key is tried first, an error is charged once, and no credit comes from an earlier answer that is
-right, missing, zero, beyond any sense, or such that it makes the rest trivial (`kinegrade.grading.triviality`).
+`follow_through` is pure and is called with the answers to one question as they were decided by the
+key, the policy and the known mistakes. What follows is worked out by whoever is given as `follows`
+(`kinegrade.exam.follow_through`); here stands what counts: the key is tried first, an error is
+charged once, and no credit comes from an earlier answer that is right, missing, zero, beyond any
+sense, or such that it makes the rest trivial (`kinegrade.grading.trivial_answers`).
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.key import Ask, Key
 from kinegrade.grading.policy import Ruling
-from kinegrade.grading.triviality import Later, is_trivial
+from kinegrade.grading.trivial_answers import Later, is_trivial
 
 FARTHEST = (
     1000  # times the right answer, or below its thousandth part: no follow-through from there
@@ -28,10 +30,14 @@ Own = Mapping[str, Fraction]  # a student's own answers by ask, each in its unit
 
 
 class Consequence(Protocol):
-    """What follows for an ask from a student's own answers to other asks of the question, put in all at once."""
+    """What follows for an ask from a student's own answers to other asks of the question, put in
+    all at once.
+    """
 
     def __call__(self, student: str, question: str, own: Own, later: str) -> Fraction | None:
-        """The value in the unit of `later`; None where it does not depend on those answers, or nothing follows."""
+        """The value in the unit of `later`; None where it does not depend on those answers, or
+        nothing follows.
+        """
 
 
 def as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
@@ -41,7 +47,9 @@ def as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
 
 @dataclass(frozen=True, slots=True)
 class Follows:
-    """Who knows what follows; `order` sorts the asks of a question so that nothing depends on what comes after it."""
+    """Who knows what follows; `order` sorts the asks of a question so that nothing depends on what
+    comes after it.
+    """
 
     consequence: Consequence
     order: Callable[[str, Sequence[str]], Sequence[str]] = as_asked
@@ -62,7 +70,9 @@ class Follows:
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """An answer of one student as it is decided so far; `key` is the paper's, `ruling` what a policy says."""
+    """An answer of one student as it is decided so far; `key` is the paper's, `ruling` what a
+    policy says.
+    """
 
     ask: Ask
     reading: Reading
@@ -95,8 +105,8 @@ def follow_through(
 ) -> dict[str, Decision]:
     """The decisions that follow-through makes better, by ask; `answers` are those to one question.
 
-    An answer that got follow-through is an own one for those after it, so that an error is charged once however far
-    it goes.
+    An answer that got follow-through is an own one for those after it, so that an error is charged
+    once however far it goes.
     """
     found: dict[str, Decision] = {}
     wrong: dict[str, Fraction] = {}
@@ -115,7 +125,9 @@ def follow_through(
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """The student's own answers so far, the wrong ones and the right ones, and what would be right."""
+    """The student's own answers so far, the wrong ones and the right ones, and what would be
+    right.
+    """
 
     wrong: Own
     right: Own
@@ -125,7 +137,9 @@ class _Earlier:
 def _verdicts(
     student: str, answer: Decided, earlier: _Earlier, follows: Follows
 ) -> Iterator[Verdict]:
-    """Agreements with what follows from own answers, of which one at least is wrong and none makes the rest trivial."""
+    """Agreements with what follows from own answers, of which one at least is wrong and none makes
+    the rest trivial.
+    """
 
     def what_follows(own: Own) -> Fraction | None:
         return follows(student, answer.ask.question, own, answer.ask.ask)
@@ -145,8 +159,10 @@ def _verdicts(
 def _followed(
     student: str, later: Ask, wrong: Own, right: Own, follows: Follows
 ) -> Iterator[tuple[Own, Fraction]]:
-    """What follows from all wrong answers, from single ones, and from the wrong and the right ones together: somebody
-    may have gone on from one and not from another, and what would follow for a third may be right all the same."""
+    """What follows from all wrong answers, from single ones, and from the wrong and the right ones
+    together: somebody may have gone on from one and not from another, and what would follow for a
+    third may be right all the same.
+    """
     singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)
     for own in (wrong, *singles):
         value = follows(student, later.question, own, later.ask)

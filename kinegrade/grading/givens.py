@@ -20,7 +20,9 @@ Drawn = Mapping[str, Mapping[str, Given]]  # by question and parameter
 
 @dataclass
 class Givens:
-    """What was drawn for the papers of an exam folder; of the papers the last that was asked for is kept."""
+    """What was drawn for the papers of an exam folder; of the papers the last that was asked for is
+    kept.
+    """
 
     folder: Path
     _last: tuple[str, Drawn] = field(default=("", {}), init=False)
@@ -30,7 +32,9 @@ class Givens:
         return self._drawn(student)[question]
 
     def units(self, question: str) -> Mapping[str, str]:
-        """The units of a question's parameters, by name; they are the same on every paper. Raises ExamError."""
+        """The units of a question's parameters, by name; they are the same on every paper. Raises
+        ExamError.
+        """
         with self._readable():
             paper = self._drawn(self._lines.first)
         return {name: unit for name, (_, unit) in paper[question].items()}
@@ -62,9 +66,9 @@ class Givens:
             StopIteration,
         ) as fault:
             raise ExamError(
-                f"{self.folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the parameters of each "
-                "question, which the policy uses - restore the exam folder as it was generated, or write the accepted "
-                "answers as numbers"
+                f"{self.folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the "
+                "parameters of each question, which the policy uses - restore the exam folder as "
+                "it was generated, or write the accepted answers as numbers"
             ) from fault
 
 

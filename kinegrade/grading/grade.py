@@ -8,18 +8,18 @@ from types import MappingProxyType
 from typing import assert_never
 
 from kinegrade.answer_file import AnswerFile
-from kinegrade.collection import seldom_collected
 from kinegrade.files import output_folder
+from kinegrade.garbage_collection import bulk_work
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.exam_folder import ExamFolder, open_exam
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.givens import Givens
+from kinegrade.grading.kept_totals import Kept
+from kinegrade.grading.kept_totals import never_lower as with_kept_totals
 from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
 from kinegrade.grading.marks_folder import KEPT, read_totals
-from kinegrade.grading.never_lower import Kept
-from kinegrade.grading.never_lower import never_lower as with_kept_totals
 from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
@@ -47,18 +47,19 @@ def grade(
     follows: Follows | None = None,
     own_papers: bool = False,
 ) -> ClassGrades:
-    """Writes the folder `output`, whole or not at all, and gives everybody's grade and all complaints.
+    """Writes the folder `output`, whole or not at all, and gives all grades and complaints.
 
-    `answers` is an answer sheet, as a file or a table, or the files of one class as `kinegrade.lms.responses` reads
-    them. `exports` names the files for other systems that go into the folder too, such as
-    `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the decimal mark of the sheet, for 1,234 and
-    1.234. `policy` is the file of a policy, of which the folder gets a copy; `never_lower` an earlier folder of marks
-    below whose totals nobody falls; `follows` works out what follows from own answers. Same input, same bytes.
-    A marking in which most answers fit other papers is refused, unless they are said to be to `own_papers`.
-    Raises ExamError, PolicyError, TableError, OutputError.
+    `answers` is an answer sheet, as a file or a table, or the files of one class as
+    `kinegrade.lms.responses` reads them. `exports` names the files for other systems that go into
+    the folder too, such as `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the
+    decimal mark of the sheet. `policy` is the file of a policy, of which the folder gets a copy;
+    `never_lower` an earlier folder of marks below whose totals nobody falls; `follows` works out
+    what follows from wrong answers. A marking in which most answers fit other papers is refused,
+    unless they are said to be to `own_papers`. Raises ExamError, PolicyError, TableError,
+    OutputError.
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
-    with seldom_collected(), written as folder:
+    with bulk_work(), written as folder:
         known, givens, files = open_exam(exam), Givens(exam), _files(answers)
         sheet, rules = class_sheet(files, known), policy_for(known, givens, policy)
         pool, others = pool_of(known, sheet), OtherPapers(known.asks)
@@ -67,13 +68,20 @@ def grade(
         grades = class_grades(known, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
             others.refuse(known, ", ".join(each.table.file for each in files))
-        kept: tuple[Kept, ...] | None = None
-        if never_lower:
-            grades, kept = with_kept_totals(grades, read_totals(never_lower))
+        grades, kept = _with_kept_totals(grades, never_lower)
         write_grades(folder, grades, rules, kept)
         write_printed(folder, exam, grades.questions)
         _write_exports(folder, exports)
     return grades
+
+
+def _with_kept_totals(
+    grades: ClassGrades, never_lower: Path | None
+) -> tuple[ClassGrades, tuple[Kept, ...] | None]:
+    """The grades with the earlier totals that stand, and those; without an earlier folder as is."""
+    if never_lower is None:
+        return grades, None
+    return with_kept_totals(grades, read_totals(never_lower))
 
 
 def _write_exports(folder: Path, exports: Mapping[str, Export]) -> None:

@@ -1,7 +1,8 @@
-"""What probably went wrong with a number, seen from the number alone: a sign, a power of ten, degrees for radians.
+"""What probably went wrong with a number, seen from the number alone: a sign, a power of ten,
+degrees for radians.
 
-Only ratios that hardly come about by chance are named, and feedback words them as a "perhaps". Mistakes that follow
-from the mechanism are told by the marks; this is for all other wrong answers.
+Only ratios that hardly come about by chance are named, and feedback words them as a "perhaps".
+Mistakes that follow from the mechanism are told by the marks; this is for all other wrong answers.
 """
 
 from __future__ import annotations
@@ -33,7 +34,9 @@ _DOUBLED: tuple[tuple[Kind, float], ...] = (("twice", 2.0), ("half", 0.5))
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """`reversed_sign` where the sign is opposite besides; `power` of ten; `column` of the ask whose answer it is."""
+    """`reversed_sign` where the sign is opposite besides; `power` of ten; `column` of the ask whose
+    answer it is.
+    """
 
     kind: Kind
     reversed_sign: bool = False
@@ -44,9 +47,11 @@ class Hint:
 def hint(
     value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]
 ) -> Hint | None:
-    """What a wrong value tells, or None; `others` are the right answers of the question's other asks by column.
+    """What a wrong value tells, or None; `others` are the right answers of the question's other
+    asks by column.
 
-    A value fits where it lies within the tolerance, and within 2 %, of a multiple of the right answer.
+    A value fits where it lies within the tolerance, and within 2 %, of a multiple of the right
+    answer.
 
     >>> hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
     Hint(kind='opposite', reversed_sign=False, power=0, column='')

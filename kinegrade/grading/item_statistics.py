@@ -1,6 +1,8 @@
-"""What a class's points tell about the asks: how hard each was, and whether it parts good papers from weak ones.
+"""What a class's points tell about the asks: how hard each was, and whether it parts good papers
+from weak ones.
 
-Arrays have a row for each student and a column for each ask. Whatever too few students cannot tell is None.
+Arrays have a row for each student and a column for each ask. Whatever too few students cannot tell
+is None.
 """
 
 from __future__ import annotations
@@ -19,7 +21,9 @@ FEW = 25  # students: fewer are shown in coarse classes
 
 @dataclass(frozen=True)
 class Summary:
-    """A distribution in figures; `sd` divides by n - 1 and is None for one value. Quartiles interpolate linearly."""
+    """A distribution in figures; `sd` divides by n - 1 and is None for one value. Quartiles
+    interpolate linearly.
+    """
 
     count: int
     mean: float
@@ -33,7 +37,9 @@ class Summary:
 
 @dataclass(frozen=True)
 class Histogram:
-    """Counts between edges; a value on an edge counts to the right, the last edge to the last class."""
+    """Counts between edges; a value on an edge counts to the right, the last edge to the last
+    class.
+    """
 
     edges: tuple[float, ...]
     counts: tuple[int, ...]
@@ -63,7 +69,8 @@ def summary(values: Sequence[float] | Points) -> Summary | None:
 
 
 def histogram(percents: Sequence[float] | Points) -> Histogram:
-    """Per cents from 0 to 100 in classes of ten, of twenty where there are few; what lies above counts as 100.
+    """Per cents from 0 to 100 in classes of ten, of twenty where there are few; what lies above
+    counts as 100.
 
     >>> histogram([0, 20, 39.9, 100]).counts
     (1, 2, 0, 0, 1)
@@ -87,7 +94,8 @@ def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
 def discriminations(points: Points) -> tuple[float | None, ...]:
     """For each ask the correlation (Pearson) of its points with the total of all other asks.
 
-    None for fewer than three students, and where all have the same points in the ask or in the others.
+    None for fewer than three students, and where all have the same points in the ask or in the
+    others.
     """
     students, asks = len(points), range(points.shape[1])
     if students < FEWEST:
@@ -107,7 +115,9 @@ def correlation(first: Points, second: Points) -> float | None:
 
 
 def reliability(points: Points) -> float | None:
-    """Cronbach's alpha: how much of the totals' variance the asks share; None for too few students or asks."""
+    """Cronbach's alpha: how much of the totals' variance the asks share; None for too few students
+    or asks.
+    """
     students, asks = points.shape
     if students < FEWEST or asks < 2:
         return None

@@ -1,7 +1,7 @@
 """Single fields of the JSON files of an exam folder, each with the fault that it may have.
 
-`exam_folder` and `key_line` use them. Numbers are taken from the digits that stand in the files, never through binary
-floating point.
+`exam_folder` and `key_line` use them. Numbers are taken from the digits that stand in the files,
+never through binary floating point.
 """
 
 from __future__ import annotations
@@ -70,13 +70,16 @@ def identifier(item: Any, name: str) -> str:
     found = field(item, name, str)
     if not _IDENTIFIER.fullmatch(found) or found in _COLUMNS_OF_GRADES:
         raise FieldError(
-            f'"{name}" is {shown(found)} - expected letters, digits, "_" and "-", and no column of grades.csv'
+            f'"{name}" is {shown(found)} - expected letters, digits, "_" and "-", and no column of '
+            "grades.csv"
         )
     return found
 
 
 def amount(item: Any, name: str) -> Fraction:
-    """A number, or a text that spells one (a decimal or a plain fraction), exactly. Raises FieldError."""
+    """A number, or a text that spells one (a decimal or a plain fraction), exactly. Raises
+    FieldError.
+    """
     found = item.get(name) if isinstance(item, dict) else None
     exact = _exactly(found) if isinstance(found, Decimal | str) else None
     if exact is None:

@@ -1,8 +1,9 @@
 """Right or wrong: one reading held against one key.
 
-`judge` is pure; `nearness` says the same of thousands of answers wherever double precision can. The rule is the one
-printed on the paper: right is what differs from the key by at most the tolerance, exactly the tolerance included, and
-what agrees with it to the significant figures that are asked for.
+`judge` is pure; `bulk_comparison` says the same of thousands of answers wherever double precision
+can. The rule is the one printed on the paper: right is what differs from the key by at most the
+tolerance, exactly the tolerance included, and what agrees with it to the significant figures that
+are asked for.
 """
 
 from __future__ import annotations
@@ -37,7 +38,8 @@ class Verdict:
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
-    """Decides by exact fractions; an irrational answer that cannot be told from the bound is on it. Never raises.
+    """Decides by exact fractions; an irrational answer that cannot be told from the bound is on it.
+    Never raises.
 
     >>> from kinegrade.grading.answers import read
     >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
@@ -70,7 +72,10 @@ def _comparison(key: Key, difference: Fraction) -> str:
     """With as many digits as it takes to see which of the two is larger."""
     if key.agreeing:
         low, high = key.interval
-        return f"key {_short(key.value)}, difference {_short(difference)}, right from {_short(low)} to {_short(high)}"
+        return (
+            f"key {_short(key.value)}, difference {_short(difference)}, right from "
+            f"{_short(low)} to {_short(high)}"
+        )
     shown, allowed = _short(difference), _short(key.tolerance)
     if shown == allowed and difference != key.tolerance:
         shown, allowed = _long(difference), _long(key.tolerance)

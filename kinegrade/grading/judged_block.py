@@ -1,7 +1,7 @@
 """The answers of many students, judged: what has become of each.
 
-`block_judge` makes such blocks and `marks` works with them. They are lists rather than an object for every answer,
-because a large class gives a million answers.
+`block_judge` makes such blocks and `marks` works with them. They are lists rather than an object
+for every answer, because a large class gives a million answers.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ USUAL_CREDITS = 2  # as many there are where every answer has all or nothing
 
 @dataclass(frozen=True, slots=True)
 class JudgedBlock:
-    """All answers of some rows, row after row: the kinds and reasons of the verdicts, and the shares of the points.
+    """All answers of some rows, row after row: the kinds and reasons of the verdicts, and the
+    shares of the points.
 
     Each of `shares` is a place in `credits`, which holds the few that there are.
     """

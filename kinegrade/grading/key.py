@@ -18,7 +18,8 @@ from kinegrade.exact.figures import figures_interval
 class Ask:
     """One answer box, the same on every paper; `unit` is "1" for a pure number.
 
-    `sign` is the convention in English, "counter-clockwise positive", as it stands on papers; "" where it is not known.
+    `sign` is the convention in English, "counter-clockwise positive", as it stands on papers; ""
+    where it is not known.
     """
 
     question: str
@@ -35,7 +36,8 @@ class Ask:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """How far from a right answer is still right: max(relative*|answer|, absolute), in the ask's unit.
+    """How far from a right answer is still right: max(relative*|answer|, absolute), in the ask's
+    unit.
 
     With `figures`, right is also what agrees with the answer to that many significant figures.
     """
@@ -74,11 +76,13 @@ def rule(relative: Fraction, absolute: Fraction, figures: int | None = None) -> 
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """The right answer and how far from it is still right: exact fractions, all in the unit of the ask.
+    """The right answer and how far from it is still right: exact fractions, all in the unit of the
+    ask.
 
-    `period` is a full turn for an angle that is right with any number of turns more or less. `agreeing` are the
-    smallest and the largest number that agree with the value to the significant figures asked for, if any are. `rule`
-    is what the tolerance and they come from; `mistakes` are the wrong answers that known mistakes lead to, by id.
+    `period` is a full turn for an angle that is right with any number of turns more or less.
+    `agreeing` are the smallest and the largest number that agree with the value to the significant
+    figures asked for, if any are. `rule` is what the tolerance and they come from; `mistakes` are
+    the wrong answers that known mistakes lead to, by id.
     """
 
     value: Fraction
@@ -100,10 +104,11 @@ class Key:
 
 
 class StatedKey(NamedTuple):
-    """A key as it stands in key.jsonl, which is not worked out exactly before that is needed: `key` does it.
+    """A key as it stands in key.jsonl, which is not worked out exactly before that is needed: `key`
+    does it.
 
-    `value` is the right answer as a decimal or a plain fraction, `mistakes` what mistakes lead to: to double
-    precision, as far as they are known anyhow, or exactly.
+    `value` is the right answer as a decimal or a plain fraction, `mistakes` what mistakes lead to:
+    to double precision, as far as they are known anyhow, or exactly.
     """
 
     value: str
@@ -137,8 +142,8 @@ class Keys(Protocol):
 class Paper(NamedTuple):
     """Whose paper it is, and its keys in the order of the asks.
 
-    `put` says for each ask whose line of the key it comes from, "" for the student's own; empty where that holds for
-    all of them.
+    `put` says for each ask whose line of the key it comes from, "" for the student's own; empty
+    where that holds for all of them.
     """
 
     student: str
@@ -175,7 +180,9 @@ class Examinee:
 
 
 class Sitting(Protocol):
-    """What a marking has to know of an exam: what was asked of whom, and the papers one after the other."""
+    """What a marking has to know of an exam: what was asked of whom, and the papers one after the
+    other.
+    """
 
     @property
     def asks(self) -> tuple[Ask, ...]:

@@ -1,8 +1,10 @@
-"""Lines of key.jsonl as `generate` writes them, decoded by their types: a class of 100,000 has a million keys.
+"""Lines of key.jsonl as `generate` writes them, decoded by their types: a class of 100,000 has a
+million keys.
 
-`PaperDecoder` is used by `exam_folder`, with many lines at once. What is not of the usual shape, and every fault, is
-left to `key_line`, so that a line means the same whichever reads it. Only mistakes are looked at later, by
-`stated_keys`: a fault in them is found where an answer is held against them.
+`PaperDecoder` is used by `exam_folder`, with many lines at once. What is not of the usual shape,
+and every fault, is left to `key_line`, so that a line means the same whichever reads it. Only
+mistakes are looked at later, by `stated_keys`: a fault in them is found where an answer is held
+against them.
 """
 
 from __future__ import annotations
@@ -34,8 +36,14 @@ class _UnusualError(Exception):
 
 
 _UNUSUAL = (
-    _UnusualError, FieldError, msgspec.MsgspecError, AttributeError, ArithmeticError, RecursionError, ValueError,
-)  # fmt: skip
+    _UnusualError,
+    FieldError,
+    msgspec.MsgspecError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    ValueError,
+)
 
 
 class PaperDecoder:
@@ -47,14 +55,18 @@ class PaperDecoder:
         self._terms: dict[bytes, Terms] = {}
 
     def usual(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper] | None:
-        """The papers on these lines, or None if one is not of the usual shape; `places` are the lines' in messages."""
+        """The papers on these lines, or None if one is not of the usual shape; `places` are the
+        lines' in messages.
+        """
         try:
             return self._papers(lines, places)
         except _UNUSUAL:
             return None
 
     def paper(self, line: bytes, place: str) -> Paper:
-        """The paper on a line of any shape. Raises FieldError, and UnicodeDecodeError where it is not UTF-8."""
+        """The paper on a line of any shape. Raises FieldError, and UnicodeDecodeError where it is
+        not UTF-8.
+        """
         for paper in self.usual([line], [place]) or ():
             return paper
         student, keys = exact_paper(self._asks, line.decode("utf-8"))
@@ -102,7 +114,9 @@ class PaperDecoder:
 
 
 def _line_type(asks: Sequence[Ask]) -> Any:
-    """The type of a line with these asks: its questions are a tuple, their asks in the order of the paper."""
+    """The type of a line with these asks: its questions are a tuple, their asks in the order of the
+    paper.
+    """
     questions = []
     for question, group in groupby(asks, attrgetter("question")):
         asked = {f"ask_{number}": ask for number, ask in enumerate(group)}
@@ -139,7 +153,9 @@ def _entry_type(ask: Ask) -> type[msgspec.Struct]:
 
 
 def _centres(entries: Sequence[Entry]) -> list[float]:
-    """The right answers rightly rounded to doubles: of the exact value where it is a plain number, else the decimal."""
+    """The right answers rightly rounded to doubles: of the exact value where it is a plain number,
+    else the decimal.
+    """
     decimals = [entry.decimal for entry in entries]
     digits = "\n".join(decimals)
     if max(map(len, decimals)) > MOST_DIGITS or (
@@ -155,6 +171,7 @@ def _centres(entries: Sequence[Entry]) -> list[float]:
     close = all(map(isclose, centres, rounded)) and all(
         map(isclose, centres, [entry.value for entry in entries])
     )
-    if not close:  # isclose compares to 1e-9 of itself, as key_line does; to be told so makes it four times slower
+    # Isclose compares to 1e-9 of itself, as key_line does; to be told so makes it four times slower
+    if not close:
         raise _UnusualError
     return centres

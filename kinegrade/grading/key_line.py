@@ -1,4 +1,5 @@
-"""One line of key.jsonl, of whatever shape a key may have: the exact keys of a paper, or what is wrong with it.
+"""One line of key.jsonl, of whatever shape a key may have: the exact keys of a paper, or what is
+wrong with it.
 
 `key_decoding` reads lines of the usual shape many times faster and leaves all others to this.
 """
@@ -52,7 +53,9 @@ def _key(ask: Ask, entry: Any) -> Key:
 
 
 def rule_of(tolerance: Any) -> Rule:
-    """The rule that a tolerance states; figures are those to which an answer has to agree. Raises FieldError."""
+    """The rule that a tolerance states; figures are those to which an answer has to agree. Raises
+    FieldError.
+    """
     relative, absolute = not_negative(tolerance, "relative"), not_negative(tolerance, "absolute")
     figures = tolerance.get("figures")
     if "figures" in tolerance and (not isinstance(figures, Decimal) or figures not in _FIGURES):
@@ -61,7 +64,9 @@ def rule_of(tolerance: Any) -> Rule:
 
 
 def mistakes_of(entry: Any) -> Mapping[str, Fraction]:
-    """What known mistakes lead to, by the mistake's id; earlier versions do not state it. Raises FieldError."""
+    """What known mistakes lead to, by the mistake's id; earlier versions do not state it. Raises
+    FieldError.
+    """
     if "mistakes" not in entry:
         return {}
     mistakes = field(entry, "mistakes", dict)
@@ -69,7 +74,9 @@ def mistakes_of(entry: Any) -> Mapping[str, Fraction]:
 
 
 def _value(entry: Any) -> Fraction:
-    """The exact value where it is a plain number, else the decimal text, else the value's own digits."""
+    """The exact value where it is a plain number, else the decimal text, else the value's own
+    digits.
+    """
     exact = entry.get("exact")
     texts = {"exact": exact if isinstance(exact, str) and RATIONAL.fullmatch(exact) else None}
     texts |= {name: entry.get(name) for name in ("decimal", "value")}
@@ -77,8 +84,7 @@ def _value(entry: Any) -> Fraction:
     if not values:
         raise FieldError('neither "decimal" nor "value" is there - expected the right answer')
     first, *others = values.values()
-    if not all(
-        isclose(first, other, rel_tol=AGREEMENT) for other in others
-    ):  # a check only: floats will do
+    # A check only: floats will do
+    if not all(isclose(first, other, rel_tol=AGREEMENT) for other in others):
         raise FieldError(f"{', '.join(values)} say different numbers - expected one and the same")
     return first

@@ -1,8 +1,11 @@
-"""Single lines of key.jsonl, found by student: for what is wanted of some papers only, or of one at a time.
+"""Single lines of key.jsonl, found by student: for what is wanted of some papers only, or of one at
+a time.
 
-Students who are not there any more may still have given a pool its variants: their lines are those of variants.jsonl.
+Students who are not there any more may still have given a pool its variants: their lines are those
+of variants.jsonl.
 
-`exam_record` and `givens` use it; a class of any size needs memory for one paper, and a number for each of the others.
+`exam_record` and `givens` use it; a class of any size needs memory for one paper, and a number for
+each of the others.
 """
 
 from __future__ import annotations
@@ -25,7 +28,9 @@ class KeyLines:
     """The lines of one key.jsonl, each read when it is wanted."""
 
     def __init__(self, path: Path) -> None:
-        """Finds where the line of each student begins. Raises OSError, and ValueError where a line is none."""
+        """Finds where the line of each student begins. Raises OSError, and ValueError where a line
+        is none.
+        """
         self._places: dict[str, tuple[Path, int]] = {}
         self._find(path)
         if (pool := path.with_name(POOL)).exists():
@@ -44,7 +49,9 @@ class KeyLines:
         return student in self._places
 
     def paper(self, student: str, number: Callable[[str], Any] = float) -> Any:
-        """The JSON on a student's line; `number` makes one of the digits of a decimal. Raises KeyError, ValueError."""
+        """The JSON on a student's line; `number` makes one of the digits of a decimal. Raises
+        KeyError, ValueError.
+        """
         path, place = self._places[student]
         with path.open("rb") as stream:
             stream.seek(place)

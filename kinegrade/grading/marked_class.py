@@ -1,7 +1,8 @@
 """What `kinegrade grade` wrote, read again: every marked answer, the grades and the complaints.
 
-The class report and the feedback sheets are made of these. Columns are found by their names, so that columns which a
-later version adds do no harm; cells are given as they were before they were made safe for spreadsheets.
+The class report and the feedback sheets are made of these. Columns are found by their names, so
+that columns which a later version adds do no harm; cells are given as they were before they were
+made safe for spreadsheets.
 """
 
 from __future__ import annotations
@@ -40,7 +41,9 @@ _MENDING = "expected the file as kinegrade grade wrote it - grade again"
 
 @dataclass(frozen=True, slots=True)
 class MarkedAnswer:
-    """One line of marks.csv; `read_as` is in plain digits and in `unit`, both empty where nothing was read."""
+    """One line of marks.csv; `read_as` is in plain digits and in `unit`, both empty where nothing
+    was read.
+    """
 
     student: str
     question: str
@@ -70,9 +73,11 @@ class StudentTotal:
 
 
 def answers_by_student(folder: Path) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
-    """The answers of each student, in the order of the roster and of the asks; one student at a time.
+    """The answers of each student, in the order of the roster and of the asks; one student at a
+    time.
 
-    Raises TableError for a file that is missing or not as it was written, at the line where that is found.
+    Raises TableError for a file that is missing or not as it was written, at the line where that is
+    found.
     """
     for student, answers in groupby(marked_answers(folder), attrgetter("student")):
         yield student, tuple(answers)
@@ -123,7 +128,9 @@ def complaints(folder: Path) -> tuple[Complaint, ...]:
 
 
 def _number(text: str, path: Path, line: int) -> str:
-    """What an answer was read as, as it stands there, if it is a number of bounded size or empty."""
+    """What an answer was read as, as it stands there, if it is a number of bounded size or
+    empty.
+    """
     if not text or _PLAIN.fullmatch(text):
         return text
     try:

@@ -1,7 +1,7 @@
 """The marks of a class: a verdict for every student and ask, and the totals.
 
-`marked_blocks` is called by `grade` and gives the class in blocks, so that its size costs little memory; `mark` gives
-all at once. `report` writes what they give.
+`marked_blocks` is called by `grade` and gives the class in blocks, so that its size costs little
+memory; `mark` gives all at once. `report` writes what they give.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ class Mark:
 class Grade:
     """One student's points for each question, in the order of the paper, and in all.
 
-    `kept` is the total that stands instead of the sum, where an earlier one was higher and nobody is to lose. Who is
-    `absent` answered nothing at all.
+    `kept` is the total that stands instead of the sum, where an earlier one was higher and nobody
+    is to lose. Who is `absent` answered nothing at all.
     """
 
     student: str
@@ -88,16 +88,20 @@ class ClassGrades:
 
 @dataclass(frozen=True, slots=True)
 class Marks(ClassGrades):
-    """The grades and complaints of a class, and every mark: in the order of the roster, and of the asks."""
+    """The grades and complaints of a class, and every mark: in the order of the roster, and of the
+    asks.
+    """
 
     marks: tuple[Mark, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class MarkedBlock:
-    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row for each grade.
+    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row
+    for each grade.
 
-    `general` are complaints about cells that were read as was declared or decided for the whole file, by the reason.
+    `general` are complaints about cells that were read as was declared or decided for the whole
+    file, by the reason.
     """
 
     asks: tuple[Ask, ...]
@@ -130,11 +134,12 @@ def mark(
     follows: Follows | None = None,
     pool: Pool = _NO_POOL,
 ) -> Marks:
-    """Marks a class. Raises nothing of its own: what cannot be read gets no points, and a complaint.
+    """Marks a class. Raises nothing of its own: what cannot be read gets no points, and a
+    complaint.
 
-    `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell what 1,234 means.
-    `alternatives` are the policy's accepted answers, worked out; `follows` works out what follows from own answers;
-    `pool` has the papers whose questions were put to others.
+    `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell
+    what 1,234 means. `alternatives` are the policy's accepted answers, worked out; `follows` works
+    out what follows from own answers; `pool` has the papers whose questions were put to others.
     """
     blocks = list(
         marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows, pool=pool)
@@ -156,7 +161,9 @@ def marked_blocks(
     follows: Follows | None = None,
     pool: Pool = _NO_POOL,
 ) -> Iterator[MarkedBlock]:
-    """The same in blocks, in the order of the roster. Raises what reading the papers raises: ExamError."""
+    """The same in blocks, in the order of the roster. Raises what reading the papers raises:
+    ExamError.
+    """
     styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
     judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
@@ -167,7 +174,9 @@ def marked_blocks(
 
 
 def added(amounts: Iterable[Fraction]) -> Fraction:
-    """Their sum: by whole numbers over the common denominator, several times faster than one after the other."""
+    """Their sum: by whole numbers over the common denominator, several times faster than one after
+    the other.
+    """
     listed = tuple(amounts)
     common = lcm(*[amount.denominator for amount in listed])
     if common == 1:
@@ -178,7 +187,9 @@ def added(amounts: Iterable[Fraction]) -> Fraction:
 
 
 def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
-    """What remains of the blocks: everybody's points, and the complaints with those about the sheet."""
+    """What remains of the blocks: everybody's points, and the complaints with those about the
+    sheet.
+    """
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
     general: dict[str, list[Complaint]] = defaultdict(list)
@@ -211,7 +222,8 @@ def _said_once(alike: Sequence[Complaint]) -> Complaint:
 class _Marker:
     """What it takes to mark a class; `asks` have the points they have by the policy.
 
-    `known` are the points of rows in which every answer has all or nothing, by their places in `JudgedBlock.credits`.
+    `known` are the points of rows in which every answer has all or nothing, by their places in
+    `JudgedBlock.credits`.
     """
 
     sheet: Sheet
@@ -277,7 +289,9 @@ class _Marker:
         return [best[row[0].student][1] if row[0].student in best else row for row in rows]
 
     def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
-        """The points of each row by question; there are few ways to get them, and each is added up once."""
+        """The points of each row by question; there are few ways to get them, and each is added up
+        once.
+        """
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
         for first in range(0, len(judged.shares), len(self.asks)):
             way = tuple(judged.shares[first : first + len(self.asks)])
@@ -303,7 +317,9 @@ class _Marker:
     def _doubts(
         self, judged: JudgedBlock, general: dict[str, list[Complaint]]
     ) -> Iterator[Complaint]:
-        """The complaints about single cells; those whose reason is that of the whole file go to `general`."""
+        """The complaints about single cells; those whose reason is that of the whole file go to
+        `general`.
+        """
         reasons = self.judge.styles.reasons
         for place, reading in judged.cells.odd.items():
             row, number = divmod(place, len(self.asks))

@@ -1,4 +1,5 @@
-"""Reading a folder of marks again, as `grade` wrote it: for comparing two, and for letting nobody fall below one.
+"""Reading a folder of marks again, as `grade` wrote it: for comparing two, and for letting nobody
+fall below one.
 
 Used by `never_lower` and `comparison`. Amounts are the numbers that stand in the files.
 """
@@ -91,7 +92,9 @@ def _kept(file: Path) -> Mapping[str, str]:
 
 
 class _File:
-    """A table that `grade` wrote, by its columns. Raises TableError for one that it cannot have written."""
+    """A table that `grade` wrote, by its columns. Raises TableError for one that it cannot have
+    written.
+    """
 
     def __init__(self, path: Path, names: Sequence[str]) -> None:
         self.path, self.table, self.names = path, read_table(path), names
@@ -99,7 +102,8 @@ class _File:
         faults = [f"{path.parent}/{complaint}" for complaint in self.table.complaints]
         if missing:
             faults.append(
-                f"{path}: no column {', '.join(missing)} - expected the file as kinegrade grade wrote it"
+                f"{path}: no column {', '.join(missing)} - expected the file as kinegrade grade "
+                "wrote it"
             )
         if faults:
             raise TableError(*(f"{fault} - grade again" for fault in faults))
@@ -116,6 +120,7 @@ class _File:
         if _AMOUNT.fullmatch(cell):
             return Fraction(cell)
         raise TableError(
-            f'{self.path}:{row.line}: {name} is "{one_line(cell[:40])}" - expected a number of zero or more '
+            f'{self.path}:{row.line}: {name} is "{one_line(cell[:40])}" - expected a number of '
+            "zero or more "
             "- grade again"
         )

@@ -1,4 +1,5 @@
-"""Symbols and short prose as HTML: Greek letters, italics, subscripts, primes; what else LaTeX has is left in letters.
+"""Symbols and short prose as HTML: Greek letters, italics, subscripts, primes; what else LaTeX has
+is left in letters.
 
 Every character that comes in is escaped; the only tags are those made here.
 """
@@ -77,9 +78,8 @@ def symbol_html(latex: str) -> Markup:
     >>> print(symbol_html(r"\omega_{AB}"), symbol_html("B'"))
     <span class="math"><i>ω</i><sub><i>AB</i></sub></span> <span class="math"><i>B</i>′</span>
     """
-    return Markup(
-        f'<span class="math">{_Reader(latex).whole()}</span>'
-    )  # made of escaped letters and own tags
+    # Made of escaped letters and own tags
+    return Markup(f'<span class="math">{_Reader(latex).whole()}</span>')
 
 
 def prose_html(prose: str) -> Markup:

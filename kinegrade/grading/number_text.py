@@ -1,7 +1,9 @@
-"""Decimal numbers as they are typed: folding of keyboards, grouping in threes, decimal point or comma, powers of ten.
+"""Decimal numbers as they are typed: folding of keyboards, grouping in threes, decimal point or
+comma, powers of ten.
 
-`folded` makes one alphabet of what English and Chinese keyboards give; `scan` takes one number off the front of
-a folded text. Digits are kept exactly. What a lone mark before three digits means is decided by a `DecimalStyle`.
+`folded` makes one alphabet of what English and Chinese keyboards give; `scan` takes one number off
+the front of a folded text. Digits are kept exactly. What a lone mark before three digits means is
+decided by a `DecimalStyle`.
 """
 
 from __future__ import annotations
@@ -23,9 +25,8 @@ _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 _RAISED = re.compile(rf"[⁺⁻]?[{_SUPERSCRIPTS}]+(?=([0-9])?)")
 _PLAIN = str.maketrans(f"{_SUPERSCRIPTS}⁺⁻", "0123456789+-")
 _SIGNS = {
-    **{
-        code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)
-    },  # full-width letters, digits and signs
+    # Full-width letters, digits and signs
+    **{code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)},
     **{ord(sign): "." for sign in "。｡．"},  # what a Chinese keyboard gives for a full stop
     **{
         ord(sign): "-"
@@ -38,9 +39,8 @@ _SIGNS = {
     **{ord(sign): "'" for sign in "\u2019\u2018\u02bc"},
     **{ord(sign): bracket for sign, bracket in zip("【】〔〕", "[]()", strict=True)},
 }
-_SINGLE_GROUP_BLANKS = str.maketrans(
-    dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009")
-)  # made for grouping
+# Made for grouping
+_SINGLE_GROUP_BLANKS = str.maketrans(dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009"))
 _BODY = (
     r"(?:(?P<body>[0-9]+(?:[.,'\u2009][0-9]+|\ [0-9]{3}(?![0-9]))*)(?P<last>[.,](?![0-9√π(½-¾]))?"
     r"|(?P<bare>[.,][0-9]+))"
@@ -55,12 +55,15 @@ _FIRST_GROUP = re.compile(r"[1-9][0-9]{0,2}")
 
 
 class Unreadable(Exception):
-    """What was typed is not one number in an acceptable unit; the message says why and what to write instead."""
+    """What was typed is not one number in an acceptable unit; the message says why and what to
+    write instead.
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class DecimalStyle:
-    """What a lone comma or point before exactly three digits means, and why: `1,234` is 1.234 or 1234.
+    """What a lone comma or point before exactly three digits means, and why: `1,234` is 1.234 or
+    1234.
 
     The reasons end the sentence "read as 1.234: ...". The default is the rule that papers print.
     """
@@ -73,10 +76,11 @@ class DecimalStyle:
 
 @dataclass(frozen=True, slots=True)
 class TypedNumber:
-    """A number without its sign, exactly as typed: `digits` in plain form with a point, and where it ends.
+    """A number without its sign, exactly as typed: `digits` in plain form with a point, and where
+    it ends.
 
-    `reason` says why it was read so where there are several ways, "" where there is but one. Whoever tells it to a
-    person says first as what the whole answer was read, with its sign.
+    `reason` says why it was read so where there are several ways, "" where there is but one.
+    Whoever tells it to a person says first as what the whole answer was read, with its sign.
     """
 
     value: Fraction
@@ -87,7 +91,9 @@ class TypedNumber:
 
 @dataclass(frozen=True, slots=True)
 class Mantissa:
-    """The pieces of a run of digits and the separators between them; `exponent` tells that a power of ten follows."""
+    """The pieces of a run of digits and the separators between them; `exponent` tells that a power
+    of ten follows.
+    """
 
     pieces: tuple[str, ...]
     separators: tuple[str, ...]
@@ -95,7 +101,9 @@ class Mantissa:
 
     @property
     def marks(self) -> tuple[str | None, str | None]:
-        """(the mark that is certainly decimal, the one that certainly groups), None where there is none."""
+        """(the mark that is certainly decimal, the one that certainly groups), None where there is
+        none.
+        """
         *earlier, last = self.separators or ("",)
         if not last:
             return None, None
@@ -116,7 +124,9 @@ class Mantissa:
         )
 
     def grouped(self, count: int) -> bool:
-        """Whether the first `count` pieces are right groups: one to three digits, then always three."""
+        """Whether the first `count` pieces are right groups: one to three digits, then always
+        three.
+        """
         first, *others = self.pieces[:count]
         return bool(_FIRST_GROUP.fullmatch(first)) and all(len(piece) == 3 for piece in others)
 
@@ -136,7 +146,8 @@ class Mantissa:
 
 
 def folded(text: str) -> str:
-    """The text in one alphabet: ASCII digits, signs and brackets; a superscript becomes ^2, a blank " ".
+    """The text in one alphabet: ASCII digits, signs and brackets; a superscript becomes ^2, a blank
+    " ".
 
     Narrow and no-break blanks, which people type only to group digits, become U+2009.
 
@@ -169,9 +180,11 @@ def _mantissa(found: re.Match[str]) -> Mantissa:
 def scan(
     text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = True
 ) -> TypedNumber | None:
-    """The number that begins at `place` of a folded text, None where none does; without its power of ten on wish.
+    """The number that begins at `place` of a folded text, None where none does; without its power
+    of ten on wish.
 
-    Raises Unreadable for wrong grouping, too many digits, too large powers, and marks whose meaning is open.
+    Raises Unreadable for wrong grouping, too many digits, too large powers, and marks whose meaning
+    is open.
     """
     found = (_RUN if power_of_ten else _DIGITS).match(text, place)
     if found is None:
@@ -179,7 +192,8 @@ def scan(
     parts = _mantissa(found)
     if not parts.well_formed:
         raise Unreadable(
-            f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was expected'
+            f'"{shown(found[0])}" is more than one number, or wrongly grouped; one number was '
+            "expected"
         )
     decimal, reason = _decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)

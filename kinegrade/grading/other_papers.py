@@ -1,11 +1,14 @@
-"""Whether a class answered other papers than those by which it is marked: a pool, or papers handed out in another order.
+"""Whether a class answered other papers than those by which it is marked: a pool, or papers handed
+out in another order.
 
-`OtherPapers` watches a marking go by, block by block, for `grade`. It costs a count as long as most answers are right or
-explained; only where they are not are the answers of some students held against all papers of the exam.
+`OtherPapers` watches a marking go by, block by block, for `grade`. It costs a count as long as most
+answers are right or explained; only where they are not are the answers of some students held
+against all papers of the exam.
 
-An answer is foreign where all the answers of its student to its question that are numbers are right on one other paper,
-and not all are on the own one. In a large class many a wrong number is right on some paper by chance: how often is seen
-by papers whose keys are moved by a few per cent, which nobody had.
+An answer is foreign where all the answers of its student to its question that are numbers are right
+on one other paper, and not all are on the own one. In a large class many a wrong number is right on
+some paper by chance: how often is seen by papers whose keys are moved by a few per cent, which
+nobody had.
 """
 
 from __future__ import annotations
@@ -36,7 +39,9 @@ _EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 @dataclass
 class OtherPapers:
-    """What has gone by: how many answers are numbers, how many of them nothing explains, and each student's."""
+    """What has gone by: how many answers are numbers, how many of them nothing explains, and each
+    student's.
+    """
 
     asks: tuple[Ask, ...]
     numbers: int = 0
@@ -58,7 +63,9 @@ class OtherPapers:
             yield block
 
     def refuse(self, exam: ExamFolder, file: str) -> None:
-        """Raises ExamError where most answers fit other papers than those by which they are marked."""
+        """Raises ExamError where most answers fit other papers than those by which they are
+        marked.
+        """
         if self.numbers < LEAST or 2 * self.strange <= self.numbers:
             return
         step = max(1, len(self.rows) // LOOKED_AT)
@@ -75,10 +82,12 @@ class OtherPapers:
         )
         if certain:
             raise ExamError(
-                f"{file}: {self.strange} of {self.numbers} answers are wrong on the papers by which they are marked, "
-                "and most are right on other papers of this exam - expected answers to everybody's own paper - check "
-                "that ids and rows belong together; answers to a pool are graded from the system's download with "
-                "question texts and right answers (--from moodle); if all is as it should be, add --own-papers"
+                f"{file}: {self.strange} of {self.numbers} answers are wrong on the papers by "
+                "which they are marked, and most are right on other papers of this exam - "
+                "expected answers to everybody's own paper - check that ids and rows belong "
+                "together; answers to a pool are graded from the system's download with question "
+                "texts and right answers (--from moodle); if all is as it should be, add "
+                "--own-papers"
             )
 
     def _questions(self) -> list[list[int]]:
@@ -88,7 +97,9 @@ class OtherPapers:
 
 @dataclass(frozen=True, slots=True)
 class _Bounds:
-    """From where to where an answer to one ask is right on each paper; `period` is a full turn, or 0."""
+    """From where to where an answer to one ask is right on each paper; `period` is a full turn, or
+    0.
+    """
 
     value: Numbers
     low: Numbers
@@ -120,7 +131,8 @@ class _Bounds:
 
 @dataclass(frozen=True, slots=True)
 class _Answers:
-    """The numbers of some students, NaN where there is none, and which of them are right on the own papers.
+    """The numbers of some students, NaN where there is none, and which of them are right on the own
+    papers.
 
     `own` are the places of these papers among all.
     """

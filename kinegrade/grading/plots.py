@@ -1,4 +1,5 @@
-"""Plots as SVG to stand inside an HTML page: no scripts, no fonts of their own; the page's CSS gives the shades.
+"""Plots as SVG to stand inside an HTML page: no scripts, no fonts of their own; the page's CSS
+gives the shades.
 
 Lengths are pixels at the plot's natural width. Every text is escaped.
 """
@@ -32,7 +33,9 @@ class Axis:
 def histogram_plot(
     distribution: Histogram, figures: Summary, across: str, upward: str, marks: str
 ) -> Markup:
-    """Columns of students over per cent of the points; a triangle at the median, a circle at the mean (`marks`)."""
+    """Columns of students over per cent of the points; a triangle at the median, a circle at the
+    mean (`marks`).
+    """
     top, height, axis = 22.0, 150.0, Axis()
     base, most = top + height, max(1, *distribution.counts)
     parts = list(_columns(distribution, axis, base, height / most))
@@ -49,7 +52,9 @@ def histogram_plot(
 
 
 def box_plot(groups: Sequence[tuple[str, Summary]], across: str, label: str) -> Markup:
-    """For each group a box from the lower to the upper quartile, a bar at the median, a circle at the mean."""
+    """For each group a box from the lower to the upper quartile, a bar at the median, a circle at
+    the mean.
+    """
     row, axis = 34.0, Axis(110.0, WIDTH - 110.0 - RIGHT)
     base = row * len(groups) + 6
     parts = [
@@ -71,7 +76,8 @@ def stacked_bar(parts: Sequence[tuple[str, float]], label: str) -> Markup:
     width, start, bars = 170.0, 0.0, []
     for shade, share in parts:
         bars.append(
-            f'<rect class="{escape(shade)}" x="{start:.1f}" y="0" width="{share * width:.1f}" height="13"/>'
+            f'<rect class="{escape(shade)}" x="{start:.1f}" y="0" width="{share * width:.1f}" '
+            'height="13"/>'
         )
         start += share * width
     return _svg(width, 13, bars, label)
@@ -117,9 +123,11 @@ def _box(name: str, figures: Summary, axis: Axis, middle: float) -> list[str]:
     return [
         _text(axis.left - 10, middle + 4, name, "end"),
         _line(axis.at(figures.minimum), middle, axis.at(figures.maximum), middle, "axis"),
-        f'<rect class="box" x="{lower:.1f}" y="{middle - 9:.1f}" width="{max(1.0, upper - lower):.1f}" height="18"/>',
+        f'<rect class="box" x="{lower:.1f}" y="{middle - 9:.1f}" '
+        f'width="{max(1.0, upper - lower):.1f}" height="18"/>',
         _line(median, middle - 9, median, middle + 9, "median"),
-        f'<circle class="mark" cx="{axis.at(figures.mean):.1f}" cy="{middle:.1f}" r="3.6" fill="none"/>',
+        f'<circle class="mark" cx="{axis.at(figures.mean):.1f}" cy="{middle:.1f}" r="3.6" '
+        'fill="none"/>',
     ]
 
 
@@ -135,6 +143,5 @@ def _svg(width: float, height: float, parts: Sequence[str], label: str) -> Marku
     head = (
         f'<svg viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}" role="img"'
     )
-    return Markup(
-        f'{head} aria-label="{escape(label)}">{"".join(parts)}</svg>'
-    )  # texts are escaped
+    # Texts are escaped
+    return Markup(f'{head} aria-label="{escape(label)}">{"".join(parts)}</svg>')

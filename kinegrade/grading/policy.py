@@ -1,7 +1,7 @@
 """A policy: how a class is marked in another way than the papers say, after the exam is over.
 
-`policy_reading` makes one from a file, where its grammar stands; `marks` marks by it, `decision` applies the ruling for
-one answer box. Without a policy everything is as the exam folder has it.
+`policy_reading` makes one from a file, where its grammar stands; `marks` marks by it, `decision`
+applies the ruling for one answer box. Without a policy everything is as the exam folder has it.
 """
 
 from __future__ import annotations
@@ -41,10 +41,11 @@ NO_ROOM = Room()
 
 @dataclass(frozen=True, slots=True)
 class Accepted:
-    """An answer that counts too: `credit` is its share of the points; `students` is None where it counts for all.
+    """An answer that counts too: `credit` is its share of the points; `students` is None where it
+    counts for all.
 
-    `scale` brings the value of `tree` into the ask's unit. `number` is its place in the policy, from 1; `text` is as it
-    stands there.
+    `scale` brings the value of `tree` into the ask's unit. `number` is its place in the policy,
+    from 1; `text` is as it stands there.
     """
 
     number: int
@@ -57,9 +58,11 @@ class Accepted:
 
 @dataclass(frozen=True, slots=True)
 class Ruling:
-    """What a policy says about one ask; as it stands here, nothing. Credits are shares of its points.
+    """What a policy says about one ask; as it stands here, nothing. Credits are shares of its
+    points.
 
-    `follow_through` is that of an answer that follows from the student's own wrong answer to an earlier ask.
+    `follow_through` is that of an answer that follows from the student's own wrong answer to an
+    earlier ask.
     """
 
     room: Room = NO_ROOM
@@ -94,7 +97,9 @@ class Ruling:
 
 @dataclass(frozen=True, slots=True)
 class Policy:
-    """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is the file's."""
+    """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is
+    the file's.
+    """
 
     attempts: Attempts = "last"
     rulings: Mapping[str, Ruling] = field(default_factory=dict, hash=False)

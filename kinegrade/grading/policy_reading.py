@@ -1,26 +1,31 @@
 """A policy's file: how to mark a class again, in another way than the papers say.
 
-    attempts = "best"              # which of a student's rows counts: "last" (as without a policy), "first" or "best"
-    tolerance = { relative = "2 %" }         # and absolute (in the ask's unit), figures; what is not said stays
+    attempts = "best"     # which of a student's rows counts: "last" (as without a policy), "first"
+                          # or "best"
+    tolerance = { relative = "2 %" }     # and absolute (in the ask's unit), figures; what is not
+                                         # stated stays
     credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { sense-reversed = 0.5 } }
-                               # shares of the points; follow-through is for an answer that follows from the student's
-                               # own wrong answer to an earlier ask: all of them where nothing is said, 0 turns it off
+                          # shares of the points; follow-through is for an answer that follows from
+                          # the student's wrong answer to an earlier ask: all of them where nothing
+                          # is stated, 0 turns it off
 
-    [questions.q1]                           # a question can have a tolerance and credits of its own, and so can
-    void = "drop"                            # an ask; void: its points leave everybody's total,
-                                             # or "full": everybody who handed in gets them
+    [questions.q1]        # a question can have a tolerance and credits, and so can an ask
+    void = "drop"         # its points leave everybody's total, or "full": everybody who handed in
+                          # gets them
     [questions.q2.asks.v_B]
     tolerance = { figures = 2 }
-    points = 3                               # instead of those on the paper
-    accept = [                               # answers that count too
-      { value = "2*sqrt(3)", unit = "m/s" },           # without a unit, in the ask's own
-      { value = "r*omega", credit = "1/2" },           # of this paper's numbers: parameters and right answers, in SI
+    points = 3            # instead of those on the paper
+    accept = [            # answers that count too
+      { value = "2*sqrt(3)", unit = "m/s" },           # without a unit, in that of the ask
+      { value = "r*omega", credit = "1/2" },           # of this paper's numbers: parameters and
+                                                       # right answers, in SI
       { value = "-v_B", student = ["007", "0012"] },   # for some students only
     ]
 
-What stands nearer to the ask goes before what stands further out, number by number. Of all that applies to an answer,
-the best credit counts. What the exam's bank says about credit (`kinegrade.exam.bank_credit`) stands further out than
-all of it. `read_policy` and `stated_policy` are called by `grade`.
+What stands nearer to the ask goes before what stands further out, number by number. Of all that
+applies to an answer, the best credit counts. What the exam's bank says about credit
+(`kinegrade.exam.bank_credit`) stands further out than all of it. `read_policy` and `stated_policy`
+are called by `grade`.
 """
 
 from __future__ import annotations
@@ -74,7 +79,9 @@ _CREDITS = ("follow-through", "wrong-unit", "mistakes")
 def read_policy(
     path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None = None
 ) -> Policy:
-    """The policy in a file, for the asks of that exam; `stated` is the credit table of the exam's bank.
+    """The policy in a file, for the asks of that exam.
+
+    `stated` is the credit table of the exam's bank.
 
     Raises PolicyError with all faults at once.
     """
@@ -142,7 +149,10 @@ class _Reader:
 
     @cached_property
     def mistakes(self) -> frozenset[str]:
-        """All that lead to a wrong answer on some paper; the papers are read for them only where a policy names one."""
+        """All that lead to a wrong answer on some paper.
+
+        The papers are read for them only where a policy names one.
+        """
         return frozenset(
             name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes
         )
@@ -253,7 +263,10 @@ class _Reader:
             return None
 
     def _scale(self, place: str, ask: Ask, tree: Expression, unit: Any) -> Conversion:
-        """What the value is to be multiplied by: as its unit says; of givens, and of angles, it is in SI."""
+        """What the value is to be multiplied by: as its unit says.
+
+        A value of givens, or of angles, is in SI.
+        """
         question = [other for other in self.exam.asks if other.question == ask.question]
         units = {other.ask: other.unit for other in question}
         used = [name for name in names(tree) if name != "pi"]

@@ -1,4 +1,6 @@
-"""Single values of a policy's file: words, shares, amounts and tolerances, read exactly, with all faults at once."""
+"""Single values of a policy's file: words, shares, amounts and tolerances, read exactly, with all
+faults at once.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ _LONGEST_SHOWN = 80
 
 
 class Values:
-    """Reads values of one file, collecting its faults; after a fault a value is None or empty, and reading goes on."""
+    """Reads values of one file, collecting its faults; after a fault a value is None or empty, and
+    reading goes on.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -41,7 +45,9 @@ class Values:
     def named(
         self, place: str, value: Any, known: Iterable[str], kind: str
     ) -> Iterator[tuple[str, Any]]:
-        """The entries of a table whose names are those of a `kind`, such as the exam's questions."""
+        """The entries of a table whose names are those of a `kind`, such as the exam's
+        questions.
+        """
         if isinstance(value, dict):
             names = set(known)
             self._unknown(place, value, names, kind)
@@ -108,7 +114,9 @@ class Values:
 
 
 def written(value: Any) -> str:
-    """A number, a text or a truth value as it stands in the file, cut where it is long; of anything else its kind."""
+    """A number, a text or a truth value as it stands in the file, cut where it is long; of anything
+    else its kind.
+    """
     if isinstance(value, bool):
         return str(value).lower()
     return (

@@ -1,7 +1,8 @@
-"""Papers put together from a pool: questions that a learning management system drew, each from somebody's line of the key.
+"""Papers put together from a pool: questions that a learning management system drew, each from
+somebody's line of the key.
 
-`grade` makes a `Pool` where responses came from one, and writes whose line every answer was marked by to variants.csv of
-the folder of marks; feedback, report and sharing read it there.
+`grade` makes a `Pool` where responses came from one, and writes whose line every answer was marked
+by to variants.csv of the folder of marks; feedback, report and sharing read it there.
 """
 
 from __future__ import annotations
@@ -22,7 +23,9 @@ Put = Mapping[str, Mapping[str, str]]  # by student and answer column, whose lin
 
 @dataclass(frozen=True)
 class Pool:
-    """The papers whose questions were put to others, by the student on whose line of the key they stand."""
+    """The papers whose questions were put to others, by the student on whose line of the key they
+    stand.
+    """
 
     papers: Mapping[str, Paper] = field(default_factory=dict)
 
@@ -61,7 +64,9 @@ def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, ...]]:
 
 
 def read_put(marks: Path) -> Put:
-    """Whose line of the key answers were marked by; empty where everybody's own. Raises TableError."""
+    """Whose line of the key answers were marked by; empty where everybody's own. Raises
+    TableError.
+    """
     path = marks / VARIANTS
     found: dict[str, dict[str, str]] = {}
     if path.exists():

@@ -1,8 +1,10 @@
-"""The files of a marks folder: marks.csv, grades.csv, complaints.csv and the policy by which it was marked.
+"""The files of a marks folder: marks.csv, grades.csv, complaints.csv and the policy by which it was
+marked.
 
-Called by `grade`, which has marks.csv written while it marks. kept.csv says whose total is not the sum of the
-questions, where nobody was to be lowered. Typed text and names are written `neutralised`, so that no cell runs as a
-formula in a spreadsheet; ids and numbers are written as they are. A response longer than a thousand characters is cut.
+Called by `grade`, which has marks.csv written while it marks. kept.csv says whose total is not the
+sum of the questions, where nobody was to be lowered. Typed text and names are written
+`neutralised`, so that no cell runs as a formula in a spreadsheet; ids and numbers are written as
+they are. A response longer than a thousand characters is cut.
 """
 
 from __future__ import annotations
@@ -23,9 +25,9 @@ from kinegrade.csv_writing import (
 )
 from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.answers import Reading
+from kinegrade.grading.kept_totals import Kept
 from kinegrade.grading.marks import ClassGrades, Grade, MarkedBlock, percent
 from kinegrade.grading.marks_folder import KEPT
-from kinegrade.grading.never_lower import Kept
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.pool import HEADER, VARIANTS, put_rows
 from kinegrade.grading.typed_cells import TypedCells
@@ -60,9 +62,11 @@ _COMPLAINTS = ("file", "line", "column", "content", "problem", "done")
 
 
 def write_marks(folder: Path, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-    """Writes marks.csv into an existing folder, block by block, and hands each block on when it is written.
+    """Writes marks.csv into an existing folder, block by block, and hands each block on when it is
+    written.
 
-    variants.csv is written where answers were marked by other lines of the key than the student's own.
+    variants.csv is written where answers were marked by other lines of the key than the student's
+    own.
     """
     put: list[tuple[str, ...]] = []
     with (folder / "marks.csv").open("wb") as stream:
@@ -90,7 +94,9 @@ def write_grades(
 
 
 def _mark_lines(block: MarkedBlock) -> str:
-    """A line for each answer, put together by columns: each with what stands between it and the next."""
+    """A line for each answer, put together by columns: each with what stands between it and the
+    next.
+    """
     judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[amount_text(share * ask.points) for share in judged.credits] for ask in asks]
     columns: tuple[Sequence[str], ...] = (
@@ -123,7 +129,9 @@ def _mark_lines(block: MarkedBlock) -> str:
 def _with_odd(
     texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
 ) -> list[str]:
-    """A column of cells fit for a file; those of plain numbers, which are most, are so as they stand."""
+    """A column of cells fit for a file; those of plain numbers, which are most, are so as they
+    stand.
+    """
     column = list(texts)
     for place, reading in cells.odd.items():
         column[place] = csv_cell(text_of(reading))
@@ -131,7 +139,9 @@ def _with_odd(
 
 
 def _grade_rows(grades: Sequence[Grade]) -> Iterator[tuple[str, ...]]:
-    """Most students share their points, as one and the same tuple, with others: such amounts are written once."""
+    """Most students share their points, as one and the same tuple, with others: such amounts are
+    written once.
+    """
     known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
     for grade in grades:
         which = id(grade.points), id(grade.out_of), grade.kept

@@ -118,14 +118,15 @@ ENGLISH = ReportWords(
     hardness="Were all papers equally hard?",
     version="Version",
     test_of_versions="Kruskal-Wallis: H = {}, p = {} ({} permutations).",
-    versions_differ="The versions differ by more than chance would easily explain. Look at the questions in which "
-    "their facilities lie apart before you compare students.",
-    versions_alike="The differences between the versions are of a size that chance alone often makes.",
+    versions_differ="The versions differ by more than chance would easily explain. Look at the "
+    "questions in which their facilities lie apart before you compare students.",
+    versions_alike="The differences between the versions are of a size that chance alone often "
+    "makes.",
     too_few="Too few to say: with fewer than {} students, such figures are mostly chance.",
-    trends="Every paper has its own numbers. For each of the {} numbers drawn: do students with larger ones do better "
-    "or worse in that question? The clearest first.",
-    trend_found="Where the adjusted p is below 0.05, look at that question: some of its papers may have been harder. "
-    "It is a hint, not a proof.",
+    trends="Every paper has its own numbers. For each of the {} numbers drawn: do students with "
+    "larger ones do better or worse in that question? The clearest first.",
+    trend_found="Where the adjusted p is below 0.05, look at that question: some of its papers may "
+    "have been harder. It is a hint, not a proof.",
     no_trend="No drawn number stands out once it is taken into account how many were looked at.",
     parameter="Number",
     thirds="Facility by thirds: lowest · middle · highest numbers",
@@ -143,14 +144,17 @@ ENGLISH = ReportWords(
     done="What was done",
     definitions="How the figures are defined",
     small_print=(
-        "Facility: the mean share of an ask's points that students got. Hard is below 30 %, easy above 90 %.",
-        "Discrimination: the corrected item-total correlation, that is Pearson's correlation between the points of the "
-        "ask and the points of all other asks together. Above 0.3 is usual for a good ask; what is below 0.1 is "
-        "remarked on, and as negative below −2/√n.",
-        "Standard deviation: with n − 1. Quartiles: by linear interpolation. Reliability: Cronbach's α of the asks.",
-        "Versions are compared by the Kruskal-Wallis rank test on totals, drawn numbers by Spearman's rank correlation "
-        "with the share of the question's points. p is by random permutations (always the same ones): the share in "
-        "which chance does at least as much. Adjusted p: by Holm's method, for the number of tests.",
+        "Facility: the mean share of an ask's points that students got. Hard is below 30 %, easy "
+        "above 90 %.",
+        "Discrimination: the corrected item-total correlation, that is Pearson's correlation "
+        "between the points of the ask and the points of all other asks together. Above 0.3 is "
+        "usual for a good ask; what is below 0.1 is remarked on, and as negative below −2/√n.",
+        "Standard deviation: with n − 1. Quartiles: by linear interpolation. Reliability: "
+        "Cronbach's α of the asks.",
+        "Versions are compared by the Kruskal-Wallis rank test on totals, drawn numbers by "
+        "Spearman's rank correlation with the share of the question's points. p is by random "
+        "permutations (always the same ones): the share in which chance does at least as much. "
+        "Adjusted p: by Holm's method, for the number of tests.",
     ),
     verdicts={
         "right": "right",
@@ -249,12 +253,10 @@ CHINESE = ReportWords(
     definitions="各项数字的定义",
     small_print=(
         "得分率：该小问平均得分与满分之比。低于 30 % 记为偏难，高于 90 % 记为偏易。",
-        "区分度：校正的题总相关，即该小问得分与其余各小问总得分的 Pearson 相关系数。好题一般在 0.3 以上；"
-        "低于 0.1 时加以提示，低于 −2/√n 时视为负相关。",
+        "区分度：校正的题总相关，即该小问得分与其余各小问总得分的 Pearson 相关系数。好题一般在 0.3 以上；低于 0.1 时加以提示，低于 −2/√n 时视为负相关。",
         "标准差：分母为 n − 1。四分位数：线性插值。信度：各小问的 Cronbach α 系数。",
-        "各卷总分用 Kruskal-Wallis 秩检验比较；抽取的数据用其与该题得分率的 Spearman 秩相关考察。"
-        "p 由随机置换得到（每次所用置换相同），即偶然情形下差异不小于实际差异的比例；"
-        "校正后 p 按检验个数用 Holm 法校正。",
+        "各卷总分用 Kruskal-Wallis 秩检验比较；抽取的数据用其与该题得分率的 Spearman 秩相关考察。p "
+        "由随机置换得到（每次所用置换相同），即偶然情形下差异不小于实际差异的比例；校正后 p 按检验个数用 Holm 法校正。",
     ),
     verdicts={
         "right": "正确",

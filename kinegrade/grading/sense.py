@@ -1,6 +1,7 @@
 """Which way in words: clockwise, 逆时针, ↻, to the left; and what that means for the sign of an ask.
 
-`without_sense` takes the words off a folded answer; `direction` says which sign they give under the ask's convention.
+`without_sense` takes the words off a folded answer; `direction` says which sign they give under the
+ask's convention.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ _SIGNLESS = re.compile(r"magnitude\b.*|unsigned|between 0° and 180°")
 
 
 def without_sense(text: str) -> tuple[str, Sense | None]:
-    """A folded answer without its word for the sense, and that sense; None where there is no such word.
+    """A folded answer without its word for the sense, and that sense; None where there is no such
+    word.
 
     >>> without_sense("12 rad/s (clockwise)")
     ('12 rad/s', 'cw')
@@ -60,15 +62,16 @@ def without_sense(text: str) -> tuple[str, Sense | None]:
 def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or "-").
 
-    `convention` is the ask's, as its paper prints it in English, or its keyword. Where the ask has no sign, the
-    words change nothing and are remarked. Raises Unreadable for a sign that words contradict or repeat, and for
-    words that say nothing about this ask's sign.
+    `convention` is the ask's, as its paper prints it in English, or its keyword. Where the ask has
+    no sign, the words change nothing and are remarked. Raises Unreadable for a sign that words
+    contradict or repeat, and for words that say nothing about this ask's sign.
     """
     positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
     name = _NAMES[sense]
     if sign == "-" or (sign == "+" and sense != positive):
         raise Unreadable(
-            f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of the two'
+            f'a sign ("{sign}") and a sense ({name}) together can mean either way; write one of '
+            "the two"
         )
     if _SIGNLESS.fullmatch(convention):
         return 1, f"a sense ({name}) is not asked for; it was left out"

@@ -1,16 +1,18 @@
-"""Answers that fit another student's paper and not the own one, beside the number to be expected by chance.
+"""Answers that fit another student's paper and not the own one, beside the number to be expected by
+chance.
 
-`find_sharing` is called by `kinegrade sharing` and by nothing else: it is off unless an instructor asks. What it gives
-is a hint where to look, never a verdict.
+`find_sharing` is called by `kinegrade sharing` and by nothing else: it is off unless an instructor
+asks. What it gives is a hint where to look, never a verdict.
 
-Counted are wrong answers that no known mistake explains. One fits another paper where it would be right there, or what
-a known mistake leads to there. By chance it fits a paper as often as it fits the other papers of the class: the share
-of them that it fits, added up over a student's wrong answers, is how many are expected to fit any one paper. A pair is
-told where the Poisson distribution with that mean makes so many fits rarer than the level, for the whole class: times
-the number of pairs, and times two, because right answers and right answers or mistakes are counted.
+Counted are wrong answers that no known mistake explains. One fits another paper where it would be
+right there, or what a known mistake leads to there. By chance it fits a paper as often as it fits
+the other papers of the class: the share of them that it fits, added up over a student's wrong
+answers, is how many are expected to fit any one paper. A pair is told where the Poisson
+distribution with that mean makes so many fits rarer than the level, for the whole class: times the
+number of pairs, and times two, because right answers and right answers or mistakes are counted.
 
-Answers to one question hang together: a misread number gives all the answers of a paper that has that number. So a pair
-is told only where answers to two questions or more fit.
+Answers to one question hang together: a misread number gives all the answers of a paper that has
+that number. So a pair is told only where answers to two questions or more fit.
 """
 
 from __future__ import annotations
@@ -41,7 +43,9 @@ COUNTS = 2  # of right answers, and of right answers or mistakes
 
 @dataclass(frozen=True, slots=True)
 class SharedAnswer:
-    """An answer in `column` that fits another paper: `as_key` where it would be right there, else as a mistake."""
+    """An answer in `column` that fits another paper: `as_key` where it would be right there, else
+    as a mistake.
+    """
 
     column: str
     typed: str
@@ -50,10 +54,11 @@ class SharedAnswer:
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """A student whose wrong answers fit the paper of another, and how many of them are expected to by chance.
+    """A student whose wrong answers fit the paper of another, and how many of them are expected to
+    by chance.
 
-    `as_key_expected` is the same for what would be right there alone. `chance` is how often a class of this size has
-    such a pair by chance, at most 1.
+    `as_key_expected` is the same for what would be right there alone. `chance` is how often a class
+    of this size has such a pair by chance, at most 1.
     """
 
     student: Examinee
@@ -67,7 +72,8 @@ class Pair:
 
 @dataclass(frozen=True)
 class Sharing:
-    """The pairs worth a look, most striking first, at most MOST of `found`; out of how many `pairs` in all.
+    """The pairs worth a look, most striking first, at most MOST of `found`; out of how many `pairs`
+    in all.
 
     `papers` is how many different papers the `students` had, `questions` how many they were asked.
     """
@@ -82,7 +88,8 @@ class Sharing:
 
 
 def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
-    """Looks through a folder of marks by its exam folder; questions from a pool count as they were put.
+    """Looks through a folder of marks by its exam folder; questions from a pool count as they were
+    put.
 
     Raises ExamError, TableError.
     """
@@ -91,7 +98,9 @@ def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
 
 
 def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
-    """The pairs of a class whose chance is below `level`. Raises ExamError where an answer is none of the exam's."""
+    """The pairs of a class whose chance is below `level`. Raises ExamError where an answer is none
+    of the exam's.
+    """
     wrong = _wrong_answers(exam, answers)
     papers = [
         tuple(examinee.keys[ask.column].value for ask in exam.asks) for examinee in exam.examinees
@@ -135,7 +144,8 @@ class _Found:
 
 @dataclass(frozen=True)
 class _Wrong:
-    """Unexplained wrong answers, an array for each ask: numbers by the students' places, NaN for all other answers.
+    """Unexplained wrong answers, an array for each ask: numbers by the students' places, NaN for
+    all other answers.
 
     `typed` has by student and ask what was typed.
     """
@@ -175,18 +185,21 @@ def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
     if student is None or ask is None:
         who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
         return (
-            f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - name the folder by "
-            "which they were made"
+            f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - "
+            "name the folder by which they were made"
         )
     return (
-        f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands where a number '
+        f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands '
+        "where a number "
         "should - expected the file as kinegrade grade wrote it - grade again"
     )
 
 
 @dataclass(frozen=True)
 class _Search:
-    """The search through a class; `unlike` has for each student how many others have another paper."""
+    """The search through a class; `unlike` has for each student how many others have another
+    paper.
+    """
 
     exam: Exam
     wrong: _Wrong
@@ -240,7 +253,9 @@ class _Search:
             yield _Found(int(students[row]), int(other), float(chance[row, other]))
 
     def fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
-        """Whose answer to one ask fits which paper: a row for each of these students, a column for each paper."""
+        """Whose answer to one ask fits which paper: a row for each of these students, a column for
+        each paper.
+        """
         numbers = self.wrong.numbers[ask][students]
         given = np.flatnonzero(~np.isnan(numbers))
         answer, paper = self.windows[ask][kind].fits(numbers[given])
@@ -250,7 +265,9 @@ class _Search:
         return fits
 
     def chances(self, count: _Count, expected: Numbers) -> Numbers:
-        """For each pair how often a class has so many fits by chance; 1 where too few questions are concerned."""
+        """For each pair how often a class has so many fits by chance; 1 where too few questions are
+        concerned.
+        """
         most = int(count.fits.max(initial=0))
         tests = COUNTS * self.pairs
         table = np.array(
@@ -296,8 +313,9 @@ class _Search:
 
 @dataclass
 class _Count:
-    """For each student and paper how many answers fit, to how many questions; how many papers a student's answers
-    fit in all."""
+    """For each student and paper how many answers fit, to how many questions; how many papers a
+    student's answers fit in all.
+    """
 
     fits: NDArray[np.uint16]
     questions: NDArray[np.uint16]

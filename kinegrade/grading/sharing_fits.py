@@ -1,7 +1,8 @@
-"""Whose papers an answer fits: what would be right on each paper of a class, or what a known mistake leads to there.
+"""Whose papers an answer fits: what would be right on each paper of a class, or what a known
+mistake leads to there.
 
-Decided in doubles, for all answers to one ask at once: `sharing` counts what this finds, and nobody is marked by it.
-What would be zero or next to it is left out, because it fits everywhere.
+Decided in doubles, for all answers to one ask at once: `sharing` counts what this finds, and nobody
+is marked by it. What would be zero or next to it is left out, because it fits everywhere.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ Places: TypeAlias = NDArray[np.intp]
 
 @dataclass(frozen=True)
 class Windows:
-    """What fits the papers at one ask: numbers from `low` to `high`, in the ask's unit, fit the paper at place `paper`.
+    """What fits the papers at one ask: numbers from `low` to `high`, in the ask's unit, fit the
+    paper at place `paper`.
 
     `period` is a full turn where turns do not matter, else 0.
     """
@@ -48,7 +50,8 @@ class Windows:
 
 
 def windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
-    """What is right by the keys of one ask, by the papers' places; with `mistakes` also what these lead to.
+    """What is right by the keys of one ask, by the papers' places; with `mistakes` also what these
+    lead to.
 
     Tolerances are those printed on the papers.
     """
@@ -84,7 +87,9 @@ def _bounds(
 
 
 def _turning(paper: Places, value: Numbers, low: Numbers, high: Numbers, period: float) -> Windows:
-    """The windows; of angles that turn round, those of the first turn with their copies one turn down and up."""
+    """The windows; of angles that turn round, those of the first turn with their copies one turn
+    down and up.
+    """
     if not period:
         return Windows(paper, low, high, 0.0)
     shift = value % period - value

@@ -1,4 +1,6 @@
-"""What is told about answers that fit other papers: a table, and a few sentences on what it means and does not mean."""
+"""What is told about answers that fit other papers: a table, and a few sentences on what it means
+and does not mean.
+"""
 
 from __future__ import annotations
 
@@ -8,33 +10,43 @@ from kinegrade.csv_writing import csv_text, for_people, neutralised
 from kinegrade.grading.sharing import MOST, QUESTIONS, Pair, Sharing
 
 HEADER = (
-    "student", "name", "other", "other_name", "wrong_answers", "fit_the_other_paper", "expected_by_chance",
+    "student", "name", "other", "other_name", "wrong_answers", "fit_the_other_paper",
+    "expected_by_chance",
     "right_there", "right_there_expected", "chance_in_the_class", "answers", "note",
 )  # fmt: skip
 NOTE = "worth a look; not evidence of anything by itself"
 
 
 def sharing_csv(sharing: Sharing) -> bytes:
-    """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless, ids stay as they are."""
+    """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless,
+    ids stay as they are.
+    """
     return for_people(csv_text(HEADER, map(_row, sharing.told)))
 
 
 def _row(pair: Pair) -> tuple[str, ...]:
     right = sum(answer.as_key for answer in pair.answers)
     return (
-        pair.student.student, neutralised(pair.student.name), pair.other.student, neutralised(pair.other.name),
-        str(pair.wrong), str(len(pair.answers)), f"{pair.expected:.2g}", str(right), f"{pair.as_key_expected:.2g}",
+        pair.student.student, neutralised(pair.student.name),
+        pair.other.student, neutralised(pair.other.name),
+        str(pair.wrong), str(len(pair.answers)), f"{pair.expected:.2g}",
+        str(right), f"{pair.as_key_expected:.2g}",
         f"{pair.chance:.1e}", neutralised("; ".join(_answers(pair))), NOTE,
     )  # fmt: skip
 
 
 def _answers(pair: Pair) -> Iterator[str]:
     for answer in pair.answers:
-        yield f"{answer.column} {answer.typed.strip()} ({'right' if answer.as_key else 'a known mistake'} there)"
+        yield (
+            f"{answer.column} {answer.typed.strip()} "
+            f"({'right' if answer.as_key else 'a known mistake'} there)"
+        )
 
 
 def sharing_text(sharing: Sharing) -> str:
-    """The same for a person, without names: how much there is, and how it may and may not be read."""
+    """The same for a person, without names: how much there is, and how it may and may not be
+    read.
+    """
     return "\n".join(_sentences(sharing))
 
 
@@ -43,16 +55,20 @@ def _sentences(sharing: Sharing) -> Iterator[str]:
     if count:
         pairs = "1 pair is" if count == 1 else f"{count:,} pairs are"
         yield (
-            f"{pairs} worth a look, of {sharing.pairs:,}: more of a student's wrong answers fit the other's paper "
-            f"than chance explains. Of 100 classes without any sharing, about {100 * sharing.level:g} would show a "
-            "pair too."
+            f"{pairs} worth a look, of {sharing.pairs:,}: more of a student's wrong answers fit "
+            "the other's paper than chance explains. Of 100 classes without any sharing, about "
+            f"{100 * sharing.level:g} would show a pair too."
         )
         yield (
-            "This is a hint, not evidence of anything by itself: it does not say who gave and who took, or that "
-            "anybody did. Look at the scripts, and hear the students, before you think anything of it."
+            "This is a hint, not evidence of anything by itself: it does not say who gave and "
+            "who took, or that anybody did. Look at the scripts, and hear the students, before "
+            "you think anything of it."
         )
     else:
-        yield f"No pair of students stands out, of {sharing.pairs:,}, at the level of {level} for the whole class."
+        yield (
+            f"No pair of students stands out, of {sharing.pairs:,}, at the level of {level} for "
+            "the whole class."
+        )
     if count > MOST:
         yield f"The file has the {MOST:,} most striking ones."
     yield from _limits(sharing)
@@ -62,11 +78,12 @@ def _limits(sharing: Sharing) -> Iterator[str]:
     """What this exam cannot show."""
     if sharing.questions < QUESTIONS:
         yield (
-            "An exam of one question shows nothing here: whoever misreads one number gives all the answers of a "
-            "paper that has that number."
+            "An exam of one question shows nothing here: whoever misreads one number gives all "
+            "the answers of a paper that has that number."
         )
     if sharing.papers < sharing.students:
         yield (
-            f"{sharing.students:,} students had {sharing.papers:,} different papers: answers passed on between "
-            "equal papers leave no trace, and where few papers are different hardly anything stands out."
+            f"{sharing.students:,} students had {sharing.papers:,} different papers: answers "
+            "passed on between equal papers leave no trace, and where few papers are different "
+            "hardly anything stands out."
         )

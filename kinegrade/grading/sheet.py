@@ -1,7 +1,8 @@
 """The answer sheet: which cell is whose answer to what.
 
-`read_part` reads one file; `class_sheet` makes one sheet of several and is called by `grade`. Nothing that stands in a
-file is lost: what does not become an answer becomes a complaint that carries it.
+`read_part` reads one file; `class_sheet` makes one sheet of several and is called by `grade`.
+Nothing that stands in a file is lost: what does not become an answer becomes a complaint that
+carries it.
 """
 
 from __future__ import annotations
@@ -44,11 +45,12 @@ class Place(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """One row of a student: the responses in the order of the asks; `line` is None where the student has no row.
+    """One row of a student: the responses in the order of the asks; `line` is None where the
+    student has no row.
 
-    `whole` is the row as it came, where the student has several. `put` says for each ask whose line of the key it is
-    marked by, "" for the student's own; empty where that holds for all. `places` are those of the single responses,
-    where they come from several files.
+    `whole` is the row as it came, where the student has several. `put` says for each ask whose line
+    of the key it is marked by, "" for the student's own; empty where that holds for all. `places`
+    are those of the single responses, where they come from several files.
     """
 
     line: int | None
@@ -65,9 +67,11 @@ class Entry(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """Each student's entries by id, one or more in the order of the files; `columns` are those of the asks, as named.
+    """Each student's entries by id, one or more in the order of the files; `columns` are those of
+    the asks, as named.
 
-    `complaints` are those that stand before it is decided which of several entries counts: see `repeated`.
+    `complaints` are those that stand before it is decided which of several entries counts: see
+    `repeated`.
     """
 
     columns: tuple[str, ...]
@@ -77,7 +81,9 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """What one file says: entries of those students only who have a row, columns "" where an ask has none."""
+    """What one file says: entries of those students only who have a row, columns "" where an ask
+    has none.
+    """
 
     file: str
     columns: tuple[str, ...]
@@ -119,7 +125,8 @@ class _Columns:
 def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     """Finds the responses in one file.
 
-    Raises TableError if there is no student column, no answer column, or the sheet is that of another exam.
+    Raises TableError if there is no student column, no answer column, or the sheet is that of
+    another exam.
     """
     table = answers.table
     columns = _columns(table, exam.asks)
@@ -167,7 +174,9 @@ def _keys(asks: Sequence[Ask]) -> set[str]:
 
 
 def _ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
-    """Exact spelling goes first, because v_A and v_a may both be asked; else case does not matter."""
+    """Exact spelling goes first, because v_A and v_a may both be asked; else case does not
+    matter.
+    """
     backwards = list(enumerate(header))[::-1]  # so that of two like columns the first one stays
     exact = {_exact_key(cell): index for index, cell in backwards}
     folded = {header_key(cell): index for index, cell in backwards}

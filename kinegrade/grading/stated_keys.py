@@ -1,7 +1,9 @@
-"""The keys of one paper as they stand on its line of key.jsonl, taken no further than they are needed.
+"""The keys of one paper as they stand on its line of key.jsonl, taken no further than they are
+needed.
 
-`key_decoding` makes them, and `block_judge` takes them by columns: one list for all asks is quicker than a key for
-each. Mistakes, of which there are ten for every answer, are decoded where an answer is wrong, and only there.
+`key_decoding` makes them, and `block_judge` takes them by columns: one list for all asks is quicker
+than a key for each. Mistakes, of which there are ten for every answer, are decoded where an answer
+is wrong, and only there.
 """
 
 from __future__ import annotations
@@ -24,7 +26,9 @@ _decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
 
 
 class Entry(msgspec.Struct, frozen=True, gc=False):
-    """The key of one ask; what is mostly the same on all papers, or not wanted, stays as it is written."""
+    """The key of one ask; what is mostly the same on all papers, or not wanted, stays as it is
+    written.
+    """
 
     unit: str
     points: float
@@ -43,7 +47,9 @@ class Entry(msgspec.Struct, frozen=True, gc=False):
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """The rule and the period of each ask; they are one and the same object for papers on which they are the same."""
+    """The rule and the period of each ask; they are one and the same object for papers on which
+    they are the same.
+    """
 
     asks: Sequence[Ask]
     rules: tuple[Rule, ...]
@@ -53,7 +59,8 @@ class Terms:
 class StatedKeys(msgspec.Struct, frozen=True, gc=False):
     """The keys in the order of the asks; `place` tells the file and the line, for messages.
 
-    `centres` are the right answers rightly rounded to doubles, or NaN where a number of turns is right too.
+    `centres` are the right answers rightly rounded to doubles, or NaN where a number of turns is
+    right too.
     """
 
     place: str
@@ -78,7 +85,9 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
         return map(self.__getitem__, range(len(self)))
 
     def mistakes(self, ask: int) -> Mapping[str, float | Fraction]:
-        """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises ExamError."""
+        """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises
+        ExamError.
+        """
         written = self.entries[ask].mistakes
         try:
             usual = _decoded(written)
@@ -98,7 +107,9 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
 def stated_mistakes(
     asks: Sequence[tuple[StatedKeys, int]],
 ) -> Sequence[Mapping[str, float | Fraction]]:
-    """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes` does."""
+    """The mistakes of these asks, decoded at once. Raises ExamError as `StatedKeys.mistakes`
+    does.
+    """
     try:
         found = _all_decoded(
             b"[%b]" % b",".join([keys.entries[ask].mistakes for keys, ask in asks])

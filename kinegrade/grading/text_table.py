@@ -9,7 +9,8 @@ from unicodedata import combining, east_asian_width
 def aligned(
     header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()
 ) -> str:
-    """Lines of columns that stand under each other; those whose index is in `numbers` are flush right.
+    """Lines of columns that stand under each other; those whose index is in `numbers` are flush
+    right.
 
     >>> print(aligned(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
     who   points

@@ -1,7 +1,7 @@
 """All cells of many rows read at once: plain numbers in bulk, every other cell by `answers.read`.
 
-`block_judge` uses it. A cell is plain where `answers.read` would take its digits as they stand, whatever else is in
-the file.
+`block_judge` uses it. A cell is plain where `answers.read` would take its digits as they stand,
+whatever else is in the file.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ import msgspec
 import numpy as np
 
 from kinegrade.grading.answers import PLAIN, Reading, read
+from kinegrade.grading.bulk_comparison import Numbers
 from kinegrade.grading.decimal_style import FileStyle
 from kinegrade.grading.key import Ask
-from kinegrade.grading.nearness import Numbers
 from kinegrade.grading.number_text import DecimalStyle
 
 _PLAIN = re.compile(PLAIN)
@@ -27,10 +27,11 @@ _PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
 
 @dataclass(frozen=True, slots=True)
 class TypedCells:
-    """Cells row after row: `values` are NaN where no number is typed, or none that is known exactly.
+    """Cells row after row: `values` are NaN where no number is typed, or none that is known
+    exactly.
 
-    `odd` are the readings of the cells that are neither plain nor empty, by place; `styles` those of the rows with such
-    cells, by the row.
+    `odd` are the readings of the cells that are neither plain nor empty, by place; `styles` those
+    of the rows with such cells, by the row.
     """
 
     reader: CellReader
@@ -116,7 +117,9 @@ def _unsigned(cells: Sequence[str]) -> Sequence[str]:
 
 
 def _plain_values(cells: Sequence[str]) -> list[float]:
-    """What plain or empty cells hold; spelled as in JSON, as most are, they are read several times faster."""
+    """What plain or empty cells hold; spelled as in JSON, as most are, they are read several times
+    faster.
+    """
     try:
         return msgspec.convert(cells, list[float], strict=False)
     except msgspec.ValidationError:

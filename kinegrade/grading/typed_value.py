@@ -1,12 +1,13 @@
-"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. A grammar of its own, never `eval`.
+"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. A grammar of its own,
+never `eval`.
 
     sum     = product (("+" | "-") product)*          at least one of them with a root or π
-    product = power (("*" | "/") power | power)*      the bare form only before a root, π or a bracket
+    product = power (("*" | "/") power | power)*   the bare form only before a root, π or a bracket
     power   = atom ["^" whole number]
     atom    = number [½] | "√" (number | bracket) | "sqrt" bracket | "π" | "(" [sign] sum ")"
 
-`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit, alone. What can be
-understood in two ways is refused with both: `1/2√3`, `5-3`.
+`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit,
+alone. What can be understood in two ways is refused with both: `1/2√3`, `5-3`.
 """
 
 from __future__ import annotations
@@ -50,9 +51,8 @@ MOST_BRACKETS = 8
 MOST_ATOMS = 24
 MOST_EXACT_ROOTS = 3  # beyond them the tower of fields costs more than a ball
 PRECISION = 256
-KNOWN = Fraction(
-    1, 10**38
-)  # how far an irrational value is known, relative to its size; the key has 40 digits
+# How far an irrational value is known, relative to its size; the key has 40 digits
+KNOWN = Fraction(1, 10**38)
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _START = re.compile(rf"\s*(?:[0-9(√πΠ𝜋{_VULGAR}]|[.,][0-9]|sqrt|根号|pi(?![a-z]))", re.IGNORECASE)
@@ -69,7 +69,9 @@ _OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """What was typed as a formula: its tree, where it ends, and remarks about single numbers in it."""
+    """What was typed as a formula: its tree, where it ends, and remarks about single numbers in
+    it.
+    """
 
     tree: Expression
     end: int
@@ -102,7 +104,9 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
 
 
 def _goes_on(text: str, place: int) -> bool:
-    """Whether a formula goes on after a number: an operator before a value, a power, or a root or pi right there."""
+    """Whether a formula goes on after a number: an operator before a value, a power, or a root or
+    pi right there.
+    """
     operator = _OPERATOR.match(text, place)
     if operator and _START.match(text, operator.end()):
         return True
@@ -150,7 +154,9 @@ class _Reader:
             )
 
     def beside(self, depth: int) -> Expression | None:
-        """A factor written without a sign of multiplication; a bracket that holds a unit is none."""
+        """A factor written without a sign of multiplication; a bracket that holds a unit is
+        none.
+        """
         if not _IMPLICIT.match(self.text, self.place):
             return None
         state = self.place, self.roots, self.surds, self.remark
@@ -196,7 +202,9 @@ class _Reader:
         return self.number()
 
     def radical(self, depth: int) -> Expression:
-        """The root of a bracket or of one number; what stands beside the bare number is another matter."""
+        """The root of a bracket or of one number; what stands beside the bare number is another
+        matter.
+        """
         bracket = self.text.startswith("(", self.place)
         tree = self.root_of(self.bracket(depth) if bracket else self.number(power_of_ten=False))
         if (
@@ -232,7 +240,9 @@ class _Reader:
         return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
 
     def number(self, *, power_of_ten: bool = True) -> Expression:
-        """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a hundredth of √3."""
+        """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a
+        hundredth of √3.
+        """
         found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
         if found is not None:
             self.remark = self.remark or self.doubt(found)
@@ -247,7 +257,9 @@ class _Reader:
         return Operation("+", _literal(found.value), vulgar)
 
     def doubt(self, found: TypedNumber) -> str:
-        """What a person should know of a number just read, quoted as it was typed; "" where there is no doubt."""
+        """What a person should know of a number just read, quoted as it was typed; "" where there
+        is no doubt.
+        """
         typed = shown(self.text[self.place : found.end])
         return found.reason and f'"{typed}" read as {found.digits}: {found.reason}'
 
@@ -279,7 +291,9 @@ def _raised(base: Expression, power: int) -> Expression:
 
 
 def worked_out(formula: Formula) -> Amount:
-    """The formula's value, exact where a small field holds it. Raises Unreadable for division by zero and the like."""
+    """The formula's value, exact where a small field holds it. Raises Unreadable for division by
+    zero and the like.
+    """
     try:
         if formula.roots <= MOST_EXACT_ROOTS and (amount := _exact(formula)) is not None:
             return amount
@@ -311,7 +325,8 @@ def _exact(formula: Formula) -> Amount | None:
 
 
 def converted(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
-    """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational, else to 38 digits.
+    """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational, else
+    to 38 digits.
 
     Raises Unreadable where the value is too large, too small or not finite.
     """

@@ -1,7 +1,9 @@
-"""Units as people write them: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min, 转/分; what they are worth.
+"""Units as people write them: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min, 转/分; what they are
+worth.
 
-`conversion` is called by `answers` for what stands after a number. It holds dimensions against each other before
-anybody compares numbers, and converts exactly: a factor and a power of pi, because a turn is 2 pi radians.
+`conversion` is called by `answers` for what stands after a number. It holds dimensions against each
+other before anybody compares numbers, and converts exactly: a factor and a power of pi, because a
+turn is 2 pi radians.
 """
 
 from __future__ import annotations
@@ -17,10 +19,12 @@ from kinegrade.grading.number_text import Unreadable, folded, shown
 from kinegrade.units import FACTORS, HALF_TURNS
 
 _SPELLINGS = {
-    "m": "米 公尺 metre metres meter meters", "cm": "厘米 公分 centimetre centimetres centimeter centimeters",
+    "m": "米 公尺 metre metres meter "
+         "meters", "cm": "厘米 公分 centimetre centimetres centimeter centimeters",
     "mm": "毫米 millimetre millimetres millimeter millimeters", "dm": "分米",
     "km": "千米 公里 kilometre kilometres kilometer kilometers",
-    "s": "sec secs second seconds 秒 秒钟", "min": "mins minute minutes 分 分钟", "h": "hr hrs hour hours 小时 时",
+    "s": "sec secs second seconds 秒 "
+         "秒钟", "min": "mins minute minutes 分 分钟", "h": "hr hrs hour hours 小时 时",
     "rad": "rads radian radians 弧度", "deg": "° degs degree degrees 度",
     "turn": "turns rev revs revolution revolutions 转 圈 周", "%": "percent",
 }  # fmt: skip
@@ -38,9 +42,8 @@ _SQUARES = (
     (re.compile(r"每|\s+per\s+"), "/"),
     (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"),
 )
-_DEGREE_SIGNS = str.maketrans(
-    "º˚", "°°"
-)  # the ordinal sign and the ring, next to ° on many keyboards
+# The ordinal sign and the ring, next to ° on many keyboards
+_DEGREE_SIGNS = str.maketrans("º˚", "°°")
 _TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
 _FACTOR = re.compile(
     r"([^\W\d_]+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?"
@@ -50,12 +53,15 @@ _SHARE = re.compile(r"1\s*(?=/)|(?=/)")
 _KINDS = {
     (0, 0, 0): "a pure number", (1, 0, 0): "a length", (0, 1, 0): "a time", (1, -1, 0): "a speed",
     (1, -2, 0): "an acceleration", (0, 0, 1): "an angle", (0, -1, 1): "an angular velocity",
-    (0, -2, 1): "an angular acceleration", (0, -1, 0): "a rate (1/s)", (0, -2, 0): "a rate of a rate (1/s²)",
+    (0, -2, 1): "an angular "
+                "acceleration", (0, -1, 0): "a rate (1/s)", (0, -2, 0): "a rate of a rate (1/s²)",
 }  # fmt: skip
 
 
 class WrongUnit(Exception):
-    """A unit that is well written and measures something else than what is asked; the message says what."""
+    """A unit that is well written and measures something else than what is asked; the message says
+    what.
+    """
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +94,11 @@ _SAME = Conversion()
 
 @lru_cache(maxsize=4096)
 def conversion(typed: str, unit: str) -> Conversion:
-    """How a number with the unit `typed`, as it was typed, becomes one in `unit`; no unit means the ask's.
+    """How a number with the unit `typed`, as it was typed, becomes one in `unit`; no unit means the
+    ask's.
 
-    Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz included, and
-    Unreadable for what is no known unit.
+    Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz
+    included, and Unreadable for what is no known unit.
 
     >>> conversion("r/min", "rad/s"), conversion("cm/s²", "m/s^2").factor
     (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
@@ -163,7 +170,9 @@ def _plain(text: str) -> str:
 
 
 def _powers(text: str) -> Counter[str] | None:
-    """The power of each factor, None where the text is not written as a unit; a slash turns one factor or bracket."""
+    """The power of each factor, None where the text is not written as a unit; a slash turns one
+    factor or bracket.
+    """
     powers: Counter[str] = Counter()
     share = _SHARE.match(text)
     place = share.end() if share else 0

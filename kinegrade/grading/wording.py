@@ -1,6 +1,7 @@
 """How an exam's questions and asks are called where people read of them.
 
-`kinegrade.exam.exam_wording` reads it from the exam folder; where it is silent, identifiers stand for themselves.
+`kinegrade.exam.exam_wording` reads it from the exam folder; where it is silent, identifiers stand
+for themselves.
 """
 
 from __future__ import annotations

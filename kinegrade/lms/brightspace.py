@@ -1,7 +1,9 @@
-"""D2L Brightspace (Grades > Enter Grades > Import): ids stand behind "#", and a last column with "#" ends the line.
+"""D2L Brightspace (Grades > Enter Grades > Import): ids stand behind "#", and a last column with
+"#" ends the line.
 
-The marks keep a spreadsheet from eating leading zeros and a trailing empty grade. A header states the item's maximum,
-"Title Points Grade <Numeric MaxPoints:10>", and makes the item where there is none.
+The marks keep a spreadsheet from eating leading zeros and a trailing empty grade. A header states
+the item's maximum, "Title Points Grade <Numeric MaxPoints:10>", and makes the item where there is
+none.
 """
 
 from __future__ import annotations
@@ -20,8 +22,8 @@ BRIGHTSPACE = Dialect(
                 Key("login", ("Username",), prefix="#"),
             ),
             item=re.compile(
-                r"(?P<title>.*) Points Grade(?: <(?:Numeric )?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.]+)[^>]*>"
-                r"| <[^>]*>)?"
+                r"(?P<title>.*) Points Grade(?: <(?:Numeric "
+                r")?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.]+)[^>]*>| <[^>]*>)?"
             ),
             encodings=("UTF-8",),
         ),

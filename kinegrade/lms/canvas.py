@@ -1,9 +1,10 @@
 """Canvas (Grades > Export, Import): UTF-8 without a byte-order mark.
 
-An assignment is known by the number in its header, "Title (1234)", and people by their SIS ids. The column ID holds
-Canvas's own numbers: a student number there could be somebody else, so it is left empty. The login is the e-mail
-address in many places. Canvas falls back on names: the name of a new file therefore carries the id and is nobody's
-name. "Student, Test" is the student view of whoever teaches.
+An assignment is known by the number in its header, "Title (1234)", and people by their SIS ids. The
+column ID holds Canvas's own numbers: a student number there could be somebody else, so it is left
+empty. The login is the e-mail address in many places. Canvas falls back on names: the name of a new
+file therefore carries the id and is nobody's name. "Student, Test" is the student view of whoever
+teaches.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""A downloaded CSV file, cell by cell with the place of each, so that single cells can be changed and nothing else.
+"""A downloaded CSV file, cell by cell with the place of each, so that single cells can be changed
+and nothing else.
 
-`read_cells` is called by `fill_in`. What is not changed is written back byte for byte: header, order, encoding,
-byte-order mark, separator, quotation marks and line ends.
+`read_cells` is called by `fill_in`. What is not changed is written back byte for byte: header,
+order, encoding, byte-order mark, separator, quotation marks and line ends.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ _NEEDS_QUOTES = re.compile(r'["\r\n]')
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """The content of a cell, and where it stands in the file's text, its quotation marks included."""
+    """The content of a cell, and where it stands in the file's text, its quotation marks
+    included.
+    """
 
     text: str
     start: int
@@ -38,7 +41,9 @@ class Record:
 
 @dataclass(frozen=True, slots=True)
 class CellTable:
-    """A file of a header and rows that all have as many cells; lines without any character are not among the rows."""
+    """A file of a header and rows that all have as many cells; lines without any character are not
+    among the rows.
+    """
 
     file: str
     text: str
@@ -53,7 +58,9 @@ class CellTable:
         return tuple(trimmed(cell.text) for cell in self.header.cells)
 
     def with_cells(self, changes: Mapping[Cell, str]) -> bytes:
-        """The bytes of the file with new texts in these cells; quotation marks are kept, and added where needed."""
+        """The bytes of the file with new texts in these cells; quotation marks are kept, and added
+        where needed.
+        """
         parts, place = [], 0
         for cell in sorted(changes, key=lambda cell: cell.start):
             parts += [self.text[place : cell.start], self._written(cell, changes[cell])]
@@ -68,19 +75,21 @@ class CellTable:
 
 
 def read_cells(path: Path) -> CellTable:
-    """Reads a file to change single cells of it; raises TableError for one that could not be written back as it is."""
+    """Reads a file to change single cells of it; raises TableError for one that could not be
+    written back as it is.
+    """
     told = read_table(path)  # finds encoding and separator, refuses what is no table
     if told.encoding == _UNTOLD:
         raise TableError(
-            f"{path.name}: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030 - "
+            f"{path.name}: its encoding cannot be recognised - expected UTF-8, UTF-16 or GB18030 - "
             "download it again"
         )
     content = path.read_bytes()
     text = _decoded(path.name, content, told.encoding)
     if text.encode(told.encoding) != content:
         raise TableError(
-            f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - expected "
-            "the file as it was downloaded - download it again"
+            f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - "
+            "expected the file as it was downloaded - download it again"
         )
     header, *rows = _records(path.name, text, told.separator)
     faults = list(_ragged(path.name, header, rows))
@@ -96,8 +105,8 @@ def _decoded(file: str, content: bytes, encoding: str) -> str:
         line = content.count(b"\n", 0, fault.start) + 1
         shown = content[fault.start : fault.start + 8].hex(" ")
         raise TableError(
-            f"{file}:{line}: is {encoding} by its byte-order mark, and not valid from this line on (bytes "
-            f"{shown}) - expected the file as it was downloaded - download it again"
+            f"{file}:{line}: is {encoding} by its byte-order mark, and not valid from this line "
+            f"on (bytes {shown}) - expected the file as it was downloaded - download it again"
         ) from fault
 
 
@@ -121,8 +130,8 @@ def _lines(file: str, text: str, separator: str) -> Iterator[tuple[int, list[Cel
         if not found:
             shown = one_line(text[place : place + 30])
             raise TableError(
-                f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - expected "
-                "the file as it was downloaded - download it again"
+                f"{file}:{line}: a quotation mark is not closed where its cell ends ({shown}) - "
+                "expected the file as it was downloaded - download it again"
             )
         content = found["plain"] if found["quoted"] is None else found["quoted"].replace('""', '"')
         cells.append(Cell(content, place, found.start("end")))
@@ -138,6 +147,6 @@ def _ragged(file: str, header: Record, rows: Iterable[Record]) -> Iterator[str]:
     for row in rows:
         if len(row.cells) != width:
             yield (
-                f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected the same number on "
-                "every line - download the file again and leave it as it is"
+                f"{file}:{row.line}: has {len(row.cells)} cells, the header {width} - expected "
+                "the same number on every line - download the file again and leave it as it is"
             )

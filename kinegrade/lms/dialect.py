@@ -1,7 +1,8 @@
-"""What the grade files of a learning management system look like: one frozen table for each system, no code.
+"""What the grade files of a learning management system look like: one frozen table for each system,
+no code.
 
-The tables stand in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`; `fill_in` reads and
-`from_scratch` writes by them.
+The tables stand in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`;
+`fill_in` reads and `from_scratch` writes by them.
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ ItemWords = Mapping[ItemKind, tuple[str, ...]]  # behind a title, by what stands
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """A column by which the system knows people: by any of these headers, or always at one position.
+    """A column by which the system knows people: by any of these headers, or always at one
+    position.
 
     `prefix` stands before the value in the file and is not part of it.
     """
@@ -37,7 +39,9 @@ class Key:
 
 @dataclass(frozen=True, slots=True)
 class Channel:
-    """Where a comment for the student goes: headers with {title}, and a column that names its format."""
+    """Where a comment for the student goes: headers with {title}, and a column that names its
+    format.
+    """
 
     headers: tuple[str, ...]
     html: bool = False
@@ -49,14 +53,15 @@ class Channel:
 class Download:
     """A file that the system hands out to be filled in and taken back.
 
-    `item` recognises the header of a grade column (groups title and maybe maximum), from position `first_item` on.
-    `any_item` lets another column be named, where a person maps columns in the system anyway. `required` are the
-    headers by which this kind of file is known. With `item_words` headers are in any language: columns are then found
-    by what they hold, and these words only confirm.
-    Patterns of rows look at the first cell; `closed` says of which cells a grade is not written, and why, `locked` of
-    which rows: header and text. `beginning` is what the header, joined by commas, has to begin with; `broken_beginning`
-    is a beginning of the text that the system cannot read; `misread` is a cell that it takes for another number.
-    `test_person` is how the row, its cells joined by ", ", of somebody begins whom the system made up.
+    `item` recognises the header of a grade column (groups title and maybe maximum), from position
+    `first_item` on. `any_item` lets another column be named, where a person maps columns in the
+    system anyway. `required` are the headers by which this kind of file is known. With `item_words`
+    headers are in any language: columns are then found by what they hold, and these words only
+    confirm. Patterns of rows look at the first cell; `closed` says of which cells a grade is not
+    written, and why, `locked` of which rows: header and text. `beginning` is what the header,
+    joined by commas, has to begin with; `broken_beginning` is a beginning of the text that the
+    system cannot read; `misread` is a cell that it takes for another number. `test_person` is how
+    the row, its cells joined by ", ", of somebody begins whom the system made up.
     """
 
     keys: tuple[Key, ...]
@@ -84,10 +89,11 @@ class Download:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or what is fixed.
+    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or what
+    is fixed.
 
-    The text of a feedback column is "html" where the system shows feedback as a web page. A column of keys may hold
-    those of other fields `also`.
+    The text of a feedback column is "html" where the system shows feedback as a web page. A column
+    of keys may hold those of other fields `also`.
     """
 
     header: str
@@ -102,11 +108,12 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class NewFile:
-    """A file written from nothing; `title` is the item's where none is given, empty where one is needed.
+    """A file written from nothing; `title` is the item's where none is given, empty where one is
+    needed.
 
-    A key column that is not chosen is left out, or left empty with `keeps_keys`. `header_needed` is set where a grade
-    column is known by a number that only the system gives, so that its header has to be told. Titles that `unfit`
-    finds are refused for the reason beside it.
+    A key column that is not chosen is left out, or left empty with `keeps_keys`. `header_needed` is
+    set where a grade column is known by a number that only the system gives, so that its header has
+    to be told. Titles that `unfit` finds are refused for the reason beside it.
     """
 
     columns: tuple[Column, ...]
@@ -121,7 +128,9 @@ class NewFile:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """One system: the downloads it takes back, the new file it takes, and how many decimals of a grade it keeps."""
+    """One system: the downloads it takes back, the new file it takes, and how many decimals of a
+    grade it keeps.
+    """
 
     name: str
     places: int
@@ -133,9 +142,10 @@ class Dialect:
 class ExportOptions:
     """What the instructor wants.
 
-    `by` are the fields matched or written, empty for the system's own; `columns` the headers by item, the total's
-    by ""; `feedback` None where the system has a channel; `maximum` what the item counts in the system, to which grades
-    are scaled; `scale` scales to the maximum that the file states.
+    `by` are the fields matched or written, empty for the system's own; `columns` the headers by
+    item, the total's by ""; `feedback` None where the system has a channel; `maximum` what the item
+    counts in the system, to which grades are scaled; `scale` scales to the maximum that the file
+    states.
     """
 
     by: tuple[Field, ...] = ()

@@ -1,4 +1,5 @@
-"""Open edX (bulk grades): its own export filled in, either of staff graded points or of subsection overrides.
+"""Open edX (bulk grades): its own export filled in, either of staff graded points or of subsection
+overrides.
 
 Every row is known by edX's user and block ids, so there is nothing to be written from scratch.
 """

@@ -1,7 +1,9 @@
-"""The system's own file filled in: only the grade cells of matched students change, every other byte stays.
+"""The system's own file filled in: only the grade cells of matched students change, every other
+byte stays.
 
-`fill_in` is called by `export --into`. A cell that says more than a grade (excused, not assigned) is left, with a
-complaint; so is everybody who handed in nothing, because an empty or zero grade would replace what stands there.
+`fill_in` is called by `export --into`. A cell that says more than a grade (excused, not assigned)
+is left, with a complaint; so is everybody who handed in nothing, because an empty or zero grade
+would replace what stands there.
 """
 
 from __future__ import annotations
@@ -24,9 +26,11 @@ from kinegrade.tables import Complaint, trimmed
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """The bytes to be written, how many students have a grade in them, and what a person has to look at.
+    """The bytes to be written, how many students have a grade in them, and what a person has to
+    look at.
 
-    `notes` say which columns were taken, and what was left out because the file has no place for it.
+    `notes` say which columns were taken, and what was left out because the file has no place for
+    it.
     """
 
     content: bytes
@@ -72,8 +76,8 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
     complaints = (*matching.complaints, *closed, *_misread(task, rows))
     if not changes:
         raise TableError(
-            f"{table.file}: no grade can be filled in - expected rows of the students who were marked - "
-            f"name another file or other keys (--by){exam_hint(table, grades.students)}",
+            f"{table.file}: no grade can be filled in - expected rows of the students who were "
+            f"marked - name another file or other keys (--by){exam_hint(table, grades.students)}",
             *map(str, complaints[:20]),
         )
     notes = tuple(_notes(task, keys))
@@ -87,13 +91,13 @@ def _download(dialect: Dialect, table: CellTable) -> Download:
             return download
     if not dialect.downloads:
         raise TableError(
-            f"--into: {dialect.name} has no file of its own to be filled in - expected a system that has "
-            "- leave --into out"
+            f"--into: {dialect.name} has no file of its own to be filled in - expected a system "
+            "that has - leave --into out"
         )
     expected = " or ".join(", ".join(download.required) for download in dialect.downloads)
     raise TableError(
-        f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download it "
-        "again"
+        f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download "
+        "it again"
     )
 
 
@@ -111,8 +115,8 @@ def _refuse_unreadable(dialect: Dialect, download: Download, table: CellTable) -
         )
     if download.broken_beginning and download.broken_beginning.match(table.text):
         faults.append(
-            f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - expected none "
-            "before such a header - download it again"
+            f"{table.file}: begins with a byte-order mark that {dialect.name} takes for data - "
+            "expected none before such a header - download it again"
         )
     if faults:
         raise TableError(*faults)
@@ -129,8 +133,8 @@ def _feedback(
         return {}
     if found.feedback is None and options.feedback:
         raise TableError(
-            f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} has it "
-            "- download the file with feedback, or leave --feedback out"
+            f"{table.file}: no column for feedback on the total - expected one, as {dialect.name} "
+            "has it - download the file with feedback, or leave --feedback out"
         )
     return found.feedback or {}
 
@@ -147,7 +151,8 @@ def _notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
     wanted = options.feedback is None and task.download.channel and TOTAL in task.columns
     if wanted and not task.feedback:
         yield (
-            f"{task.table.file}: has no column for feedback on the total, so the points by question are left "
+            f"{task.table.file}: has no column for feedback on the total, so the points by "
+            "question are left "
             "out - download the file with feedback to fill them in, or say --no-feedback"
         )
 
@@ -238,7 +243,9 @@ def _closed(
 
 
 def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
-    """Cells of other columns that the system would take for other numbers when the file comes back."""
+    """Cells of other columns that the system would take for other numbers when the file comes
+    back.
+    """
     shape = task.download.misread
     places = {column.place for column in task.columns.values()}
     keys = {title for key in task.download.keys for title in key.headers}
@@ -267,8 +274,8 @@ def _content(task: _Task, changes: Mapping[Cell, str]) -> bytes:
     content, most = task.table.with_cells(changes), task.download.most_bytes
     if most is not None and len(content) > most:
         raise TableError(
-            f"{task.table.file}: {len(content)} bytes - expected at most {most}, or {task.dialect.name} "
-            "refuses it - split the file"
+            f"{task.table.file}: {len(content)} bytes - expected at most {most}, or "
+            f"{task.dialect.name} refuses it - split the file"
         )
     return content
 

@@ -1,7 +1,7 @@
 """A grade file written from nothing, for systems whose import needs nothing that only they know.
 
-`new_file` is called by `export`, and through `moodle.export` by `grade`. Whoever handed in nothing is left out, because
-an empty or zero grade would replace what stands in the system.
+`new_file` is called by `export`, and through `moodle.export` by `grade`. Whoever handed in nothing
+is left out, because an empty or zero grade would replace what stands in the system.
 """
 
 from __future__ import annotations
@@ -31,7 +31,9 @@ from kinegrade.tables import Complaint
 
 @dataclass(frozen=True, slots=True)
 class Fresh:
-    """The text to be written as UTF-8, how many students are in it, and what a person has to look at."""
+    """The text to be written as UTF-8, how many students are in it, and what a person has to look
+    at.
+    """
 
     text: str
     students: int
@@ -67,8 +69,8 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
 def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> None:
     if key == "email" and students and not any(each.email for each in students):
         raise TableError(
-            "--by email: nobody's address is known - expected those of the roster - name the exam by --exam, or "
-            "choose another key"
+            "--by email: nobody's address is known - expected those of the roster - name the "
+            "exam by --exam, or choose another key"
         )
 
 
@@ -76,8 +78,8 @@ def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
     layout = dialect.new_file
     if layout is None:
         raise TableError(
-            f"{dialect.name}: its rows are known by numbers that only it gives - expected its own file to "
-            "fill in - download it there and name it by --into"
+            f"{dialect.name}: its rows are known by numbers that only it gives - expected its own "
+            "file to fill in - download it there and name it by --into"
         )
     if len(options.by) > 1:
         raise TableError(
@@ -89,16 +91,16 @@ def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
             field for field in FIELDS if any(column.holds(field) for column in layout.columns)
         )
         raise TableError(
-            f"--by: {dialect.name} does not know people by {key} - expected another key - choose one of: "
-            f"{known}"
+            f"--by: {dialect.name} does not know people by {key} - expected another key - choose "
+            f"one of: {known}"
         )
     if options.feedback and (
         options.per_question or not any(each.role == "feedback" for each in layout.columns)
     ):
         what = "with --per-question" if options.per_question else "in this file"
         raise TableError(
-            f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it - leave "
-            "--feedback out"
+            f"--feedback: {dialect.name} takes none {what} - expected a file with a column for it "
+            "- leave --feedback out"
         )
     return layout
 
@@ -111,7 +113,8 @@ def _plan(
     options: ExportOptions,
 ) -> _Plan:
     key = options.by[0] if options.by else layout.key
-    # A person opens the file in a spreadsheet, which would run a title such as =1+1. What --column gives is a key.
+    # A person opens the file in a spreadsheet, which would run a title such as =1+1. What --column
+    # gives is a key.
     title = neutralised(options.title or layout.title or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
@@ -123,7 +126,8 @@ def _plan(
     targets = {item: target_maximum(stated[item], options) for item in items}
     maxima = {item: _maximum(students, item, targets[item]) for item in items}
     faults += [
-        f'"{one_line(item_title(title, item))}": not everybody could get the same points - expected one maximum '
+        f'"{one_line(item_title(title, item))}": not everybody could get the same points - '
+        "expected one maximum "
         "- say it by --maximum"
         for item in items
         if len(maxima[item]) > 1 and _states(layout)
@@ -162,22 +166,31 @@ def _title_faults(
                 if not header:
                     what = f"question {item}" if item else "the total"
                     yield (
-                        f"{dialect.name}: the column for {what} is not named - expected its header, with the id "
-                        f"that only {dialect.name} gives - copy it from a download and give it by {way}"
+                        f"{dialect.name}: the column for {what} is not named - expected its "
+                        f"header, with the id that only {dialect.name} gives - copy it from a "
+                        f"download and give it by {way}"
                     )
                     continue
                 yield (
-                    f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - expected it with '
-                    f"the id that only {dialect.name} gives - copy it from a download and give it by {way}"
+                    f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - '
+                    "expected it with "
+                    f"the id that only {dialect.name} gives - copy it from a download and give it "
+                    f"by {way}"
                 )
         return
     if all(headers.values()):
         return
     if not title:
-        yield f"{dialect.name}: the item has no title - expected one - give it by --title, or name the exam by --exam"
+        yield (
+            f"{dialect.name}: the item has no title - expected one - give it by --title, or name "
+            "the exam by --exam"
+        )
     for shape, reason in layout.unfit:
         if shape.search(title):
-            yield f'the title "{one_line(title)}" does not fit: {reason} - expected another - give one by --title'
+            yield (
+                f'the title "{one_line(title)}" does not fit: {reason} - expected another - give '
+                "one by --title"
+            )
 
 
 def _stated(dialect: Dialect, header: str) -> Fraction | None:

@@ -1,7 +1,9 @@
-"""The grades of a class as a learning management system gets them, read from the folder that `grade` wrote.
+"""The grades of a class as a learning management system gets them, read from the folder that
+`grade` wrote.
 
-`read_grades` is called by every export. Who handed in nothing is told apart, because an empty or zero grade would
-overwrite what stands in the system. Amounts are the numbers that stand in the files.
+`read_grades` is called by every export. Who handed in nothing is told apart, because an empty or
+zero grade would overwrite what stands in the system. Amounts are the numbers that stand in the
+files.
 """
 
 from __future__ import annotations
@@ -39,8 +41,9 @@ _MENDING = "expected an exam folder made by kinegrade generate - restore it, or 
 class StudentGrade:
     """One student's points by question and in all (item TOTAL), and what there was to get of each.
 
-    `name` stands as in grades.csv, neutralised against spreadsheets; `email` is empty where no exam was read.
-    `printed` are the questions as they followed on the paper, empty where they did as in the bank.
+    `name` stands as in grades.csv, neutralised against spreadsheets; `email` is empty where no exam
+    was read. `printed` are the questions as they followed on the paper, empty where they did as in
+    the bank.
     """
 
     student: str
@@ -70,7 +73,9 @@ class ClassGrades:
 
 
 def known_as(grade: StudentGrade, field: Field) -> str:
-    """What a system that goes by a key knows a student by: the address, or the id, which may be the login there."""
+    """What a system that goes by a key knows a student by: the address, or the id, which may be the
+    login there.
+    """
     match field:
         case "id" | "login":
             return grade.student
@@ -83,9 +88,9 @@ def known_as(grade: StudentGrade, field: Field) -> str:
 def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
     """Reads grades.csv and marks.csv of a folder; e-mails and the title from an exam folder.
 
-    Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an earlier version that
-    does not say who is absent, whoever answered nothing.
-    Raises TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
+    Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an
+    earlier version that does not say who is absent, whoever answered nothing. Raises TableError for
+    a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     grades = _table(folder / "grades.csv", ("student", "name", "total"))
     available, filled = _marked(folder / "marks.csv")
@@ -113,10 +118,11 @@ def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
-    """What the system tells a student: points by the number of the question on the student's own paper, and nothing
-    that the student typed.
+    """What the system tells a student: points by the number of the question on the student's own
+    paper, and nothing that the student typed.
 
-    >>> points, out_of = {"q1": Fraction(5, 2), "q2": Fraction(0)}, {"q1": Fraction(4), "q2": Fraction(3)}
+    >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
+    >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}
     >>> feedback_text(StudentGrade("7", "", "", points, out_of, True), ("q1", "q2"))
     '1: 2.5/4; 2: 0/3'
     >>> feedback_text(StudentGrade("7", "", "", points, out_of, True, ("q2", "q1")), ("q1", "q2"))
@@ -128,7 +134,8 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
         else [(bank_number(name), name) for name in questions]
     )
     parts = [
-        f"{number}: {decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
+        f"{number}: "
+        f"{decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
         for number, name in numbered
     ]
     return "; ".join(parts)
@@ -151,7 +158,8 @@ def _table(path: Path, columns: tuple[str, ...]) -> Table:
     if missing or table.complaints:
         problems = [*(f"no column {name}" for name in missing), *map(str, table.complaints)]
         raise TableError(
-            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - grade again"
+            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - "
+            "grade again"
         )
     return table
 
@@ -177,7 +185,9 @@ def _no_amount(place: str, name: str, cell: str) -> TableError:
 
 
 def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]:
-    """The points each student could get in each question, and who wrote something besides blanks and dashes."""
+    """The points each student could get in each question, and who wrote something besides blanks
+    and dashes.
+    """
     worth: dict[str, Worth] = defaultdict(tuple)
     same: dict[Worth, Worth] = {}  # so that it is kept once for a class
     filled: set[str] = set()
@@ -217,7 +227,8 @@ def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
     strangers = [each.student for each in grades.students if each.student not in emails]
     if strangers:
         raise ExamError(
-            f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not there) '
+            f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not '
+            "there) "
             "- expected the exam by which these marks were made - name that folder"
         )
     return replace(

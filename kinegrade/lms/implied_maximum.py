@@ -1,4 +1,5 @@
-"""The maximum of an item where a download does not state it, but tells grades in points and in per cent side by side.
+"""The maximum of an item where a download does not state it, but tells grades in points and in per
+cent side by side.
 
 Moodle's gradebook is such a file. `implied_maximum` is called by `kinegrade.lms.item_columns`.
 """
@@ -15,7 +16,8 @@ NARROW = Fraction(1, 10)  # what is told no better tells nothing
 
 
 def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | None:
-    """The maximum that all grades, each in points and in per cent, agree with; None where they tell none.
+    """The maximum that all grades, each in points and in per cent, agree with; None where they tell
+    none.
 
     >>> implied_maximum([(Fraction("2.94"), Fraction("29.41"))])
     Fraction(10, 1)

@@ -1,4 +1,6 @@
-"""Which columns of a downloaded file hold the grades: found where only one could be meant, else told by a person."""
+"""Which columns of a downloaded file hold the grades: found where only one could be meant, else
+told by a person.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +34,8 @@ class ItemColumn:
 class ItemColumns:
     """The column of each item, and the columns of the feedback on the total.
 
-    `feedback` says of each place whether it is the format's; it is None where there is no such column, or several.
+    `feedback` says of each place whether it is the format's; it is None where there is no such
+    column, or several.
     """
 
     columns: Mapping[str, ItemColumn]
@@ -79,7 +82,8 @@ def item_columns(
             faults += fault.problems
     headers = [column.header for column in chosen.values()]
     faults += [
-        f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected one for each '
+        f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected '
+        "one for each "
         "- name them by --column QUESTION=HEADER"
         for header in sorted(set(headers))
         if headers.count(header) > 1
@@ -207,7 +211,9 @@ class _Chooser:
     keys: Collection[int]
 
     def chosen(self, item: str, options: ExportOptions) -> ItemColumn:
-        """The column of an item: the one named, the one of that title, or the only one there is for a total."""
+        """The column of an item: the one named, the one of that title, or the only one there is for
+        a total.
+        """
         if item in options.columns:
             return self.named(trimmed(options.columns[item]))
         if not options.title:
@@ -216,17 +222,16 @@ class _Chooser:
         else:
             title = item_title(options.title, item)
             fits = [each for each in self.candidates if title in (each.title, each.header)]
-            if (
-                not fits
-            ):  # "Quiz: Midterm (Real)"; what kind of activity it is stands before the title
+            # "Quiz: Midterm (Real)"; what kind of activity it is stands before the title
+            if not fits:
                 fits = [each for each in self.candidates if _without_kind(each.title) == title]
             what = f'called "{one_line(title)}"'
         if len(fits) == 1:
             return fits[0]
         way = f"--column {item}=HEADER" if item else "--column HEADER"
         raise TableError(
-            f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name it by "
-            f"{way} (grade columns here: {self.listing()})"
+            f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name "
+            f"it by {way} (grade columns here: {self.listing()})"
         )
 
     def named(self, header: str) -> ItemColumn:
@@ -246,11 +251,13 @@ class _Chooser:
         where, shown = self.table.file, one_line(header)
         if fits:
             raise TableError(
-                f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the items'
+                f'{where}: {len(fits)} columns are called "{shown}" - expected one - rename the '
+                "items"
             )
         if places:
             raise TableError(
-                f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - expected '
+                f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - '
+                "expected "
                 f"one that is - name another (grade columns here: {self.listing()})"
             )
         raise TableError(
@@ -259,7 +266,9 @@ class _Chooser:
         )
 
     def may_be_named(self, place: int) -> bool:
-        """Whether a column may hold grades in points, for all that its cells and its header show."""
+        """Whether a column may hold grades in points, for all that its cells and its header
+        show.
+        """
         known = {title for key in self.download.keys for title in key.headers}
         others = [
             column.place

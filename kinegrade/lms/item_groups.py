@@ -1,9 +1,10 @@
-"""Which columns of a gradebook belong to one item, and what each of them holds, whatever the language of the headers.
+"""Which columns of a gradebook belong to one item, and what each of them holds, whatever the
+language of the headers.
 
-Moodle writes "title (word)" above the columns of an item, side by side: points, per cent, a letter, the feedback last.
-The words are in the language of whoever downloaded the file, so they are not relied on: a word means the same in the
-whole file, and all cells below it show what that is. Known words settle what the cells leave open. `item_groups` is
-called by `item_columns`.
+Moodle writes "title (word)" above the columns of an item, side by side: points, per cent, a letter,
+the feedback last. The words are in the language of whoever downloaded the file, so they are not
+relied on: a word means the same in the whole file, and all cells below it show what that is. Known
+words settle what the cells leave open. `item_groups` is called by `item_columns`.
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ _LONGEST_LETTER = 3
 class GroupColumn:
     """A column of an item: its place, what stands in brackets in its header, and what it holds.
 
-    "text" is a letter or a word of a scale; "open" is a grade of which no cell shows of what kind it is.
+    "text" is a letter or a word of a scale; "open" is a grade of which no cell shows of what kind
+    it is.
     """
 
     place: int
@@ -61,7 +63,9 @@ def is_item_header(header: str) -> bool:
 
 
 def content_below(table: CellTable, place: int) -> Content:
-    """What the cells of a column show: only where they are grades, or nothing yet, may grades be written."""
+    """What the cells of a column show: only where they are grades, or nothing yet, may grades be
+    written.
+    """
     return _content(_cells(table, place))
 
 
@@ -116,7 +120,9 @@ def _kinds(table: CellTable, groups: Sequence[_Group], known: ItemWords) -> Mapp
 
 
 def _is_worksheet(table: CellTable) -> bool:
-    """Whether the first column reads "Participant 12": an assignment's worksheet, with dates below brackets."""
+    """Whether the first column reads "Participant 12": an assignment's worksheet, with dates below
+    brackets.
+    """
     found = [_PARTICIPANT.fullmatch(cell) for cell in _cells(table, 0)]
     words = {match[1] for match in found if match}
     return len(words) == 1 and all(found)
@@ -169,7 +175,9 @@ def _kind(cells: Sequence[str], known: ItemKind | None, *, is_last: bool) -> Ite
 
 
 def _are_comments(cells: Sequence[str]) -> bool:
-    """Whether texts are comments and not letters or words of a scale: these repeat, and a dash is where one is missing."""
+    """Whether texts are comments and not letters or words of a scale: these repeat, and a dash is
+    where one is missing.
+    """
     if "" in cells or _DASH in cells:
         return "" in cells
     long = [cell for cell in cells if len(cell) > _LONGEST_LETTER]

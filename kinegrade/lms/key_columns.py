@@ -1,8 +1,8 @@
 """Which columns of a downloaded file say who somebody is.
 
-A system with fixed headers is taken at its word. Where headers are in any language, as in Moodle's gradebook, the
-columns are those that hold the class's ids or e-mail addresses, and a known header only confirms. `key_columns` is
-called by `fill_in`.
+A system with fixed headers is taken at its word. Where headers are in any language, as in Moodle's
+gradebook, the columns are those that hold the class's ids or e-mail addresses, and a known header
+only confirms. `key_columns` is called by `fill_in`.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ def key_columns(
         return found
     if download.item_words is not None:
         raise TableError(
-            f"{table.file}: no column by which {dialect.name} knows people - expected one that holds the ids "
-            "of the marked class, or their e-mail addresses - download it with ID numbers, choose other keys "
-            f"by --by{exam_hint(table, students)}"
+            f"{table.file}: no column by which {dialect.name} knows people - expected one that "
+            "holds the ids of the marked class, or their e-mail addresses - download it with ID "
+            f"numbers, choose other keys by --by{exam_hint(table, students)}"
         )
     known = ", ".join(title for key in keys for title in key.headers) or "none"
     raise TableError(
-        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} - "
-        "download it with ids, or choose other keys by --by"
+        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} "
+        "- download it with ids, or choose other keys by --by"
     )
 
 
@@ -82,7 +82,9 @@ def _by_content(
     known: Sequence[Key],
     students: Sequence[StudentGrade],
 ) -> list[KeyColumn]:
-    """The columns that hold enough of the class's ids or addresses, each with the key that finds most there."""
+    """The columns that hold enough of the class's ids or addresses, each with the key that finds
+    most there.
+    """
     wanted = [_Wanted.of(key, students) for key in keys]
     found = []
     for place, title in enumerate(table.titles):
@@ -104,7 +106,9 @@ def _is_the_other(key: Key, named: str | None) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Wanted:
-    """What a key column of the class holds, as the system compares it, and as a spreadsheet may leave it."""
+    """What a key column of the class holds, as the system compares it, and as a spreadsheet may
+    leave it.
+    """
 
     key: Key
     exact: frozenset[str]
@@ -138,7 +142,9 @@ class _Held:
     different: int
 
     def convinces(self, named: str | None) -> bool:
-        """Whether these are the keys: nothing repeats, and it is most of the file, most of the class, or many."""
+        """Whether these are the keys: nothing repeats, and it is most of the file, most of the
+        class, or many.
+        """
         if not self.students or self.key.field == named:
             return bool(self.students)
         repeated = self.filled - self.different

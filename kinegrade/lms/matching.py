@@ -1,7 +1,8 @@
-"""Whose row is whose in a downloaded file: by id, login or e-mail as the system compares them, never by name.
+"""Whose row is whose in a downloaded file: by id, login or e-mail as the system compares them,
+never by name.
 
-Nobody is guessed. What is only likely the same (zeros or digits lost in a spreadsheet, full-width forms, upper and
-lower case) is suggested in a complaint and left to a person.
+Nobody is guessed. What is only likely the same (zeros or digits lost in a spreadsheet, full-width
+forms, upper and lower case) is suggested in a complaint and left to a person.
 """
 
 from __future__ import annotations
@@ -62,7 +63,8 @@ def match(
     *,
     test_person: re.Pattern[str] | None = None,
 ) -> Matching:
-    """Matches students with the rows of a file; only `graded` ones are missed where they have no row.
+    """Matches students with the rows of a file; only `graded` ones are missed where they have no
+    row.
 
     A row of nobody that is a `test_person`'s is passed over.
     """
@@ -135,7 +137,10 @@ def _ambiguous(
     table: CellTable, columns: Sequence[KeyColumn], grade: StudentGrade, lines: Sequence[int]
 ) -> Complaint:
     places = " and ".join(map(str, lines))
-    problem = f'student "{one_line(grade.student)}" is found on lines {places} by {_names(table, columns)}'
+    problem = (
+        f'student "{one_line(grade.student)}" is found on lines {places} by '
+        f"{_names(table, columns)}"
+    )
     return Complaint(
         table.file, lines[0], "", grade.student, problem, "none of these lines was changed"
     )
@@ -184,8 +189,8 @@ class _Alike:
             whole, _, rest = f"{Decimal(wanted):.{digits}E}".partition("E+")
             for row in rows.get(f"{whole}{'' if digits else '.'}E+{rest}", ()):
                 yield (
-                    f"{self._shown(row)}, a number that a spreadsheet has cut: download the file again and leave it "
-                    "as it is"
+                    f"{self._shown(row)}, a number that a spreadsheet has cut: download the file "
+                    "again and leave it as it is"
                 )
 
     def _shown(self, row: Record) -> str:
@@ -194,7 +199,8 @@ class _Alike:
 
 
 def folded(text: str) -> str:
-    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width forms, case.
+    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width
+    forms, case.
 
     >>> folded("０0７"), folded('="007"'), folded("7.0")
     ('7', '7', '7')

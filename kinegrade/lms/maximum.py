@@ -1,7 +1,8 @@
-"""What an item counts in the system, and what there is to get in the exam: the same, or grades are scaled on demand.
+"""What an item counts in the system, and what there is to get in the exam: the same, or grades are
+scaled on demand.
 
-A grade above the item's maximum is refused by some systems and cut by others, and one such line stops a whole
-import; so nothing of the kind is written.
+A grade above the item's maximum is refused by some systems and cut by others, and one such line
+stops a whole import; so nothing of the kind is written.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from kinegrade.lms.grades import StudentGrade, decimal_text
 
 
 def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction | None:
-    """To what grades are scaled: the maximum given or, with `scale`, the one that the file states; else None."""
+    """To what grades are scaled: the maximum given or, with `scale`, the one that the file states;
+    else None.
+    """
     if options.maximum is not None:
         return options.maximum
     return stated if options.scale else None
@@ -38,23 +41,26 @@ def maximum_faults(
     target = target_maximum(stated, options)
     if options.maximum is not None and stated not in (None, options.maximum):
         faults.append(
-            f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - expected "
-            "the same - leave --maximum out, or correct the item"
+            f"{where}: counts {_shown(stated)} there, --maximum says {_shown(options.maximum)} - "
+            "expected the same - leave --maximum out, or correct the item"
         )
     elif options.scale and target is None:
         faults.append(
-            f"{where}: states no maximum - expected one to scale to - say what the item counts by --maximum"
+            f"{where}: states no maximum - expected one to scale to - say what the item counts by "
+            "--maximum"
         )
     graded = tuple(students)
     others = sorted({each.out_of[item] for each in graded} - {stated})
     if stated is not None and target is None and others:
         faults.append(
-            f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected the same "
-            "- add --scale to scale the grades, or correct the item"
+            f"{where}: counts {_shown(stated)} there, {_shown(others[0])} in the exam - expected "
+            "the same - add --scale to scale the grades, or correct the item"
         )
     faults += (
-        f'student "{each.student}": {_shown(each.points[item])} points of {_shown(each.out_of[item])} - '
-        "expected no more than there are, or an import is refused - correct the policy and grade again"
+        f'student "{each.student}": {_shown(each.points[item])} points of '
+        f"{_shown(each.out_of[item])} - "
+        "expected no more than there are, or an import is refused - correct the policy and grade "
+        "again"
         for each in graded
         if each.points[item] > each.out_of[item]
     )

@@ -1,7 +1,9 @@
-"""Sakai (Gradebook > Import): the first column is the login, the second the name, whatever their headers say.
+"""Sakai (Gradebook > Import): the first column is the login, the second the name, whatever their
+headers say.
 
-Without a byte-order mark Sakai reads Windows-1252. "Title [10]" is an item of 10 points, "* Title" the comment on it,
-"# ..." is ignored. Where the file is separated by semicolons, Sakai expects a decimal comma.
+Without a byte-order mark Sakai reads Windows-1252. "Title [10]" is an item of 10 points, "* Title"
+the comment on it, "# ..." is ignored. Where the file is separated by semicolons, Sakai expects a
+decimal comma.
 """
 
 from __future__ import annotations

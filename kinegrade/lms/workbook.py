@@ -1,7 +1,7 @@
 """A folder of marks as one spreadsheet for people: grades, marks and complaints, each on a sheet.
 
-Every cell that holds an id, a name or what somebody typed is a text cell, so nothing runs as a formula and no digit is
-lost; points are numbers, and empty for whoever is absent.
+Every cell that holds an id, a name or what somebody typed is a text cell, so nothing runs as a
+formula and no digit is lost; points are numbers, and empty for whoever is absent.
 """
 
 from __future__ import annotations
@@ -59,7 +59,9 @@ def workbook(folder: Path) -> bytes:
 
 
 def _repeatable(content: bytes) -> bytes:
-    """The same archive without the time of its making, so that the same marks give the same bytes."""
+    """The same archive without the time of its making, so that the same marks give the same
+    bytes.
+    """
     stream = io.BytesIO()
     with ZipFile(io.BytesIO(content)) as made, ZipFile(stream, "w", ZIP_DEFLATED) as archive:
         for name in made.namelist():
@@ -113,7 +115,9 @@ def _text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:
 
 
 def _cleaned(text: str) -> str:
-    """What a spreadsheet can hold: control characters become dots, a text that is too long is cut."""
+    """What a spreadsheet can hold: control characters become dots, a text that is too long is
+    cut.
+    """
     return _UNPRINTABLE.sub("·", text)[:_LONGEST_CELL]
 
 

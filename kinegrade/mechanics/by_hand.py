@@ -1,7 +1,9 @@
-"""A motion worked out by hand: the plan is followed, and every term and every solved rate is written down rounded.
+"""A motion worked out by hand: the plan is followed, and every term and every solved rate is
+written down rounded.
 
-What a term contributes is found from rounded arms and rates and rounded again, as it stands in the table of a vector
-equation: the arm, the velocity, the normal, tangential and Coriolis parts of the acceleration.
+What a term contributes is found from rounded arms and rates and rounded again, as it stands in the
+table of a vector equation: the arm, the velocity, the normal, tangential and Coriolis parts of the
+acceleration.
 """
 
 from __future__ import annotations
@@ -72,7 +74,9 @@ class WrittenFrames(Frames):
 
 @dataclass(frozen=True)
 class WrittenMotion(Motion):
-    """A motion by hand: a relative motion that was an unknown is not found again as a difference."""
+    """A motion by hand: a relative motion that was an unknown is not found again as a
+    difference.
+    """
 
     frames: WrittenFrames
 
@@ -92,7 +96,8 @@ class WrittenMotion(Motion):
 
 
 def solve_by_hand(motion: Motion, rounded: Rounded) -> Motion:
-    """The motion again, from the same relations and by the same plan, with rounded intermediate values; in doubles.
+    """The motion again, from the same relations and by the same plan, with rounded intermediate
+    values; in doubles.
 
     Raises Singular where rounding leaves a step undetermined.
     """

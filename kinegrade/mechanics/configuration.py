@@ -27,7 +27,9 @@ from kinegrade.mechanics.mechanism import Mechanism
 
 
 def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
-    """Raises MechanismError with every joint that names unknown things or does not fit the positions."""
+    """Raises MechanismError with every joint that names unknown things or does not fit the
+    positions.
+    """
     problems = list(unknown_names(mechanism)) or list(nonsense(mechanism))
     problems = problems or [
         problem for joint in mechanism.joints for problem in misfits(mechanism, joint, arithmetic)
@@ -37,21 +39,27 @@ def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
 
 
 def unknown_names(mechanism: Mechanism) -> Iterator[str]:
-    """Joints and drivers that name a body or point which is not there, and bodies without points."""
+    """Joints and drivers that name a body or point which is not there, and bodies without
+    points.
+    """
     bodies = {body.name for body in mechanism.bodies} | {GROUND}
     for body in mechanism.bodies:
         if not body.points:
             yield f"body {body.name} has no point: name at least one"
         for point in body.points:
             if point not in mechanism.points:
-                yield f'body {body.name}: no point "{point}": {did_you_mean(point, mechanism.points)}'
+                yield (
+                    f'body {body.name}: no point "{point}": {did_you_mean(point, mechanism.points)}'
+                )
     for part in (*mechanism.joints, *mechanism.drivers):
         for name in body_names(part):
             if name not in bodies:
                 yield f'{describe(part)}: no body "{name}": {did_you_mean(name, bodies)}'
         for point in point_names(part):
             if point not in mechanism.points:
-                yield f'{describe(part)}: no point "{point}": {did_you_mean(point, mechanism.points)}'
+                yield (
+                    f'{describe(part)}: no point "{point}": {did_you_mean(point, mechanism.points)}'
+                )
 
 
 def body_names(part: Joint | Driver) -> list[str]:
@@ -72,7 +80,9 @@ def body_names(part: Joint | Driver) -> list[str]:
 
 
 def turning_bodies(part: Joint | Driver) -> list[str]:
-    """The bodies of a joint or driver that turn in it or carry its line or circle: no particle can."""
+    """The bodies of a joint or driver that turn in it or carry its line or circle: no particle
+    can.
+    """
     match part:
         case Pin():
             return []
@@ -94,8 +104,8 @@ def nonsense(mechanism: Mechanism) -> Iterator[str]:
         if isinstance(part, Sleeve) and part.body == GROUND:
             yield f"{describe(part)}: the ground does not slide: name the moving body first"
         yield from (
-            f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or circle: "
-            "give it two points"
+            f"{describe(part)}: {name} is a particle, which neither turns nor carries a line or "
+            "circle: give it two points"
             for name in turning_bodies(part)
             if name in particles
         )
@@ -145,15 +155,24 @@ def misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str
     for circle in circles(joint):
         if not bool(arithmetic.is_zero(circle.radius)) and arithmetic.sign(circle.radius) > 0:
             continue
-        yield f"{describe(joint)}: a circle of radius {short(circle.radius)}: the radius must be positive"
+        yield (
+            f"{describe(joint)}: a circle of radius {short(circle.radius)}: the radius must be "
+            "positive"
+        )
     for line in shapes(joint):
         if isinstance(line, Line) and arithmetic.is_zero(line.direction.squared()):
-            yield f"{describe(joint)}: the line has no direction: give it two different points, or an angle"
+            yield (
+                f"{describe(joint)}: the line has no direction: give it two different points, or "
+                "an angle"
+            )
             return
     match joint:
         case Slide(point=point):
             if off_line(mechanism, point, joint.line, arithmetic):
-                yield f"{describe(joint)}: {point} does not lie on that line: check the construction of {point}"
+                yield (
+                    f"{describe(joint)}: {point} does not lie on that line: check the "
+                    f"construction of {point}"
+                )
         case Arc(circle=circle):
             ends = (joint.point, circle.centre)
             yield from wrong_distance(mechanism, joint, ends, circle.radius, arithmetic)
@@ -176,7 +195,10 @@ def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -
     match joint.on:
         case Circle(centre=other, radius=radius):
             if joint.inside and arithmetic.is_zero(radius - own):
-                yield f"{describe(joint)}: a circle within a circle of the same radius: one must be smaller"
+                yield (
+                    f"{describe(joint)}: a circle within a circle of the same radius: one must "
+                    "be smaller"
+                )
                 return
             expected = radius - own if joint.inside else radius + own
             yield from wrong_distance(mechanism, joint, (centre, other), expected, arithmetic)
@@ -184,8 +206,8 @@ def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -
             across = direction.cross(mechanism.points[centre] - point)
             if not arithmetic.is_zero(across * across - own * own * direction.squared()):
                 yield (
-                    f"{describe(joint)}: the circle about {centre} of radius {short(own)} does not touch the line: "
-                    "its centre must be a radius away"
+                    f"{describe(joint)}: the circle about {centre} of radius {short(own)} does "
+                    "not touch the line: its centre must be a radius away"
                 )
         case _:
             assert_never(joint.on)

@@ -1,6 +1,8 @@
-"""Dead points: values at which a mechanism that is complete cannot be solved, as links of it stand in line.
+"""Dead points: values at which a mechanism that is complete cannot be solved, as links of it stand
+in line.
 
-A mechanism whose relations determine its motion anywhere else is not loose: no joint and no driver is missing.
+A mechanism whose relations determine its motion anywhere else is not loose: no joint and no driver
+is missing.
 """
 
 from __future__ import annotations
@@ -20,7 +22,8 @@ PARTS = 9973  # a point is moved by so many parts of a metre, each point by othe
 
 
 def dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
-    """What stands in line at a dead point, "C, D and O6 are in line"; "" where nothing does, or a body is loose.
+    """What stands in line at a dead point, "C, D and O6 are in line"; "" where nothing does, or a
+    body is loose.
 
     `bodies` are those that could turn.
     """
@@ -29,7 +32,9 @@ def dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
 
 
 def alignments(mechanism: Mechanism, bodies: Collection[str], arithmetic: Any) -> Iterator[str]:
-    """Two bodies pinned together whose joints are in line, and a body at right angles to the line that guides it."""
+    """Two bodies pinned together whose joints are in line, and a body at right angles to the line
+    that guides it.
+    """
     ends = {body: joint_points(mechanism, body) for body in bodies}
     pins = (joint for joint in mechanism.joints if isinstance(joint, Pin))
     for pin in pins:

@@ -1,4 +1,6 @@
-"""A solved motion in doubles: for scales, and for working it out again by hand; never for answers."""
+"""A solved motion in doubles: for scales, and for working it out again by hand; never for
+answers.
+"""
 
 from __future__ import annotations
 
@@ -20,8 +22,9 @@ class MotionInDoubles(Motion):
 
 
 def in_doubles(motion: Motion) -> MotionInDoubles:
-    """The same motion with every number a double. Joints and drivers of the mechanism keep theirs: the relations,
-    which are converted, say all that they state."""
+    """The same motion with every number a double. Joints and drivers of the mechanism keep theirs:
+    the relations, which are converted, say all that they state.
+    """
     mechanism, frames = motion.frames.mechanism, motion.frames
     points = {name: double(point) for name, point in mechanism.points.items()}
     bases = {

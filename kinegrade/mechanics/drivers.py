@@ -11,7 +11,9 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True)
 class Rotation:
-    """Rotation of `body` relative to the body `of`: rad/s and rad/s^2, counter-clockwise positive."""
+    """Rotation of `body` relative to the body `of`: rad/s and rad/s^2, counter-clockwise
+    positive.
+    """
 
     body: str
     velocity: Any
@@ -21,7 +23,8 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Component:
-    """Motion of `point` of `body` along the unit vector `direction`, seen from the body `of`: m/s and m/s^2.
+    """Motion of `point` of `body` along the unit vector `direction`, seen from the body `of`: m/s
+    and m/s^2.
 
     For a point that runs on a straight path this is its motion along the path.
     """
@@ -38,7 +41,8 @@ class Component:
 class Circulation:
     """Motion of `point` of `body` along its circular path about the fixed point `centre`.
 
-    Velocity in m/s and tangential acceleration in m/s^2, counter-clockwise about the centre positive.
+    Velocity in m/s and tangential acceleration in m/s^2, counter-clockwise about the centre
+    positive.
     """
 
     point: str

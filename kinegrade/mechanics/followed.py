@@ -1,8 +1,9 @@
 """The motion that follows from somebody's own values: the plan runs on after them, in doubles.
 
-An own value stands in place of what the plan has found: of the one rate (or change of a rate) that a step determines
-it by, of the velocity or acceleration of a point, or of a Coriolis or normal part. It is put in right after the step by
-which it is first determined; what that step found besides stays, and all later steps run on with it.
+An own value stands in place of what the plan has found: of the one rate (or change of a rate) that
+a step determines it by, of the velocity or acceleration of a point, or of a Coriolis or normal
+part. It is put in right after the step by which it is first determined; what that step found
+besides stays, and all later steps run on with it.
 """
 
 from __future__ import annotations
@@ -41,17 +42,23 @@ NEARBY = 1e-3  # relative: how far one goes from a number to see what depends on
 
 @dataclass(frozen=True)
 class FollowedMotion(Motion):
-    """A motion while own values are put in, and after; its rates and changes hold what is determined so far."""
+    """A motion while own values are put in, and after; its rates and changes hold what is
+    determined so far.
+    """
 
     frames: OwnFrames
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` seen from the moving body `frame`, m/s: as it was solved for, if it was."""
+        """Velocity of `point` of `body` seen from the moving body `frame`, m/s: as it was solved
+        for, if it was.
+        """
         term = self.frames.relative.get((point, frame))
         return term.velocity(self.rates) if term else super().relative_velocity(point, body, frame)
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` seen from `frame`, m/s^2: as it was solved for, if it was."""
+        """Acceleration of `point` of `body` seen from `frame`, m/s^2: as it was solved for, if it
+        was.
+        """
         term = self.frames.relative.get((point, frame))
         if term is None:
             return super().relative_acceleration(point, body, frame)
@@ -66,17 +73,20 @@ class FollowedMotion(Motion):
         return coriolis
 
     def share(self, name: str) -> float:
-        """What is taken of a Coriolis or normal part: all of it, where nobody has put in an own one."""
+        """What is taken of a Coriolis or normal part: all of it, where nobody has put in an own
+        one.
+        """
         return float(self.rates.get(name, 1.0))
 
 
 @dataclass(frozen=True)
 class OwnValue:
-    """A number that somebody has: `read` reads the quantity off a motion, `value` is what stands in its place.
+    """A number that somebody has: `read` reads the quantity off a motion, `value` is what stands in
+    its place.
 
-    `read` gives None where the motion does not determine the quantity yet. `place` is the body and point of whose
-    velocity or acceleration it is, `part` the name of the Coriolis or normal part that it is of; both None for angular
-    and for relative motions.
+    `read` gives None where the motion does not determine the quantity yet. `place` is the body and
+    point of whose velocity or acceleration it is, `part` the name of the Coriolis or normal part
+    that it is of; both None for angular and for relative motions.
     """
 
     read: Callable[[FollowedMotion], float | None]
@@ -89,7 +99,8 @@ class OwnValue:
 def followed(
     frames: Frames, plan: Plan, own: Sequence[OwnValue], arithmetic: Any
 ) -> FollowedMotion:
-    """The motion with the own values put in; one that cannot be is left out, and the motion is as without it.
+    """The motion with the own values put in; one that cannot be is left out, and the motion is as
+    without it.
 
     Raises Singular where a step determines nothing.
     """
@@ -183,7 +194,9 @@ class Run:
             )
 
     def one_rate(self, own: OwnValue, found: dict[str, Any], step: Step) -> str | None:
-        """The one rate of the step that the own value depends on; of a point only where the point moves by it alone."""
+        """The one rate of the step that the own value depends on; of a point only where the point
+        moves by it alone.
+        """
         if own.place and not self.moves_by_one(own.place):
             return None
         now = abs(own.read(self.motion) or 0.0)
@@ -240,7 +253,8 @@ def move(
 ) -> None:
     """Change some rates, by as little as it takes, so that the own quantity has the own value.
 
-    They stay as they were where that is no straight way: an angle, a magnitude that cannot be negative.
+    They stay as they were where that is no straight way: an angle, a magnitude that cannot be
+    negative.
     """
     kept = {rate: found[rate] for rate in reaches}
     start = own.read(motion) or 0.0

@@ -1,7 +1,9 @@
-"""From joints to relations: which chain of terms leads from the ground to each body, and which loops remain.
+"""From joints to relations: which chain of terms leads from the ground to each body, and which
+loops remain.
 
-Each body gets a base point whose motion is written first: a fixed pin, a driven or guided point, a pin on a body
-that is reached already. Every joint that is not used up by that closes a loop and states a relation.
+Each body gets a base point whose motion is written first: a fixed pin, a driven or guided point, a
+pin on a body that is reached already. Every joint that is not used up by that closes a loop and
+states a relation.
 """
 
 from __future__ import annotations
@@ -45,7 +47,9 @@ class Guided:
 
 @dataclass(frozen=True)
 class Base:
-    """The base point of a body, the chain of its motion, and the joint that is used up by it (or None)."""
+    """The base point of a body, the chain of its motion, and the joint that is used up by it (or
+    None).
+    """
 
     point: str
     chain: Chain
@@ -66,7 +70,9 @@ class Frames:
 
 
 def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
-    """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies or points."""
+    """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies
+    or points.
+    """
     guides = find_guides(mechanism)
     bases = find_bases(mechanism, guides)
     relations = [
@@ -81,7 +87,9 @@ def build(mechanism: Mechanism, arithmetic: Any) -> Frames:
 
 
 def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str) -> Chain:
-    """The terms from the ground to `point` of `body`: the base point's, then the rotation about it."""
+    """The terms from the ground to `point` of `body`: the base point's, then the rotation about
+    it.
+    """
     if body == GROUND:
         return ()
     base = bases[body]
@@ -92,7 +100,9 @@ def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str
 
 
 def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
-    """For each joint the guided point that it states; where one point is guided twice the rates are told apart."""
+    """For each joint the guided point that it states; where one point is guided twice the rates are
+    told apart.
+    """
     guides: list[Guided | None] = []
     taken: set[str] = set()
     for joint in mechanism.joints:
@@ -137,7 +147,9 @@ def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle
 
 
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
-    """The point of the sliding body whose relative motion is followed: one that is pinned to another body."""
+    """The point of the sliding body whose relative motion is followed: one that is pinned to
+    another body.
+    """
     points = mechanism.body(sleeve.body).points
     pinned = [
         joint.point
@@ -166,8 +178,9 @@ def find_bases(mechanism: Mechanism, guides: Sequence[Guided | None]) -> dict[st
 def base_candidates(
     mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guided | None], body: Body
 ) -> Iterator[tuple[int, Base]]:
-    """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2, pin on a reached
-    body 3, other guide 4, slot of a reached body 5, free point 6."""
+    """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2,
+    pin on a reached body 3, other guide 4, slot of a reached body 5, free point 6.
+    """
     for joint in mechanism.joints:
         if isinstance(joint, Pin) and body.name in joint.bodies:
             for other in joint.bodies:
@@ -240,7 +253,9 @@ def joint_relations(
 
 
 def pin_relations(mechanism: Mechanism, bases: Mapping[str, Base], pin: Pin) -> Iterator[Relation]:
-    """The pinned bodies share the motion of the pin; bodies whose base is this pin do so already."""
+    """The pinned bodies share the motion of the pin; bodies whose base is this pin do so
+    already.
+    """
     unused = [name for name in pin.bodies if name == GROUND or bases[name].joint is not pin]
     first = GROUND if GROUND in unused else unused[0]
     for name in unused:
@@ -260,10 +275,12 @@ def turning(body: str, of: str, factor: Any) -> tuple[tuple[str, Any], ...]:
 
 
 def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
-    """No slip at the contact: the centre's motion along the track plus the relative rotation about it is zero.
+    """No slip at the contact: the centre's motion along the track plus the relative rotation about
+    it is zero.
 
-    On a line: s u.u + omega_r u.(k x CF) = 0; on a circle of radius R: rate of the centre plus omega_r times
-    -r/(R + r) outside, r/(R - r) inside (F the contact, C the centre of the rolling circle, r its radius).
+    On a line: s u.u + omega_r u.(k x CF) = 0; on a circle of radius R: rate of the centre plus
+    omega_r times -r/(R + r) outside, r/(R - r) inside (F the contact, C the centre of the rolling
+    circle, r its radius).
     """
     match roll.on:
         case Line(direction=along):
@@ -279,7 +296,9 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
 
 
 def meshing(mesh: Mesh) -> Relation:
-    """Equal pitch speeds seen from the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring gear."""
+    """Equal pitch speeds seen from the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring
+    gear.
+    """
     sense = -1 if mesh.inside else 1
     own, other = mesh.circle.radius, mesh.on.radius * sense
     rates: dict[str, Any] = {}
@@ -312,7 +331,9 @@ def driver_relation(
 
 
 def path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: Any) -> Vector:
-    """The unit vector along a circular path, counter-clockwise. Raises MechanismError at its centre."""
+    """The unit vector along a circular path, counter-clockwise. Raises MechanismError at its
+    centre.
+    """
     arm = mechanism.points[driver.point] - mechanism.points[driver.centre]
     if arithmetic.is_zero(arm.squared()):
         raise MechanismError(

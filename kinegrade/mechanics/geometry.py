@@ -1,7 +1,8 @@
 """Constructions: points from points, lines and circles, with a named branch where there are two.
 
-Configurations are constructed, never iterated, in whatever arithmetic they are given. `constructions` gives the
-functions that expressions in templates may call. Lengths in metres, angles counter-clockwise from +x.
+Configurations are constructed, never iterated, in whatever arithmetic they are given.
+`constructions` gives the functions that expressions in templates may call. Lengths in metres,
+angles counter-clockwise from +x.
 """
 
 from __future__ import annotations
@@ -35,7 +36,9 @@ class Round:
 
 
 def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Callable[..., Any]]:
-    """The constructions by name; `points` gives names for the refusals and is read when one is written."""
+    """The constructions by name; `points` gives names for the refusals and is read when one is
+    written.
+    """
     build = Constructions(arithmetic, points)
     return {
         "": Vector,
@@ -56,7 +59,9 @@ def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Ca
 
 @dataclass(frozen=True)
 class Constructions:
-    """The constructions that need an arithmetic: for roots, for sines, for telling which branch is which."""
+    """The constructions that need an arithmetic: for roots, for sines, for telling which branch is
+    which.
+    """
 
     arithmetic: Any
     points: Mapping[str, Vector]
@@ -99,11 +104,13 @@ class Constructions:
     def meet(
         self, first: Line | Round, second: Line | Round, branch: Branch | None = None
     ) -> Vector:
-        """The common point of two lines, or the one on the named side of a line and a circle or of two circles.
+        """The common point of two lines, or the one on the named side of a line and a circle or of
+        two circles.
 
-        right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for two circles, say on
-        which side of the directed line from the first centre to the second the point lies. Raises MechanismError
-        when there is no common point, or when the name does not tell the two apart.
+        right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for
+        two circles, say on which side of the directed line from the first centre to the second the
+        point lies. Raises MechanismError when there is no common point, or when the name does not
+        tell the two apart.
         """
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)

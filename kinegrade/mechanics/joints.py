@@ -1,7 +1,7 @@
 """The joints: each a small frozen value that says which bodies meet, where, and how.
 
-Points are named; lines are values in the common frame at the instant (x right, y up). The ground is the body
-`GROUND`. What a joint means for velocities and accelerations is said in `relations`.
+Points are named; lines are values in the common frame at the instant (x right, y up). The ground is
+the body `GROUND`. What a joint means for velocities and accelerations is said in `relations`.
 """
 
 from __future__ import annotations
@@ -40,7 +40,9 @@ class Pin:
 
 @dataclass(frozen=True)
 class Slide:
-    """`point` of `body` stays on a straight line fixed in the body `of` (a guide, a slot, a sleeve about a pin)."""
+    """`point` of `body` stays on a straight line fixed in the body `of` (a guide, a slot, a sleeve
+    about a pin).
+    """
 
     point: str
     body: str
@@ -69,7 +71,8 @@ class Arc:
 
 @dataclass(frozen=True)
 class Contact:
-    """A circle of `body` touches a line or circle of the body `of` and may slide on it (smooth contact).
+    """A circle of `body` touches a line or circle of the body `of` and may slide on it (smooth
+    contact).
 
     `inside` is for two circles only: one lies within the other.
     """
@@ -83,7 +86,9 @@ class Contact:
 
 @dataclass(frozen=True)
 class Roll:
-    """A circle of `body` rolls without slipping on a line or circle of the body `of`; `inside` as for Contact."""
+    """A circle of `body` rolls without slipping on a line or circle of the body `of`; `inside` as
+    for Contact.
+    """
 
     body: str
     circle: Circle
@@ -94,7 +99,9 @@ class Roll:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Two gears with their centres on one `carrier`; `inside` when one of them is a ring gear around the other."""
+    """Two gears with their centres on one `carrier`; `inside` when one of them is a ring gear
+    around the other.
+    """
 
     body: str
     circle: Circle

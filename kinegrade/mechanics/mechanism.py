@@ -1,4 +1,6 @@
-"""A mechanism at one instant: bodies, where their points are, how they are joined, what drives them."""
+"""A mechanism at one instant: bodies, where their points are, how they are joined, what drives
+them.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,9 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True)
 class Body:
-    """A moving rigid body and the names of its marked points; a `particle` has one point and no rotation."""
+    """A moving rigid body and the names of its marked points; a `particle` has one point and no
+    rotation.
+    """
 
     name: str
     points: tuple[str, ...]

@@ -1,8 +1,9 @@
 """The motion that slips lead to: the plan runs on with mistaken terms, in any arithmetic.
 
-Whoever makes a mistake does not notice: surplus equations are not checked, and where there are more equations than
-unknowns, the vectors are projected. Two mistakes are of magnitudes and no longer linear: a fixed pivot taken for the
-velocity pole, and the transport velocity taken for the absolute one. They replace what a step of the plan found.
+Whoever makes a mistake does not notice: surplus equations are not checked, and where there are more
+equations than unknowns, the vectors are projected. Two mistakes are of magnitudes and no longer
+linear: a fixed pivot taken for the velocity pole, and the transport velocity taken for the absolute
+one. They replace what a step of the plan found.
 """
 
 from __future__ import annotations
@@ -78,7 +79,9 @@ class MistakenMotion(Motion):
 
 @dataclass(frozen=True)
 class Unsuspecting:
-    """An arithmetic that solves as somebody does who does not notice that equations contradict each other."""
+    """An arithmetic that solves as somebody does who does not notice that equations contradict each
+    other.
+    """
 
     arithmetic: Any
 
@@ -126,16 +129,17 @@ def product(left: Sequence[Any], right: Sequence[Any]) -> Any:
 
 
 def mistaken(
-    mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, stirred: bool = False
+    mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, perturbed: bool = False
 ) -> MistakenMotion:
-    """The motion as it comes out with slips. Raises Singular where a step determines nothing, MechanismError.
+    """The motion as it comes out with slips. Raises Singular where a step determines nothing,
+    MechanismError.
 
-    `stirred` puts other velocities under the accelerations, none of which vanishes by chance: to see whether a term is
-    of any consequence, or just zero here.
+    `perturbed` puts other velocities under the accelerations, none of which vanishes by chance: to
+    see whether a term is of any consequence, or just zero here.
     """
     frames = mistaken_frames(build(mechanism, arithmetic), slips)
     rates = Velocities(frames, slips, arithmetic).run(plan)
-    if stirred:
+    if perturbed:
         rates = dict(stir(mechanism, rates))
     equations = [relation.equations() for relation in frames.relations]
     changes = plans.run(
@@ -160,7 +164,9 @@ def stir(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, 
 
 @dataclass(frozen=True)
 class Stage:
-    """A step of the plan just solved: the equations of all relations, and the rates known with this step."""
+    """A step of the plan just solved: the equations of all relations, and the rates known with this
+    step.
+    """
 
     step: Step
     equations: plans.Equations
@@ -180,7 +186,9 @@ Replacements = Iterator[tuple[str, Any]]
 
 @dataclass(frozen=True)
 class Velocities:
-    """The run of a plan for velocities, in which a step's results may be replaced by what a mistake gives."""
+    """The run of a plan for velocities, in which a step's results may be replaced by what a mistake
+    gives.
+    """
 
     frames: MistakenFrames
     slips: Slips
@@ -214,7 +222,9 @@ class Velocities:
         return replace(relation, left=left, right=right)
 
     def replaced(self, stage: Stage) -> dict[str, Any]:
-        """What a transport velocity in place of the absolute one, and a fixed pivot in place of the pole, give."""
+        """What a transport velocity in place of the absolute one, and a fixed pivot in place of the
+        pole, give.
+        """
         result: dict[str, Any] = {}
         for share, find in (
             (self.slips.relative, self.without_relative),
@@ -244,7 +254,9 @@ class Velocities:
                 yield rate, self.sized(speed, stage.coefficient(index, rate), stage.rates[rate])
 
     def about_pivot(self, stage: Stage) -> Replacements:
-        """A body in plane motion turns about the fixed pivot of a body that it is pinned to, together with it."""
+        """A body in plane motion turns about the fixed pivot of a body that it is pinned to,
+        together with it.
+        """
         for body, neighbours in pivots(self.frames).items():
             reached = [name for name in neighbours if omega_of(name) in stage.rates]
             if omega_of(body) not in stage.step.unknowns or not reached:
@@ -257,8 +269,9 @@ class Velocities:
                 yield from self.ends(stage, own, neighbours[neighbour], turning)
 
     def common_rate(self, stage: Stage, body: str, neighbour: str, pivot: Vector) -> Any:
-        """The rate with which both turn about the pivot: the neighbour's, or |v| over the distance of a known point;
-        None where neither is known."""
+        """The rate with which both turn about the pivot: the neighbour's, or |v| over the distance
+        of a known point; None where neither is known.
+        """
         if omega_of(neighbour) not in stage.step.unknowns:
             return stage.rates[omega_of(neighbour)]
         base = self.frames.bases[body]
@@ -274,7 +287,9 @@ class Velocities:
         )
 
     def ends(self, stage: Stage, own: set[str], pivot: Vector, turning: Any) -> Replacements:
-        """The rates of the ends that the same step finds, from turning times the distance to the pivot."""
+        """The rates of the ends that the same step finds, from turning times the distance to the
+        pivot.
+        """
         for index in stage.step.relations:
             relation = self.frames.relations[index]
             others = stage.sought(index) - own

@@ -1,7 +1,8 @@
 """The motion: velocity and acceleration of everything, absolute and relative, at the instant.
 
-`solve` is the way in: it states the relations, follows the plan twice, and gives a `Motion` that answers every
-question about points and bodies. Vectors are in the common frame (x right, y up), counter-clockwise positive.
+`solve` is the way in: it states the relations, follows the plan twice, and gives a `Motion` that
+answers every question about points and bodies. Vectors are in the common frame (x right, y up),
+counter-clockwise positive.
 """
 
 from __future__ import annotations
@@ -38,15 +39,21 @@ class Motion:
         return self.frames.mechanism.points
 
     def omega(self, body: str, of: str = GROUND) -> Any:
-        """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body `of`."""
+        """Angular velocity of a body, rad/s, counter-clockwise positive; relative to the body
+        `of`.
+        """
         return turning_of(self.rates, body) - turning_of(self.rates, of)
 
     def alpha(self, body: str, of: str = GROUND) -> Any:
-        """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body `of`."""
+        """Angular acceleration of a body, rad/s^2, counter-clockwise positive; relative to the body
+        `of`.
+        """
         return turning_of(self.changes, body) - turning_of(self.changes, of)
 
     def velocity(self, point: str, body: str) -> Vector:
-        """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another passes there)."""
+        """Velocity of the point of `body` that is at `point`, m/s (transport velocity, if another
+        passes there).
+        """
         return total(term.velocity(self.rates) for term in self.frames.chain(body, point))
 
     def acceleration(self, point: str, body: str) -> Vector:
@@ -84,7 +91,9 @@ class Motion:
 
 
 class Undriven(dict[str, Any]):
-    """The rates of a mechanism that nothing drives: none is known, and asking for one is refused."""
+    """The rates of a mechanism that nothing drives: none is known, and asking for one is
+    refused.
+    """
 
     def __missing__(self, rate: str) -> Any:
         raise MechanismError(
@@ -93,17 +102,20 @@ class Undriven(dict[str, Any]):
 
 
 def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
-    """A mechanism that is asked for its positions alone. Raises MechanismError when it does not fit together."""
+    """A mechanism that is asked for its positions alone. Raises MechanismError when it does not fit
+    together.
+    """
     if arithmetic.certified:
         require_assembled(mechanism, arithmetic)
     return Motion(build(mechanism, arithmetic), Plan(()), Undriven(), Undriven())
 
 
 def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
-    """The motion of a mechanism; `plan` saves looking for one, and is replaced where it does not fit.
+    """The motion of a mechanism; `plan` saves looking for one, and is replaced where it does not
+    fit.
 
-    Raises MechanismError: the configuration does not fit a joint, a body is loose, joints or drivers contradict
-    each other, or the mechanism stands at a dead point.
+    Raises MechanismError: the configuration does not fit a joint, a body is loose, joints or
+    drivers contradict each other, or the mechanism stands at a dead point.
     """
     if arithmetic.certified:
         require_assembled(mechanism, arithmetic)
@@ -145,7 +157,9 @@ def require_all_related(frames: Frames) -> None:
 
 
 def turning_of(rates: Mapping[str, Any], body: str) -> Any:
-    """The angular rate of a body among `rates`; the ground has none, and a particle cannot be asked for one."""
+    """The angular rate of a body among `rates`; the ground has none, and a particle cannot be asked
+    for one.
+    """
     if body == GROUND:
         return 0
     if omega_of(body) not in rates:

@@ -1,7 +1,9 @@
-"""Chains and relations into which own values can be put: of points, and of Coriolis and normal parts.
+"""Chains and relations into which own values can be put: of points, and of Coriolis and normal
+parts.
 
-A point's motion is written by the shortest chain that the steps solved before give it: the end B of a connecting rod,
-once found, moves along its guide, and whoever has another angular velocity of the rod still has that motion of B.
+A point's motion is written by the shortest chain that the steps solved before give it: the end B of
+a connecting rod, once found, moves along its guide, and whoever has another angular velocity of the
+rod still has that motion of B.
 """
 
 from __future__ import annotations
@@ -17,18 +19,21 @@ from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 Place = tuple[str, str]  # a body and a point of it
-Sign = tuple[
-    str, str, str, str
-]  # by what a term is known in other chains: rate, point, base, frame
+# By what a term is known in other chains: rate, point, base, frame
+Sign = tuple[str, str, str, str]
 
 
 def coriolis_share(point: str, frame: str) -> str:
-    """The name, among the rates, of what is taken of the Coriolis acceleration of `point` seen from `frame`."""
+    """The name, among the rates, of what is taken of the Coriolis acceleration of `point` seen from
+    `frame`.
+    """
     return f"coriolis {point}/{frame}"
 
 
 def normal_share(point: str, base: str) -> str:
-    """The name, among the rates, of what is taken of the normal acceleration of `point` relative to `base`."""
+    """The name, among the rates, of what is taken of the normal acceleration of `point` relative to
+    `base`.
+    """
     return f"normal {point}/{base}"
 
 
@@ -40,7 +45,9 @@ def offsets(place: Place) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class OwnTerm(Term):
-    """A term of whose normal and Coriolis parts the share is taken that stands among the rates, if one does."""
+    """A term of whose normal and Coriolis parts the share is taken that stands among the rates, if
+    one does.
+    """
 
     def normal(self, rates: Rates) -> Vector:
         """What is taken of the centripetal part, m/s^2."""
@@ -57,7 +64,9 @@ class OwnTerm(Term):
 
 @dataclass(frozen=True)
 class OwnRelation(Relation):
-    """A relation of whose own Coriolis acceleration, of an imposed relative motion, the share is taken likewise."""
+    """A relation of whose own Coriolis acceleration, of an imposed relative motion, the share is
+    taken likewise.
+    """
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
         """What is taken of the Coriolis acceleration of the imposed relative motion, m/s^2."""
@@ -70,7 +79,9 @@ class OwnRelation(Relation):
 
 @dataclass(frozen=True)
 class Shortcut:
-    """A chain that a relation, solved in the step of number `step`, says to be equal to a shorter one."""
+    """A chain that a relation, solved in the step of number `step`, says to be equal to a shorter
+    one.
+    """
 
     long: tuple[Sign, ...]
     short: Chain
@@ -79,14 +90,18 @@ class Shortcut:
 
 @dataclass(frozen=True)
 class OwnFrames(Frames):
-    """Frames whose chains take the shortcuts and have, at `places`, a term for what is added there."""
+    """Frames whose chains take the shortcuts and have, at `places`, a term for what is added
+    there.
+    """
 
     shortcuts: tuple[Shortcut, ...]
     places: tuple[Place, ...]
     known: dict[Place, Chain] = field(default_factory=dict, compare=False, repr=False)
 
     def chain(self, body: str, point: str) -> Chain:
-        """The terms whose sum is the velocity of `point`, taken as a point of `body`, as they stand in the end."""
+        """The terms whose sum is the velocity of `point`, taken as a point of `body`, as they stand
+        in the end.
+        """
         place = body, point
         if place not in self.known:
             self.known[place] = self.with_own(shortened(super().chain(body, point), self.shortcuts))
@@ -168,7 +183,9 @@ def own_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
 
 
 def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
-    """The vector relations of the plan's steps of which one side is shorter, and known no later than the other."""
+    """The vector relations of the plan's steps of which one side is shorter, and known no later
+    than the other.
+    """
     found = {rate: number for number, step in enumerate(plan.steps) for rate in step.unknowns}
     for number, step in enumerate(plan.steps):
         for relation in (frames.relations[index] for index in step.relations if step.unknowns):

@@ -1,8 +1,9 @@
-"""The plan: the textbook's order, in which each step is the smallest set of relations that what is known determines.
+"""The plan: the textbook's order, in which each step is the smallest set of relations that what is
+known determines.
 
-One vector equation with two unknowns where possible, two or three together only where nothing smaller works. The
-plan is structure: it is found once at one configuration, and run in any arithmetic, for velocities and then, with
-the same coefficients, for accelerations.
+One vector equation with two unknowns where possible, two or three together only where nothing
+smaller works. The plan is structure: it is found once at one configuration, and run in any
+arithmetic, for velocities and then, with the same coefficients, for accelerations.
 """
 
 from __future__ import annotations
@@ -22,7 +23,9 @@ MAX_TOGETHER = 3
 
 @dataclass(frozen=True)
 class Step:
-    """The relations (by index) solved together and the rates they give; no rates: a surplus relation, checked."""
+    """The relations (by index) solved together and the rates they give; no rates: a surplus
+    relation, checked.
+    """
 
     relations: tuple[int, ...]
     unknowns: tuple[str, ...]
@@ -36,7 +39,9 @@ class Plan:
 
 
 def find(relations: Sequence[Relation], equations: Equations, arithmetic: Any) -> Plan:
-    """The plan at this configuration. Raises Singular when the relations leave something undetermined."""
+    """The plan at this configuration. Raises Singular when the relations leave something
+    undetermined.
+    """
     known: set[str] = set()
     pending = list(range(len(relations)))
     steps: list[Step] = []

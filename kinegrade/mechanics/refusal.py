@@ -16,7 +16,9 @@ from kinegrade.mechanics.relations import omega_of
 def refusal(
     frames: Frames, equations: Equations, sides: Sequence[Sequence[Any]], arithmetic: Any
 ) -> MechanismError:
-    """The error for relations that have no solution, or more than one; `sides` are their right-hand sides."""
+    """The error for relations that have no solution, or more than one; `sides` are their right-hand
+    sides.
+    """
     rates = list(
         dict.fromkeys(rate for relation in frames.relations for rate in relation.unknowns())
     )
@@ -67,7 +69,9 @@ def looseness(frames: Frames, motions: Sequence[set[str]]) -> str:
 
 
 def unrelated(frames: Frames) -> list[str]:
-    """The rates of bodies and base points that occur in no relation, so that nothing determines them."""
+    """The rates of bodies and base points that occur in no relation, so that nothing determines
+    them.
+    """
     known = {rate for relation in frames.relations for rate in relation.unknowns()}
     rates = [omega_of(body.name) for body in frames.mechanism.bodies if not body.particle]
     rates += [term.rate for base in frames.bases.values() for term in base.chain]
@@ -77,7 +81,9 @@ def unrelated(frames: Frames) -> list[str]:
 def contradiction(
     matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]], arithmetic: Any
 ) -> list[int]:
-    """A smallest set of relations (by index) that cannot hold together: none of them can be left out."""
+    """A smallest set of relations (by index) that cannot hold together: none of them can be left
+    out.
+    """
     culprits = list(range(len(matrix)))
     for index in list(culprits):
         rest = [other for other in culprits if other != index]

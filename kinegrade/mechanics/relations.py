@@ -1,8 +1,9 @@
 """The vector equations that the joints and drivers state, for velocities and accelerations alike.
 
 Every point's motion is written as a chain of terms from the ground outwards, `v_B = v_A + v_BA` or
-`v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that closes a loop equates two chains. The same
-relations hold for accelerations, with each term's part that the velocities decide: centripetal and Coriolis.
+`v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that closes a loop equates two
+chains. The same relations hold for accelerations, with each term's part that the velocities decide:
+centripetal and Coriolis.
 
 `build` is called by `motion`; `plan` says in which order the relations determine what.
 """
@@ -30,9 +31,13 @@ def omega_of(body: str) -> str:
 class Term:
     """One term of a vector equation.
 
-    rotation: the point turns about a base point of its body; `vector` goes from base to point, the rate is omega.
-    sliding:  the point moves along `vector` seen from the body `frame`; the rate is in units of `vector`.
-    arc:      the point turns about a centre fixed in `frame`; `vector` goes from centre to point, rate as omega.
+    - rotation: the point turns about a base point of its body; `vector` goes from base to point,
+      the rate is omega.
+    - sliding: the point moves along `vector` seen from the body `frame`; the rate is in units of
+      `vector`.
+    - arc: the point turns about a centre fixed in `frame`; `vector` goes from centre to point, the
+      rate is omega.
+
     `point` is the point that moves so, `base` the base point or the centre, "" for a sliding point.
     """
 
@@ -59,7 +64,9 @@ class Term:
         return velocity
 
     def normal(self, rates: Rates) -> Vector:
-        """The centripetal part of the term's acceleration, m/s^2: towards the base point or the centre."""
+        """The centripetal part of the term's acceleration, m/s^2: towards the base point or the
+        centre.
+        """
         match self.kind:
             case "sliding":
                 return Vector(0, 0)
@@ -70,7 +77,9 @@ class Term:
                 assert_never(self.kind)
 
     def coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own rotation."""
+        """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own
+        rotation.
+        """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
         coriolis: Vector = self.velocity(rates).turned() * (rates[omega_of(self.frame)] * 2)
@@ -91,10 +100,12 @@ Chain = tuple[Term, ...]
 
 @dataclass(frozen=True)
 class Relation:
-    """left chain = right chain (two equations), or their difference along a vector plus turning rates = imposed.
+    """left chain = right chain (two equations), or their difference along a vector plus turning
+    rates = imposed.
 
-    `origin` says in words which joint or driver states it, `source` is that part. `frame` is the body from which a
-    component is imposed: its rotation adds the Coriolis acceleration of the relative motion.
+    `origin` says in words which joint or driver states it, `source` is that part. `frame` is the
+    body from which a component is imposed: its rotation adds the Coriolis acceleration of the
+    relative motion.
     """
 
     origin: str
@@ -145,7 +156,9 @@ class Relation:
         return [0, 0] if self.is_vector else [self.velocity]
 
     def acceleration_side(self, rates: Rates) -> list[Any]:
-        """The right-hand sides of the equations for accelerations: imposed minus what the velocities decide."""
+        """The right-hand sides of the equations for accelerations: imposed minus what the
+        velocities decide.
+        """
         decided = total(term.remainder(rates) for term in self.left)
         decided = decided - total(term.remainder(rates) for term in self.right)
         if self.is_vector:
@@ -157,7 +170,9 @@ class Relation:
         return [self.acceleration - self.along.dot(decided)]
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis acceleration 2 omega x v_r of the relative motion seen from `frame`, m/s^2."""
+        """The Coriolis acceleration 2 omega x v_r of the relative motion seen from `frame`,
+        m/s^2.
+        """
         relative = total(t.velocity(rates) for t in self.left) - total(
             t.velocity(rates) for t in self.right
         )

@@ -1,8 +1,9 @@
 """Slips: how the relations of a mechanism read to somebody who makes a known mistake.
 
-A slip is a transformation of terms: each number of a `Slips` is the share that remains of something, 1 where all is
-right and 0 where it is forgotten. Shares may be arrays, one entry for each way to go wrong, so that one run of the
-plan gives what many mistakes lead to. `mistaken` runs the plan on.
+A slip is a transformation of terms: each number of a `Slips` is the share that remains of
+something, 1 where all is right and 0 where it is forgotten. Shares may be arrays, one entry for
+each way to go wrong, so that one run of the plan gives what many mistakes lead to. `mistaken` runs
+the plan on.
 """
 
 from __future__ import annotations
@@ -29,25 +30,26 @@ from kinegrade.mechanics.joints import (
 from kinegrade.mechanics.relations import Chain, Rates, Relation, Term, omega_of
 from kinegrade.mechanics.vector import Vector
 
-Arms = Mapping[
-    tuple[str, str], Any
-]  # (centre carried, centre of the circle it runs about): share of the distance
+# (centre carried, centre of the circle it runs about): share of the distance
+Arms = Mapping[tuple[str, str], Any]
 
 
 @dataclass(frozen=True)
 class Slips:
     """What remains of a mechanism's terms: 1 is right, 0 forgotten, -1 reversed.
 
-    coriolis:        each Coriolis acceleration.
-    relative_normal: the normal part of the acceleration of a point relative to a base point.
-    path_normal:     the normal part on a circular path, about a fixed pin or along an arc.
-    meshing:         the sense of a meshing or rolling on a circle: -1 takes inside for outside.
-    carried:         the carrier's turning within a relative angular velocity; 0 takes relative for absolute.
-    asked_relative:  the second body's turning where a relative angular velocity is asked for.
-    arm:             the carried wheel's own radius within the arm r1 + r2.
-    pole:            0 takes a fixed pivot for the velocity pole.
-    centre:          the centre's velocity within that of other points of a rolling body.
-    relative:        the relative velocity within an absolute one; 0 takes the transport velocity for it.
+    - coriolis: each Coriolis acceleration.
+    - relative_normal: the normal part of the acceleration of a point relative to a base point.
+    - path_normal: the normal part on a circular path, about a fixed pin or along an arc.
+    - meshing: the sense of a meshing or rolling on a circle: -1 takes inside for outside.
+    - carried: the carrier's turning within a relative angular velocity; 0 takes relative for
+      absolute.
+    - asked_relative: the second body's turning where a relative angular velocity is asked for.
+    - arm: the carried wheel's own radius within the arm r1 + r2.
+    - pole: 0 takes a fixed pivot for the velocity pole.
+    - centre: the centre's velocity within that of other points of a rolling body.
+    - relative: the relative velocity within an absolute one; 0 takes the transport velocity for
+      it.
     """
 
     coriolis: Any = 1
@@ -82,7 +84,9 @@ class MistakenTerm(Term):
 
 @dataclass(frozen=True)
 class MistakenRelation(Relation):
-    """A relation of whose own Coriolis acceleration, that of an imposed relative motion, only a share is taken."""
+    """A relation of whose own Coriolis acceleration, that of an imposed relative motion, only a
+    share is taken.
+    """
 
     coriolis_share: Any = 1
 
@@ -141,7 +145,9 @@ def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Te
 
 
 def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
-    """For each wheel that runs on a circle what is taken of the distance of the two centres: r1 of r1 + r2."""
+    """For each wheel that runs on a circle what is taken of the distance of the two centres: r1 of
+    r1 + r2.
+    """
     for joint in frames.mechanism.joints:
         if isinstance(joint, (Roll, Mesh)) and isinstance(joint.on, Circle):
             own = -joint.circle.radius if joint.inside else joint.circle.radius
@@ -189,7 +195,9 @@ def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any],
 
 
 def mistaken_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
-    """The factors of the turning rates where the turning of the body `of` is only thought of in part."""
+    """The factors of the turning rates where the turning of the body `of` is only thought of in
+    part.
+    """
     if of == GROUND:
         return relation.turning
     return tuple(
@@ -199,7 +207,9 @@ def mistaken_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[
 
 
 def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[tuple[str, Any]]:
-    """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r leaves -r/R."""
+    """The centre's rate and the slip at the contact: -r/(R + r), with -r inside; a forgotten r
+    leaves -r/R.
+    """
     sense = -slips.meshing if roll.inside else slips.meshing
     own = roll.circle.radius * sense
     slip = -own / (roll.on.radius + slips.arm * slips.carried * own)  # type: ignore[union-attr]
@@ -208,7 +218,9 @@ def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[t
 
 
 def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
-    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's turning that is thought of."""
+    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's turning that
+    is thought of.
+    """
     sense = -slips.meshing if mesh.inside else slips.meshing
     own, other = mesh.circle.radius, mesh.on.radius * sense
     thought = (slips.carried, 1) if mesh.body != GROUND else (1, slips.carried)
@@ -229,7 +241,8 @@ def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
 def velocity_chain(
     chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False
 ) -> Chain:
-    """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without the centre's.
+    """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without
+    the centre's.
 
     `whole` leaves out relative motions as well: the velocity of the point of the moving body there.
     """

@@ -1,6 +1,7 @@
 """Plane vectors over any arithmetic: field elements, balls, floats or arrays (x right, y up).
 
-Everything in `mechanics` is written with these few operations, so one formula serves all arithmetics.
+Everything in `mechanics` is written with these few operations, so one formula serves all
+arithmetics.
 """
 
 from __future__ import annotations
@@ -39,7 +40,9 @@ class Vector(NamedTuple):
         return self.x * other.x + self.y * other.y
 
     def cross(self, other: Vector) -> Any:
-        """Component along the axis out of the plane of the vector product, counter-clockwise positive."""
+        """Component along the axis out of the plane of the vector product, counter-clockwise
+        positive.
+        """
         return self.x * other.y - self.y * other.x
 
     def turned(self) -> Vector:

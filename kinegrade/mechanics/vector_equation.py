@@ -1,9 +1,11 @@
 """The vector equations of a solved motion, vector by vector, as textbooks write them.
 
-    v_B = v_A + v_BA        v_a = v_e + v_r        a_B = a_A + a_BA^n + a_BA^t        a_a = a_e^n + a_e^t + a_r + a_C
+    v_B = v_A + v_BA                v_a = v_e + v_r
+    a_B = a_A + a_BA^n + a_BA^t     a_a = a_e^n + a_e^t + a_r + a_C
 
-The terms of a relation that are known already are drawn together into one vector; the others stand one by one, an
-acceleration in its normal, tangential and Coriolis parts. `kinegrade.worked` puts these into words.
+The terms of a relation that are known already are drawn together into one vector; the others stand
+one by one, an acceleration in its normal, tangential and Coriolis parts. `kinegrade.worked` puts
+these into words.
 """
 
 from __future__ import annotations
@@ -25,17 +27,18 @@ Role = Literal["absolute", "transport", "relative", "rotation", "coriolis"]
 class Part:
     """One vector of a vector equation.
 
-    absolute:  of `point`, about the fixed `base` where there is one, else along its path, or drawn together;
-    transport: of the point of the moving body that coincides with `point`;
-    relative:  of `point` seen from `frame`;
-    rotation:  of `point` relative to `base`, a point of the same body; `coincident` when it stands for the point of
+    absolute:  of `point`, about the fixed `base` where there is one, else along its path, or drawn
+    together; transport: of the point of the moving body that coincides with `point`; relative:  of
+    `point` seen from `frame`; rotation:  of `point` relative to `base`, a point of the same body;
+    `coincident` when it stands for the point of
                the moving body at `point`;
     coriolis:  the Coriolis acceleration of the relative motion.
 
-    `composition` numbers the compositions of motions of an equation, from 0: transport, relative and Coriolis parts
-    of one have the same number. `part` is "n" or "t" for the normal and tangential part of an acceleration. `term` is
-    the term it comes from, None where several (`together`) are drawn together. `coefficient` is the vector that the
-    unknown rate (or its change) multiplies, None where the part is known; `value` is the vector, m/s or m/s^2.
+    `composition` numbers the compositions of motions of an equation, from 0: transport, relative
+    and Coriolis parts of one have the same number. `part` is "n" or "t" for the normal and
+    tangential part of an acceleration. `term` is the term it comes from, None where several
+    (`together`) are drawn together. `coefficient` is the vector that the unknown rate (or its
+    change) multiplies, None where the part is known; `value` is the vector, m/s or m/s^2.
     """
 
     role: Role
@@ -64,7 +67,8 @@ class Part:
 class VectorEquation:
     """left = right; `relation` is where it comes from.
 
-    Its compositions of motions count from `first` where others are solved together with them, `among` in all.
+    Its compositions of motions count from `first` where others are solved together with them,
+    `among` in all.
     """
 
     relation: Relation
@@ -98,8 +102,9 @@ class VectorEquation:
 def vector_equation(
     relation: Relation, motion: Motion, known: Collection[str], level: Level
 ) -> VectorEquation:
-    """The vector equation of a relation at the stage where the rates `known` are known (their changes, for
-    accelerations, of which all velocities are known)."""
+    """The vector equation of a relation at the stage where the rates `known` are known (their
+    changes, for accelerations, of which all velocities are known).
+    """
     left = list(chain_parts(relation.left, motion, known, level))
     right = list(chain_parts(relation.right, motion, known, level))
     if is_whole(right) and not is_whole(left):  # v_B = v_A + v_BA, not the other way about
@@ -127,7 +132,9 @@ def is_whole(parts: Sequence[Part]) -> bool:
 
 
 def numbered(parts: Sequence[Part]) -> list[Part]:
-    """The parts with the numbers of their compositions: each ends with the last part of its relative motion."""
+    """The parts with the numbers of their compositions: each ends with the last part of its
+    relative motion.
+    """
     number, result = 0, []
     for part, following in zip(parts, (*parts[1:], None), strict=True):
         result.append(replace(part, composition=number))
@@ -175,7 +182,9 @@ def term_value(term: Term, motion: Motion, level: Level) -> Vector:
 
 
 def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level) -> Iterator[Part]:
-    """One term's velocity, or the parts of its acceleration; those that vanish identically are left out."""
+    """One term's velocity, or the parts of its acceleration; those that vanish identically are left
+    out.
+    """
     role: Role = "relative" if term.frame != GROUND else "rotation"
     unknown = None if term.rate in known else term.coefficient()
     match level:
@@ -191,7 +200,9 @@ def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level)
 def acceleration_parts(
     term: Term, motion: Motion, role: Role, unknown: Vector | None
 ) -> Iterator[Part]:
-    """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies what is sought."""
+    """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies what
+    is sought.
+    """
     along = term.coefficient() * motion.changes[term.rate]
     match term.kind:
         case "sliding":
@@ -207,7 +218,9 @@ def acceleration_parts(
 
 
 def placed(part: Part, chain: Chain, place: int) -> Part:
-    """The part with the role that its place in the chain gives it: first terms are absolute, or transport."""
+    """The part with the role that its place in the chain gives it: first terms are absolute, or
+    transport.
+    """
     match part.role:
         case "absolute" | "transport" | "relative" | "coriolis":
             return part
@@ -218,7 +231,9 @@ def placed(part: Part, chain: Chain, place: int) -> Part:
 
 
 def placed_rotation(part: Part, chain: Chain, place: int) -> Part:
-    """A rotation with its role: absolute or transport at the head of a chain, and for a free point's components."""
+    """A rotation with its role: absolute or transport at the head of a chain, and for a free
+    point's components.
+    """
     transport = transports(chain, place + 1)
     if place == 0:
         return replace(part, role="transport" if transport else "absolute")

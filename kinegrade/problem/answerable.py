@@ -1,4 +1,5 @@
-"""Whether each ask of a template can be answered at its drawn values, also those that are asked on request alone.
+"""Whether each ask of a template can be answered at its drawn values, also those that are asked on
+request alone.
 
 `check` looks at each by itself, as a bank may ask for any of them.
 """
@@ -21,9 +22,10 @@ from kinegrade.problem.template import Template
 class Answerable:
     """What was found of a template's asks.
 
-    `failed` has those that cannot be worked out at some drawn values, with these and the reason; `fit` counts the
-    instances in which an ask has an answer to be asked for, `unfit` says why it had none. `solved` counts the
-    instances that meet the conditions and move, `stuck` is why none did.
+    `failed` has those that cannot be worked out at some drawn values, with these and the reason;
+    `fit` counts the instances in which an ask has an answer to be asked for, `unfit` says why it
+    had none. `solved` counts the instances that meet the conditions and move, `stuck` is why none
+    did.
     """
 
     template: Template

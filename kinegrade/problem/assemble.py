@@ -1,4 +1,5 @@
-"""From a template and values to a mechanism: parameters into SI, points constructed, joints and drivers made.
+"""From a template and values to a mechanism: parameters into SI, points constructed, joints and
+drivers made.
 
 The same steps in any arithmetic: exact, balls, or arrays of floats over a whole class.
 """
@@ -47,7 +48,8 @@ class Assembly:
 
 
 def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> Any:
-    """A parameter in SI from an expression in its unit; degrees may also be given as an angle like atan(3/4).
+    """A parameter in SI from an expression in its unit; degrees may also be given as an angle like
+    atan(3/4).
 
     Raises ExpressionError for what is no number, Inexact where the exact field does not hold it.
     """
@@ -79,9 +81,11 @@ def assemble(
     arithmetic: Any,
     put_down: Callable[[Vector], Vector] = lambda point: point,
 ) -> Assembly:
-    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the place, Inexact.
+    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the
+    place, Inexact.
 
-    `put_down` gives each constructed point as it is used from then on, which is how rounding enters.
+    `put_down` gives each constructed point as it is used from then on, which is how rounding
+    enters.
     """
     values: dict[str, Any] = {
         "pi": arithmetic.turns(1),
@@ -108,7 +112,9 @@ def assemble(
 
 
 def measure(value: Any) -> Any:
-    """A coordinate, radius or rate as it is. Raises ExpressionError for what is no number, Inexact for pi in it."""
+    """A coordinate, radius or rate as it is. Raises ExpressionError for what is no number, Inexact
+    for pi in it.
+    """
     if isinstance(value, (Vector, Line, Round, str)):
         raise ExpressionError("expected a number")
     if isinstance(value, Angle):
@@ -117,7 +123,9 @@ def measure(value: Any) -> Any:
 
 
 def measured(place: Vector) -> Vector:
-    """A point of its own, told from any other that lies there; its coordinates as `measure` takes them."""
+    """A point of its own, told from any other that lies there; its coordinates as `measure` takes
+    them.
+    """
     return Vector(measure(place.x), measure(place.y))
 
 
@@ -152,7 +160,9 @@ class Parts:
         return evaluate(tree, self.values, self.functions, self.arithmetic)
 
     def shape(self, tree: Call | None) -> Any:
-        """A line as a value, a circle with its centre by name; None where the sentence has no such shape."""
+        """A line as a value, a circle with its centre by name; None where the sentence has no such
+        shape.
+        """
         if tree is None:
             return None
         if tree.function == "circle" and isinstance(tree.arguments[0], Name):

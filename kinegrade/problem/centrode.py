@@ -1,7 +1,8 @@
-"""The fixed centrode: the curve that a body's velocity pole describes while one parameter of the template changes.
+"""The fixed centrode: the curve that a body's velocity pole describes while one parameter of the
+template changes.
 
-A curve is asked for where it is a circle. The mechanism is assembled and solved at further values of the parameter,
-the circle goes through three poles, and a fourth must lie on it.
+A curve is asked for where it is a circle. The mechanism is assembled and solved at further values
+of the parameter, the circle goes through three poles, and a fourth must lie on it.
 """
 
 from __future__ import annotations
@@ -55,7 +56,8 @@ class Centrodes:
     def circle(self, body: Any, angle: Any, arithmetic: Any) -> Round:
         """The circle on which the pole of `body` moves while the parameter `angle` changes.
 
-        Raises MechanismError when fewer than four configurations can be reached, or the curve is no circle.
+        Raises MechanismError when fewer than four configurations can be reached, or the curve is no
+        circle.
         """
         if not isinstance(body, BodyName):
             raise ExpressionError(

@@ -1,4 +1,6 @@
-"""The author's proof of a template: its published results hold exactly, and what is drawn is fit for students."""
+"""The author's proof of a template: its published results hold exactly, and what is drawn is fit
+for students.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +16,8 @@ from kinegrade.errors import ExpressionError, KinegradeError
 from kinegrade.exact.angle import Angle
 from kinegrade.expression import elementary, evaluate
 from kinegrade.problem.answerable import answerable, stated
+from kinegrade.problem.draw_screening import DrawScreening
 from kinegrade.problem.drawing import Deck, Refused, address, examine
-from kinegrade.problem.foresight import Foresight
 from kinegrade.problem.holding import holds, wording
 from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
@@ -35,9 +37,9 @@ class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
     `sound` are the asks that can be worked out at all drawn values; the others are faults.
-    `inseparable` has for each ask the mistakes that cannot be told from the truth, or not in most instances. `blamed`
-    counts the refusals that are one answer's doing, by reason and ask. `seconds` is the median time of an
-    instance; `remarks` are for the author to weigh.
+    `inseparable` has for each ask the mistakes that cannot be told from the truth, or not in most
+    instances. `blamed` counts the refusals that are one answer's doing, by reason and ask.
+    `seconds` is the median time of an instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -54,7 +56,9 @@ class Report:
 
     @property
     def distinct(self) -> int:
-        """How many distinct instances there are: all combinations, less the share that the sample refused."""
+        """How many distinct instances there are: all combinations, less the share that the sample
+        refused.
+        """
         examined = self.instances + sum(self.refused.values())
         return self.template.combinations * self.instances // examined if examined else 0
 
@@ -99,12 +103,16 @@ def search(report: Report, examples: int) -> None:
 
 
 def asked(report: Report) -> tuple[str, ...]:
-    """What an exam asks that names nothing: the asks with points, of those that can be worked out."""
+    """What an exam asks that names nothing: the asks with points, of those that can be worked
+    out.
+    """
     return tuple(name for name in report.template.asked() if name in report.sound)
 
 
 def weigh_texts(report: Report, sample: int) -> None:
-    """A fault for every text of which no wording applies at drawable values; wordings that never apply are remarked."""
+    """A fault for every text of which no wording applies at drawable values; wordings that never
+    apply are remarked.
+    """
     template = report.template
     idle = {name: set(range(len(wordings))) for name, wordings in template.texts.items()}
     for values in drawable(template, max(sample, TEXTS_TRIED)) if template.texts else ():
@@ -127,7 +135,9 @@ def weigh_texts(report: Report, sample: int) -> None:
 
 
 def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:
-    """Examine the sample: what is refused and why, how the answers spread, how long an instance takes."""
+    """Examine the sample: what is refused and why, how the answers spread, how long an instance
+    takes.
+    """
     times, plan = [], None
     sight = look_ahead(report, draws)
     for values in draws:
@@ -147,8 +157,10 @@ def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:
     report.seconds = median(times) if times else 0.0
 
 
-def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> Foresight:
-    """See which draws a known mistake would confuse with the truth; report what no draw can tell apart."""
+def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> DrawScreening:
+    """See which draws a known mistake would confuse with the truth; report what no draw can tell
+    apart.
+    """
     sight = Deck(report.template, asked(report), "check", report.template.name).sight
     sight.look(draws)
     if sight.separation is not None:
@@ -157,15 +169,17 @@ def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> Foresight:
 
 
 def weigh(report: Report) -> None:
-    """Too few instances and constant answers are faults; what else is easily guessed is remarked."""
+    """Too few instances and constant answers are faults; what else is easily guessed is
+    remarked.
+    """
     if not report.instances:
         report.faults.append(
             "no acceptable instance was found: widen the domains or relax the conditions"
         )
     elif report.distinct < FEWEST:
         report.faults.append(
-            f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a class: "
-            "widen the domains"
+            f"about {report.distinct} distinct instances: at least {FEWEST} are needed for a "
+            "class: widen the domains"
         )
     for name, spread in report.spreads.items():
         copied = spread.copied()
@@ -184,13 +198,16 @@ def rounding_remarks(report: Report) -> Iterator[str]:
     for (reason, ask), count in report.blamed.items():
         if reason == "rounding" and count >= OFTEN_ASTRAY * examined:
             yield (
-                f"{ask} is off by more than 1 % in {count} of {examined} instances when every intermediate value is "
-                "rounded to 3 significant figures: keep it from being a small difference, or ask another quantity"
+                f"{ask} is off by more than 1 % in {count} of {examined} instances when every "
+                "intermediate value is rounded to 3 significant figures: keep it from being a "
+                "small difference, or ask another quantity"
             )
 
 
 def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:
-    """Values of `sample` different combinations, evenly addressed; all of them where there are no more."""
+    """Values of `sample` different combinations, evenly addressed; all of them where there are no
+    more.
+    """
     total = template.combinations
     if total <= sample:
         yield from (combination(template, index) for index in range(total))
@@ -216,7 +233,9 @@ def note(report: Report, solution: Solution) -> None:
 
 
 def prove(report: Report, published: Published) -> None:
-    """Hold the published results against the engine: at the stated values, and at several for those left open."""
+    """Hold the published results against the engine: at the stated values, and at several for those
+    left open.
+    """
     where, complete = (
         f"published ({published.source})",
         set(published.given) == set(report.template.parameters),
@@ -272,7 +291,8 @@ def differences(
         if not solution.arithmetic.exact:
             yield (
                 name,
-                f"{name}: the stated values lie in no small exact field: state values that prove it exactly",
+                f"{name}: the stated values lie in no small exact field: state values that prove "
+                "it exactly",
             )
         elif not equal(expected, answer.number, ask, solution.arithmetic):
             yield name, f"{name} = {published.texts[name]}, but the engine gives {answer.exact}"

@@ -1,4 +1,6 @@
-"""Conditions: relations between givens, which drawn values must fulfil or by which a text applies, read from text."""
+"""Conditions: relations between givens, which drawn values must fulfil or by which a text applies,
+read from text.
+"""
 
 from __future__ import annotations
 

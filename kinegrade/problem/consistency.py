@@ -1,7 +1,8 @@
-"""Whether a template's expressions make sense before any numbers are put in: functions, kinds and dimensions.
+"""Whether a template's expressions make sense before any numbers are put in: functions, kinds and
+dimensions.
 
-What is asked for must have the dimension of its unit, points the dimension of a length, inputs that of a rate or of a
-velocity. `reading` reports what is found here with the place where it stands.
+What is asked for must have the dimension of its unit, points the dimension of a length, inputs that
+of a rate or of a velocity. `reading` reports what is found here with the place where it stands.
 """
 
 from __future__ import annotations
@@ -49,7 +50,9 @@ ALONG = "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O,
 
 
 def inconsistencies(template: Template) -> list[Fault]:
-    """What makes no sense in a template, each with its place; a wrong unit that explains it all is one fault."""
+    """What makes no sense in a template, each with its place; a wrong unit that explains it all is
+    one fault.
+    """
     faults = list(Consistency(template, given(template)).faults())
     if len(faults) < 2:
         return faults
@@ -126,7 +129,9 @@ class Consistency:
         values[name] = scope.kind(tree)
 
     def points(self, places: dict[str, Kind]) -> Iterator[Fault]:
-        """The points, added to `places` one after the other; each is a point, even where its expression is at fault."""
+        """The points, added to `places` one after the other; each is a point, even where its
+        expression is at fault.
+        """
         for name, tree in self.template.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
             places[name] = Arrow(LENGTH, name)
@@ -192,8 +197,8 @@ class Consistency:
     def published(self, path: str, result: Published) -> Iterator[Fault]:
         """Published results, of the dimension of what they are results of.
 
-        Where the source states values with units that a result does not name, they are in its numbers: then no
-        dimension can be told.
+        Where the source states values with units that a result does not name, they are in its
+        numbers: then no dimension can be told.
         """
         for name, tree in result.gives.items():
             hidden = bool(self.stated(result) - set(names(tree)))
@@ -211,7 +216,9 @@ class Consistency:
         }
 
     def result(self, scope: Scope, tree: Expression, ask: Ask | None) -> None:
-        """A published result: a number, of the dimension of the ask's unit where that can be told."""
+        """A published result: a number, of the dimension of the ask's unit where that can be
+        told.
+        """
         kind = number(scope.kind(tree))
         if ask is not None:
             require_unit(kind, ask)

@@ -11,7 +11,9 @@ from kinegrade.problem.template import Parameter, Template
 
 
 def describe(template: Template, language: Language) -> str:
-    """A template in words: title, statement at its default values, parameters, asks and how many instances."""
+    """A template in words: title, statement at its default values, parameters, asks and how many
+    instances.
+    """
     return "\n".join(lines(template, language))
 
 
@@ -21,7 +23,10 @@ def lines(template: Template, language: Language) -> Iterator[str]:
     solution = solve_template(template, {})
     yield f"{template.name}: {template.title.in_language(language)}"
     yield f"family: {template.family}; source: {template.source}"
-    yield f"drawable combinations: {template.combinations}, less those that `kinegrade check` finds unfit"
+    yield (
+        f"drawable combinations: {template.combinations}, less those that `kinegrade check` "
+        "finds unfit"
+    )
     yield ""
     yield statement(template, solution.parameters, language)
     yield "parameters"
@@ -32,7 +37,10 @@ def lines(template: Template, language: Language) -> Iterator[str]:
     for name, ask in template.asks.items():
         points = f"{ask.points} points" if ask.points else "on request"
         sign = ask.sign.in_language(language)
-        yield f"  {name:<12} {ask.unit.printed:<7} {points:<11} {ask.means.in_language(language)} ({sign})"
+        yield (
+            f"  {name:<12} {ask.unit.printed:<7} {points:<11} {ask.means.in_language(language)} "
+            f"({sign})"
+        )
 
 
 def domain(parameter: Parameter) -> str:

@@ -1,4 +1,6 @@
-"""Dimensions: the powers of length and time that a unit has, and a quantity must have; angles are pure numbers."""
+"""Dimensions: the powers of length and time that a unit has, and a quantity must have; angles are
+pure numbers.
+"""
 
 from __future__ import annotations
 

@@ -34,7 +34,9 @@ def read_choices(draw: Any) -> tuple[str, ...]:
 
 
 def digits(text: str) -> str:
-    """The value of an expression without names to 30 digits, by which equal ones are found: 1/2 and 0.5."""
+    """The value of an expression without names to 30 digits, by which equal ones are found: 1/2 and
+    0.5.
+    """
     balls = Balls(PRECISIONS[0])
     with balls.context():
         value = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)

@@ -1,8 +1,10 @@
-"""Drawing an instance for a student: addressed by HMAC, so that it can be drawn again on any machine in ten years.
+"""Drawing an instance for a student: addressed by HMAC, so that it can be drawn again on any
+machine in ten years.
 
-The value of a parameter is an index into its finite domain that depends on (secret, student, question, parameter,
-attempt) alone: adding a parameter, a question or a student changes nobody else's paper. An instance that will not
-do is drawn again with the next attempt, and the reason is counted.
+The value of a parameter is an index into its finite domain that depends on (secret, student,
+question, parameter, attempt) alone: adding a parameter, a question or a student changes nobody
+else's paper. An instance that will not do is drawn again with the next attempt, and the reason is
+counted.
 """
 
 from __future__ import annotations
@@ -18,10 +20,10 @@ from typing import assert_never
 
 from kinegrade.errors import DrawError, MechanismError
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.foresight import Foresight, foresight
+from kinegrade.problem.draw_screening import DrawScreening, draw_screening
 from kinegrade.problem.holding import holds, wording
-from kinegrade.problem.honest import stray
-from kinegrade.problem.honest_together import FEW, surely_honest
+from kinegrade.problem.honest_rounding import stray
+from kinegrade.problem.honest_rounding_arrays import FEW, surely_honest
 from kinegrade.problem.kept_decimals import RightRange, fitting_factor
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solving import Solution, solve_template
@@ -47,8 +49,9 @@ SAMPLE = 400  # instances by which it is judged what mistakes can be kept apart 
 
 
 class Refused(Exception):
-    """A drawn instance will not do; `reason` is one of REASONS, `ask` the answer that is to blame, the message tells
-    more."""
+    """A drawn instance will not do; `reason` is one of REASONS, `ask` the answer that is to blame,
+    the message tells more.
+    """
 
     def __init__(self, reason: str, detail: str, ask: str = "") -> None:
         self.reason, self.ask = reason, ask
@@ -68,8 +71,9 @@ class Drawn:
 class Deck:
     """One question's template for one exam: draws for student after student, no two alike.
 
-    `fixed` replaces the domains of some parameters. `refused` counts why draws were refused. `tolerances` holds for the
-    asks it names, 1 % for the others. With `four_decimals` every right answer is still right with no more of them.
+    `fixed` replaces the domains of some parameters. `refused` counts why draws were refused.
+    `tolerances` holds for the asks it names, 1 % for the others. With `four_decimals` every right
+    answer is still right with no more of them.
     """
 
     template: Template
@@ -82,7 +86,7 @@ class Deck:
     plan: Plan | None = None
     tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
     four_decimals: bool = False
-    foresight: Foresight | None = None
+    screening: DrawScreening | None = None
     drawn: dict[tuple[str, int], Mapping[str, str]] = field(default_factory=dict)
     examined: dict[tuple[str, ...], Solution | Refused] = field(default_factory=dict)
 
@@ -100,13 +104,15 @@ class Deck:
             return Drawn(values, attempt, solution)
         reasons = ", ".join(f"{reason} {count}" for reason, count in sorted(self.refused.items()))
         raise DrawError(
-            f"{self.question} ({self.template.name}): no acceptable instance for student {student} in "
-            f"{MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
+            f"{self.question} ({self.template.name}): no acceptable instance for student "
+            f"{student} in {MAX_ATTEMPTS} draws (refused so far: {reasons}): widen the domains; "
             f"{self.combinations()} combinations are drawable"
         )
 
     def foresee(self, students: Iterable[str]) -> None:
-        """Look at the first draws of many students at once; drawing for them one after the other is faster then."""
+        """Look at the first draws of many students at once; drawing for them one after the other is
+        faster then.
+        """
         students = tuple(students)
         self.drawn.clear()
         self.examined.clear()
@@ -130,7 +136,9 @@ class Deck:
         return None
 
     def examine_ahead(self, students: Iterable[str]) -> None:
-        """Examine what each student would be given, many instances at once; then the next ones of those refused."""
+        """Examine what each student would be given, many instances at once; then the next ones of
+        those refused.
+        """
         waiting = [self.unconfused(student) for student in students]
         while len(waiting) >= FEW:
             offers = [
@@ -158,15 +166,17 @@ class Deck:
         return (values for values in drawn if not self.sight.seen[tuple(values.values())])
 
     @property
-    def sight(self) -> Foresight:
-        """The foresight, prepared when it is first needed."""
-        if self.foresight is None:
+    def sight(self) -> DrawScreening:
+        """The screening, prepared when it is first needed."""
+        if self.screening is None:
             sample = [self.sampled(number) for number in range(SAMPLE)]
-            self.foresight = foresight(self.template, self.asks, self.tolerances, sample)
-        return self.foresight
+            self.screening = draw_screening(self.template, self.asks, self.tolerances, sample)
+        return self.screening
 
     def require_apart(self, student: str, attempt: int, values: Mapping[str, str]) -> None:
-        """Raises Refused when a known mistake would lead to an answer within tolerance of the right one."""
+        """Raises Refused when a known mistake would lead to an answer within tolerance of the right
+        one.
+        """
         key = tuple(values.values())
         if key not in self.sight.seen:
             self.sight.look(
@@ -229,7 +239,9 @@ class Deck:
 
 
 def address(secret: str, *parts: str | int) -> int:
-    """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256 bits."""
+    """The number at an address: HMAC-SHA256 of the parts under the secret, as an integer of 256
+    bits.
+    """
     message = b"".join(map(framed, parts))
     return int.from_bytes(digest(secret.encode(), message, "sha256"), "big")
 
@@ -248,7 +260,9 @@ def examine(
     plan: Plan | None = None,
     tolerances: Mapping[str, Tolerance] | None = None,
 ) -> Solution:
-    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused with the reason."""
+    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused
+    with the reason.
+    """
     solution = sensible(template, values, asks, plan)
     if strayed := stray(solution, tolerances or {}):
         raise Refused("rounding", str(strayed), strayed.ask)
@@ -280,7 +294,9 @@ def examine_together(
 def sensible(
     template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
 ) -> Solution:
-    """The solution of an instance that meets the conditions and has answers to be asked for. Raises Refused."""
+    """The solution of an instance that meets the conditions and has answers to be asked for. Raises
+    Refused.
+    """
     try:
         for condition in template.conditions:
             if not holds(template, condition, values):
@@ -299,7 +315,9 @@ def sensible(
 
 
 def require_doubles(solution: Solution) -> None:
-    """Raises Refused for an instance with sizes beyond the doubles in which it is worked out again by hand."""
+    """Raises Refused for an instance with sizes beyond the doubles in which it is worked out again
+    by hand.
+    """
     try:
         for answer in solution.answers.values():
             own_scale(solution.doubles, answer.measure)
@@ -308,7 +326,9 @@ def require_doubles(solution: Solution) -> None:
 
 
 def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
-    """The first ask whose right answer is no longer right with four decimals, in any unit; "" where there is none."""
+    """The first ask whose right answer is no longer right with four decimals, in any unit; "" where
+    there is none.
+    """
     for name, answer in solution.answers.items():
         stated = tolerances.get(name, ONE_PER_CENT)
         tolerance = effective(stated, answer.value, answer.measure, solution.doubles)
@@ -320,7 +340,9 @@ def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
 
 
 def unfit(ask: Ask, answer: Quantity) -> Refused | None:
-    """Why an answer cannot be asked for: at infinity, zero where zero is no proper answer, of an absurd size."""
+    """Why an answer cannot be asked for: at infinity, zero where zero is no proper answer, of an
+    absurd size.
+    """
     if answer.at_infinity:
         return Refused("degenerate", f"{ask.name} is at infinity")
     if answer.is_zero:

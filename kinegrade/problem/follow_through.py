@@ -1,6 +1,8 @@
-"""What follows for an ask from somebody's own answers to earlier ones: the same plan, run on from there, in doubles.
+"""What follows for an ask from somebody's own answers to earlier ones: the same plan, run on from
+there, in doubles.
 
-`followed` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower` keeps one instance.
+`followed` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower` keeps
+one instance.
 """
 
 from __future__ import annotations
@@ -39,7 +41,8 @@ from kinegrade.problem.template import Ask, Template
 SAME = 1e-9  # relative: what is closer is not changed, only rounded
 INSTANCES = 8  # looked at to see which asks are connected
 GOLDEN, ROOT = 0.6180339887, 0.4142135624  # steps along choices that never meet again
-FARTHEST = 1000  # times the right answer, or below its thousandth part: from there nothing sensible follows
+# Times the right answer, or below its thousandth part: from there nothing sensible follows
+FARTHEST = 1000
 
 
 def followed(
@@ -49,10 +52,12 @@ def followed(
     later: str,
     plan: Plan | None = None,
 ) -> float | None:
-    """What follows for the ask `later`, in its unit, from own answers to other asks (each in its unit).
+    """What follows for the ask `later`, in its unit, from own answers to other asks (each in its
+    unit).
 
-    `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on those answers, or
-    nothing follows from them: they are zero, beyond any sense, or out of the plan's reach.
+    `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on
+    those answers, or nothing follows from them: they are zero, beyond any sense, or out of the
+    plan's reach.
     """
     return Follower(
         template, {name: as_float(value) for name, value in values.items()}, plan
@@ -61,14 +66,18 @@ def followed(
 
 @dataclass(frozen=True)
 class Follower:
-    """One instance, to be followed from own answers: its parameters in SI as doubles, and a plan that may serve."""
+    """One instance, to be followed from own answers: its parameters in SI as doubles, and a plan
+    that may serve.
+    """
 
     template: Template
     values: Mapping[str, float]
     suggested: Plan | None = None
 
     def value(self, earlier: Mapping[str, float], later: str) -> float | None:
-        """What follows for `later`, as `followed` tells; all the earlier answers are put in at once."""
+        """What follows for `later`, as `followed` tells; all the earlier answers are put in at
+        once.
+        """
         own = {
             name: value
             for name, value in earlier.items()
@@ -76,14 +85,21 @@ class Follower:
         }
         if not own:
             return None
-        found, stirred = self.result(own, later), self.result(stirred_values(own), later)
+        found, perturbed = self.result(own, later), self.result(perturbed_values(own), later)
         right = self.right(later)
-        if found is None or stirred is None or right is None or abs(found) * FARTHEST <= abs(right):
+        if (
+            found is None
+            or perturbed is None
+            or right is None
+            or abs(found) * FARTHEST <= abs(right)
+        ):
             return None
-        return found if abs(stirred - found) > SAME * max(abs(found), abs(right)) else None
+        return found if abs(perturbed - found) > SAME * max(abs(found), abs(right)) else None
 
     def sensible(self, name: str, value: float) -> bool:
-        """Whether an own answer may be put in: it is of the size of the right one, give or take a thousand times."""
+        """Whether an own answer may be put in: it is of the size of the right one, give or take a
+        thousand times.
+        """
         right = self.right(name)
         return (
             right is not None
@@ -137,7 +153,9 @@ class Follower:
 
     @cached_property
     def plan(self) -> Plan:
-        """The plan that serves: the one suggested, where it does. Raises Singular where there is none."""
+        """The plan that serves: the one suggested, where it does. Raises Singular where there is
+        none.
+        """
         relations = self.still.frames.relations
         equations = [relation.equations() for relation in relations]
         if self.suggested is not None:
@@ -182,7 +200,9 @@ class Follower:
         return {**self.assembly.functions, **centrodes.functions(Doubles())}
 
     def own_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
-        """An own answer as it is put into a motion; nothing for what is not read off one moving thing."""
+        """An own answer as it is put into a motion; nothing for what is not read off one moving
+        thing.
+        """
         calls = set(motion_calls(self.quantities[ask.name]))
         call = calls.pop() if len(calls) == 1 else None
         if call is not None and call.function in LEVELS:
@@ -217,7 +237,9 @@ class Follower:
 
 
 def connections(template: Template) -> frozenset[tuple[str, str]]:
-    """Which ask (first) another one (second) depends on in a template: at one of several sets of values at least."""
+    """Which ask (first) another one (second) depends on in a template: at one of several sets of
+    values at least.
+    """
     found: set[tuple[str, str]] = set()
     for number in range(INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
@@ -226,7 +248,9 @@ def connections(template: Template) -> frozenset[tuple[str, str]]:
 
 
 def generic_plan(template: Template) -> Plan | None:
-    """The plan of a template, found where nothing is special; None where no drawable values have one."""
+    """The plan of a template, found where nothing is special; None where no drawable values have
+    one.
+    """
     for number in range(INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
             return Follower(template, generic_values(template, number)).plan
@@ -234,7 +258,9 @@ def generic_plan(template: Template) -> Plan | None:
 
 
 def generic_values(template: Template, number: int) -> dict[str, float]:
-    """One of many sets of drawable parameters, in SI: each as far along its choices as chance would have it."""
+    """One of many sets of drawable parameters, in SI: each as far along its choices as chance would
+    have it.
+    """
     shares = (modf(number * GOLDEN + place * ROOT)[0] for place in range(len(template.parameters)))
     return {
         name: in_float(parameter, parameter.choices[int(share * len(parameter.choices))])
@@ -243,7 +269,9 @@ def generic_values(template: Template, number: int) -> dict[str, float]:
 
 
 def connected(follower: Follower) -> Iterator[tuple[str, str]]:
-    """Which ask each one depends on in an instance: a change of the first by one per cent changes the second."""
+    """Which ask each one depends on in an instance: a change of the first by one per cent changes
+    the second.
+    """
     asks = follower.template.asks
     right = {name: follower.right(name) for name in asks}
     for earlier, number in right.items():
@@ -258,14 +286,15 @@ def connected(follower: Follower) -> Iterator[tuple[str, str]]:
                 yield earlier, later
 
 
-def stirred_values(own: Mapping[str, float]) -> dict[str, float]:
+def perturbed_values(own: Mapping[str, float]) -> dict[str, float]:
     """Own answers, each a little different, and no two of them in the same way."""
     return {name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(own.items())}
 
 
 def in_plan_order(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
-    """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal parts, which
-    velocities decide, then of accelerations; alike ones stay as they stand."""
+    """The asks in the order in which the plan comes to them: of velocities, of Coriolis and normal
+    parts, which velocities decide, then of accelerations; alike ones stay as they stand.
+    """
 
     def stage(name: str) -> int:
         calls = set(motion_calls(template.asks[name].quantity)) if name in template.asks else set()

@@ -1,7 +1,9 @@
-"""What a template author wants marked in the figure: the `[figure]` table of a template, read and checked.
+"""What a template author wants marked in the figure: the `[figure]` table of a template, read and
+checked.
 
-The shape of the mechanism itself is never a hint: it follows from bodies and joints. Symbols are LaTeX math
-without dollar signs, from a small alphabet, so that every back end can set them and none can be led astray.
+The shape of the mechanism itself is never a hint: it follows from bodies and joints. Symbols are
+LaTeX math without dollar signs, from a small alphabet, so that every back end can set them and none
+can be led astray.
 """
 
 from __future__ import annotations
@@ -25,7 +27,8 @@ SIDES = ("right", "up", "left", "down")
 SHAPES = ("gear", "cam", "bent", "bar", "through")
 GREEK = re.findall(
     "[A-Za-z]+",
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi rho varrho "
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi "
+    "rho varrho "
     "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
 )
 COMMANDS = frozenset(
@@ -55,7 +58,9 @@ _TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
 @dataclass(frozen=True)
 class Length:
-    """A dimension between two points; along "horizontal" or "vertical" it is the projected distance."""
+    """A dimension between two points; along "horizontal" or "vertical" it is the projected
+    distance.
+    """
 
     symbol: str
     start: str
@@ -79,7 +84,9 @@ class Angle:
 
 @dataclass(frozen=True)
 class Radius:
-    """The radius of a circle about `centre`; `of` names its body, `through` a point on it, where several share it."""
+    """The radius of a circle about `centre`; `of` names its body, `through` a point on it, where
+    several share it.
+    """
 
     symbol: str
     centre: str
@@ -89,7 +96,9 @@ class Radius:
 
 @dataclass(frozen=True)
 class Rimmed:
-    """A circle of a body that no joint knows of (the flange of a wheel), about one point through another."""
+    """A circle of a body that no joint knows of (the flange of a wheel), about one point through
+    another.
+    """
 
     body: str
     centre: str
@@ -98,7 +107,9 @@ class Rimmed:
 
 @dataclass(frozen=True)
 class Turning:
-    """A curved arrow about the pivot of a body; without a sense it follows the sign of the imposed motion."""
+    """A curved arrow about the pivot of a body; without a sense it follows the sign of the imposed
+    motion.
+    """
 
     symbol: str
     body: str
@@ -107,7 +118,9 @@ class Turning:
 
 @dataclass(frozen=True)
 class Moving:
-    """A straight arrow at a point, towards a side or a point; else as the imposed velocity has it."""
+    """A straight arrow at a point, towards a side or a point; else as the imposed velocity has
+    it.
+    """
 
     symbol: str
     point: str
@@ -118,11 +131,11 @@ class Moving:
 class FigureHints:
     """Everything an author may ask of a figure.
 
-    `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no label. A
-    point that is only constructed appears when it has a label. `lines` are thin, between two points.
-    `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact is known), "bent" (a
-    rod through its points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot),
-    "through" (a translating rod that goes on beyond its point).
+    `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no
+    label. A point that is only constructed appears when it has a label. `lines` are thin, between
+    two points. `shapes` overrides: "gear" (pitch circle), "cam" (only the curvature at the contact
+    is known), "bent" (a rod through its points in order, not a plate), "bar" (sliders run on it in
+    sleeves, not in a slot), "through" (a translating rod that goes on beyond its point).
     """
 
     lengths: tuple[Length, ...] = ()
@@ -160,7 +173,10 @@ def symbol_fault(symbol: object) -> str | None:
     if not isinstance(symbol, str) or not symbol.strip():
         return "not a symbol; write LaTeX math without dollar signs, such as '\\omega_{AB}'"
     if not _LETTERS.fullmatch(symbol):
-        return f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and LaTeX commands"
+        return (
+            f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and "
+            "LaTeX commands"
+        )
     unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
     if unknown:
         return f"unknown LaTeX command \\{unknown[0]}; {did_you_mean(unknown[0], COMMANDS)}"
@@ -170,7 +186,9 @@ def symbol_fault(symbol: object) -> str | None:
 
 
 def _complete(symbol: str) -> bool:
-    """Whether braces close, every script and every command has what it acts on, and no script comes twice."""
+    """Whether braces close, every script and every command has what it acts on, and no script comes
+    twice.
+    """
     depths = [symbol[:end].count("{") - symbol[:end].count("}") for end in range(len(symbol) + 1)]
     fractions = len(re.findall(r"\\frac\{[^{}]+\}\{", symbol))
     return (

@@ -1,4 +1,6 @@
-"""Whether conditions hold at given values, and which of a template's texts applies there; decided exactly."""
+"""Whether conditions hold at given values, and which of a template's texts applies there; decided
+exactly.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,9 @@ def wording(template: Template, name: str, given: Mapping[str, str]) -> Wording 
 
 
 def holds(template: Template, condition: Condition, given: Mapping[str, str]) -> bool:
-    """Whether a condition holds at given values; decided exactly. One that cannot be worked out does not hold."""
+    """Whether a condition holds at given values; decided exactly. One that cannot be worked out
+    does not hold.
+    """
     trees = read_values(template, given)
 
     def decide(arithmetic: Any) -> bool:

@@ -1,7 +1,8 @@
-"""What Canvas leaves of a typed number, four decimals, and the unit in which that tells right from wrong.
+"""What Canvas leaves of a typed number, four decimals, and the unit in which that tells right from
+wrong.
 
-A draw is refused by this rule where the bank says that the exam goes to Canvas (`problem.drawing`), and the quiz is
-written by it (`lms.quiz.canvas_units`). Numbers are exact, in the unit of the ask.
+A draw is refused by this rule where the bank says that the exam goes to Canvas (`problem.drawing`),
+and the quiz is written by it (`lms.quiz.canvas_units`). Numbers are exact, in the unit of the ask.
 """
 
 from __future__ import annotations
@@ -14,9 +15,8 @@ from fractions import Fraction
 KEPT = Fraction(1, 10**4)  # the last decimal that Canvas keeps
 SMALLEST = 10 * KEPT  # a right answer, not zero, of which two decimals are left at least
 FINER = {"km": ("m", 1000), "m": ("mm", 1000), "cm": ("mm", 10)}  # exact powers of ten
-_LENGTH_FIRST = re.compile(
-    r"(km|m|cm)(?![\^a-z])"
-)  # a length to the first power leads: m, m/s, cm/s^2
+# A length to the first power leads: m, m/s, cm/s^2
+_LENGTH_FIRST = re.compile(r"(km|m|cm)(?![\^a-z])")
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,9 @@ class RightRange:
 
     @property
     def fits(self) -> bool:
-        """Whether the decimals are also enough for what counts as right on either side of the right answer."""
+        """Whether the decimals are also enough for what counts as right on either side of the right
+        answer.
+        """
         if self.low == self.high:
             return self.typed_fits
         large = self.value == 0 or abs(self.value) >= SMALLEST
@@ -50,7 +52,9 @@ class RightRange:
 
     @property
     def _bounds_kept(self) -> bool:
-        """Whether rounding makes nothing wrong that is right, for the bounds are kept as they are."""
+        """Whether rounding makes nothing wrong that is right, for the bounds are kept as they
+        are.
+        """
         whole = all((bound / KEPT).denominator == 1 for bound in (self.low, self.high))
         return whole and self.high - self.low >= 2 * KEPT
 
@@ -79,7 +83,8 @@ def units(unit: str) -> Iterator[tuple[str, int]]:
 
 
 def fitting_factor(unit: str, right: RightRange) -> int | None:
-    """How many times finer a unit it takes: the nearest one in which the range fits, else the finest one.
+    """How many times finer a unit it takes: the nearest one in which the range fits, else the
+    finest one.
 
     None where not even the right answer itself is right in the finest one.
     """

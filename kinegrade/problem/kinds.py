@@ -1,4 +1,5 @@
-"""What an expression of a template gives: a number or a vector of some dimension, a line, a circle, a body, a side.
+"""What an expression of a template gives: a number or a vector of some dimension, a line, a circle,
+a body, a side.
 
 It is known without any values. `meaning` finds it; `signatures` says what functions take and give.
 """
@@ -14,14 +15,18 @@ from kinegrade.problem.dimension import Dimension
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number or an angle. The dimension is None where only literals made it: they take any, as 2 in `2 < omega`."""
+    """A number or an angle. The dimension is None where only literals made it: they take any, as 2
+    in `2 < omega`.
+    """
 
     dimension: Dimension | None
 
 
 @dataclass(frozen=True)
 class Arrow:
-    """A point or a vector; its components have the dimension. `point` is its name where a point is named."""
+    """A point or a vector; its components have the dimension. `point` is its name where a point is
+    named.
+    """
 
     dimension: Dimension | None
     point: str = ""
@@ -81,7 +86,8 @@ def in_words(kind: Kind) -> str:
 
 
 def united(where: str, *kinds: Kind) -> Dimension | None:
-    """The one dimension of numbers and vectors that go together; None where all are literals or unknown.
+    """The one dimension of numbers and vectors that go together; None where all are literals or
+    unknown.
 
     Raises ExpressionError where two differ; `where` says what brings them together.
     """

@@ -1,4 +1,6 @@
-"""Where templates and banks are found: those shipped with the package, and files given by their path."""
+"""Where templates and banks are found: those shipped with the package, and files given by their
+path.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,9 @@ from kinegrade.problem.toml_text import MAX_CHARACTERS
 
 
 def shipped(folder: str) -> Path:
-    """The folder of shipped "templates" or "banks": inside an installed package, beside it in a checkout."""
+    """The folder of shipped "templates" or "banks": inside an installed package, beside it in a
+    checkout.
+    """
     package = Path(kinegrade.__file__).parent
     inside = package / folder
     return inside if inside.is_dir() else package.parent / folder
@@ -26,10 +30,12 @@ def template_names() -> tuple[str, ...]:
 
 
 def load_template(name: str, folder: Path | None = None, *, kept: bool = False) -> Template:
-    """The template of that name in `folder` (default: the shipped ones), or of a path that ends in .toml.
+    """The template of that name in `folder` (default: the shipped ones), or of a path that ends in
+    .toml.
 
-    The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises TemplateError when there is
-    no such template, or with all faults of the file; see `read_template` for `kept`.
+    The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises
+    TemplateError when there is no such template, or with all faults of the file; see
+    `read_template` for `kept`.
     """
     path = (
         Path(name) if name.endswith(".toml") else (folder or shipped("templates")) / f"{name}.toml"
@@ -46,7 +52,8 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
 
 
 def kept_template(name: str, folder: Path) -> Template:
-    """The template of that name which an exam keeps in `folder`; rules that came after the exam do not refuse it.
+    """The template of that name which an exam keeps in `folder`; rules that came after the exam do
+    not refuse it.
 
     Raises TemplateError when it is not there or cannot be read.
     """
@@ -54,7 +61,9 @@ def kept_template(name: str, folder: Path) -> Template:
 
 
 def mechanism_text(folder: Path, name: str) -> str:
-    """The text of the mechanism of that name in a folder. Raises TemplateError when there is none to read."""
+    """The text of the mechanism of that name in a folder. Raises TemplateError when there is none
+    to read.
+    """
     known = [other.stem for other in folder.glob("*.toml")]
     if name not in known:
         raise TemplateError(
@@ -64,7 +73,9 @@ def mechanism_text(folder: Path, name: str) -> str:
 
 
 def template_text(path: Path) -> str:
-    """The text of a template file. Raises TemplateError when it is missing, too large or no UTF-8."""
+    """The text of a template file. Raises TemplateError when it is missing, too large or no
+    UTF-8.
+    """
     try:
         with path.open("rb") as file:
             data = file.read(4 * MAX_CHARACTERS + 1)

@@ -1,7 +1,8 @@
-"""What kind of thing an expression gives, and of which dimension, found over its tree without any values.
+"""What kind of thing an expression gives, and of which dimension, found over its tree without any
+values.
 
-A number that only literals make takes any dimension where it is added, compared or asked for, as the source's values
-in SI may be written out; as a factor it has none. Angles are pure numbers.
+A number that only literals make takes any dimension where it is added, compared or asked for, as
+the source's values in SI may be written out; as a factor it has none. Angles are pure numbers.
 """
 
 from __future__ import annotations
@@ -117,7 +118,9 @@ class Scope:
         return signature.result(tree.function, kinds)
 
     def fits(self, slot: Slot, tree: Expression, kind: Kind) -> bool:
-        """Whether an argument fills a slot. Raises ExpressionError for degrees where radians are meant."""
+        """Whether an argument fills a slot. Raises ExpressionError for degrees where radians are
+        meant.
+        """
         if isinstance(kind, Unknown):
             return True
         match slot:
@@ -168,7 +171,9 @@ def power(base: Kind, exponent: int) -> Kind:
 
 
 def added(tree: Operation, left: Kind, right: Kind) -> Kind:
-    """The sum or difference of two numbers, or of two vectors; a sign before either is a difference from zero."""
+    """The sum or difference of two numbers, or of two vectors; a sign before either is a difference
+    from zero.
+    """
     signed = tree.sign == "-" and tree.left == Number(0)
     if signed and isinstance(right, Scalar):
         return right

@@ -1,7 +1,9 @@
-"""The mistakes that are known: what each does to the givens, to the mechanism's terms, or to the answer.
+"""The mistakes that are known: what each does to the givens, to the mechanism's terms, or to the
+answer.
 
-A mistake is data: shares of terms (`kinegrade.mechanics.slips`), a change of the givens, or a factor of the answer.
-Its identifier is stable: banks set credits by it, and marks tell it. Its sentence stands in `mistake_words.toml`.
+A mistake is data: shares of terms (`kinegrade.mechanics.slips`), a change of the givens, or a
+factor of the answer. Its identifier is stable: banks set credits by it, and marks tell it. Its
+sentence stands in `mistake_words.toml`.
 """
 
 from __future__ import annotations
@@ -29,8 +31,9 @@ Givens = Mapping[str, Any]  # parameters in SI
 class Mistake:
     """One way to go wrong on the way to all answers of an instance.
 
-    `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are mistaken; `other_branch`
-    takes the other common point of circles and lines; `plain_lengths` works with the numbers of lengths as they stand.
+    `shares` are those of `Slips` that are not 1; `givens` gives the parameters as they are
+    mistaken; `other_branch` takes the other common point of circles and lines; `plain_lengths`
+    works with the numbers of lengths as they stand.
     """
 
     identifier: str
@@ -53,7 +56,9 @@ def degrees_as_radians(template: Template, values: Givens, arithmetic: Any) -> G
 
 
 def number_of_degrees(angle: Any, arithmetic: Any) -> Any:
-    """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians is no angle."""
+    """How many degrees an angle has. Raises Inexact in the exact field, where a number of radians
+    is no angle.
+    """
     if isinstance(angle, Angle):
         raise Inexact("a number of radians")
     return angle * 180 / (arb.pi() if isinstance(angle, arb) else arithmetic.turns(1))
@@ -65,7 +70,9 @@ def diameters(template: Template, values: Givens, arithmetic: Any) -> Givens:
 
 
 def plain_rates(template: Template, values: Givens, arithmetic: Any) -> Givens:
-    """Angular rates given in revolutions or radians per minute with their number taken for radians per second."""
+    """Angular rates given in revolutions or radians per minute with their number taken for radians
+    per second.
+    """
     return {
         **values,
         **{
@@ -117,7 +124,9 @@ UNSIGNED = frozenset(CONVENTIONS[keyword][0] for keyword in ("magnitude", "unsig
 
 
 def factors(ask: Ask) -> dict[str, Any]:
-    """By what the answer itself is wrong after each mistake in writing it; only a signed one can be reversed."""
+    """By what the answer itself is wrong after each mistake in writing it; only a signed one can be
+    reversed.
+    """
     return {
         name: factor
         for name, factor in IN_THE_ANSWER.items()

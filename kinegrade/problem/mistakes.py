@@ -1,7 +1,8 @@
-"""What known mistakes lead to, for the answers of one instance or of thousands: the same plan, run on after each.
+"""What known mistakes lead to, for the answers of one instance or of thousands: the same plan, run
+on after each.
 
-All mistakes of all instances go through one run in doubles, `outcomes`; `work_out` follows a single one in any
-arithmetic, and tests hold the one against the other.
+All mistakes of all instances go through one run in doubles, `outcomes`; `work_out` follows a single
+one in any arithmetic, and tests hold the one against the other.
 """
 
 from __future__ import annotations
@@ -51,14 +52,18 @@ class Misread:
         return getattr(self.arithmetic, name)
 
     def choose(self, condition: Any, yes: Any, no: Any) -> Any:
-        """`yes` where the condition holds, else `no`; the other way round where a branch is mistaken."""
+        """`yes` where the condition holds, else `no`; the other way round where a branch is
+        mistaken.
+        """
         choose = self.arithmetic.choose
         return choose(self.other, choose(condition, no, yes), choose(condition, yes, no))
 
 
 @dataclass(frozen=True)
 class Way:
-    """One way through an instance, or many at once in arrays: the givens as taken, the slips, the branch, the units."""
+    """One way through an instance, or many at once in arrays: the givens as taken, the slips, the
+    branch, the units.
+    """
 
     values: Mapping[str, Any]
     slips: Slips
@@ -67,18 +72,19 @@ class Way:
 
 
 def moved(
-    template: Template, way: Way, plan: Plan, arithmetic: Any, *, stirred: bool = False
+    template: Template, way: Way, plan: Plan, arithmetic: Any, *, perturbed: bool = False
 ) -> Reader:
-    """The motion as it comes out that way, to be read off; `stirred` as `mistaken` takes it.
+    """The motion as it comes out that way, to be read off; `perturbed` as `mistaken` takes it.
 
-    Raises MechanismError or Singular where there is none, Inexact and Undecided as the arithmetic does.
+    Raises MechanismError or Singular where there is none, Inexact and Undecided as the arithmetic
+    does.
     """
     assembly = assemble(template, way.values, Misread(arithmetic, way.other_branch))
     motion: Motion
     if template.drivers:
         if arithmetic.certified:
             require_assembled(assembly.mechanism, arithmetic)
-        motion = mistaken(assembly.mechanism, arithmetic, plan, way.slips, stirred=stirred)
+        motion = mistaken(assembly.mechanism, arithmetic, plan, way.slips, perturbed=perturbed)
     else:
         motion = pose(assembly.mechanism, arithmetic)
     centrodes = Centrodes if arithmetic.certified else CloseCentrodes
@@ -88,7 +94,9 @@ def moved(
 def work_out(
     template: Template, asks: Mapping[str, Ask], way: Way, plan: Plan, arithmetic: Any
 ) -> dict[str, Any]:
-    """The answers in the asks' units, without those that the mistake leaves without a value. Raises as `moved`."""
+    """The answers in the asks' units, without those that the mistake leaves without a value. Raises
+    as `moved`.
+    """
     reader = moved(template, way, plan, arithmetic)
     found = {name: reader.answer(ask, arithmetic) for name, ask in asks.items()}
     return {name: value for name, value in found.items() if value is not None}
@@ -96,10 +104,14 @@ def work_out(
 
 @dataclass(frozen=True)
 class CloseCentrodes(Centrodes):
-    """Centrodes in doubles, for arrays of instances: through three poles close together, whatever the curve."""
+    """Centrodes in doubles, for arrays of instances: through three poles close together, whatever
+    the curve.
+    """
 
     def find(self, body: str, parameter: str, arithmetic: Any) -> Round:
-        """The circle through the poles at the instant and 3 degrees to both sides of it; NaN where out of reach."""
+        """The circle through the poles at the instant and 3 degrees to both sides of it; NaN where
+        out of reach.
+        """
         poles = []
         for step in (0, 1, -1):
             changed = self.values[parameter] + step * arithmetic.turns(fmpq(1, 60))
@@ -135,7 +147,9 @@ class Reader:
         return self.in_unit(number, ask, arithmetic)
 
     def in_unit(self, number: Any, ask: Ask, arithmetic: Any) -> Any:
-        """A number of SI as it is written in the ask's unit; a length as it stands where no unit was thought of."""
+        """A number of SI as it is written in the ask's unit; a length as it stands where no unit
+        was thought of.
+        """
         if isinstance(number, Angle):
             return number
         if ask.unit.degrees:
@@ -164,8 +178,9 @@ def way_of(mistake: Mistake, template: Template, values: Mapping[str, Any], arit
 class Outcomes:
     """What mistakes lead to in an array of instances.
 
-    `answers` has for every ask a row for the right answer, then one for each mistake, in the ask's unit; NaN where
-    there is no value. `scales` has for every ask the instances' own scale of such quantities, in the ask's unit.
+    `answers` has for every ask a row for the right answer, then one for each mistake, in the ask's
+    unit; NaN where there is no value. `scales` has for every ask the instances' own scale of such
+    quantities, in the ask's unit.
     """
 
     answers: Mapping[str, Any]
@@ -179,11 +194,12 @@ def outcomes(
     values: Mapping[str, Any],
     plan: Plan,
     *,
-    stirred: bool = False,
+    perturbed: bool = False,
 ) -> Outcomes:
     """What the mistakes lead to; `values` are parameters in SI, numbers or arrays of instances.
 
-    `stirred` as `mistaken` takes it: what then differs depends on the mistaken term, even where it is zero.
+    `perturbed` as `mistaken` takes it: what then differs depends on the mistaken term, even where
+    it is zero.
     """
     floats, ways = Floats(), (RIGHT, *mistakes)
     shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
@@ -191,7 +207,7 @@ def outcomes(
     with floats.context():
         way = together(template, ways, values, shape)
         try:
-            reader = moved(template, way, plan, floats, stirred=stirred)
+            reader = moved(template, way, plan, floats, perturbed=perturbed)
         except (KinegradeError, Singular):
             return Outcomes(
                 {name: finite(nothing, (len(ways), *shape)) for name in asks},
@@ -214,9 +230,11 @@ def outcomes(
 def known_mistakes(
     template: Template, asks: Mapping[str, Ask], values: Values, plan: Plan
 ) -> dict[str, dict[str, Any]]:
-    """For every ask and mistake an array of what it leads to in each instance, as `Quantity.mistakes` does in one.
+    """For every ask and mistake an array of what it leads to in each instance, as
+    `Quantity.mistakes` does in one.
 
-    NaN where a mistake has no value; those that change nothing in an instance have the right answer there.
+    NaN where a mistake has no value; those that change nothing in an instance have the right answer
+    there.
     """
     kinds = tuple(candidates(template, asks))
     rows = outcomes(template, asks, kinds, in_floats(template, values), plan).answers
@@ -281,7 +299,9 @@ def together(
 
 
 def finite(found: Any, shape: tuple[int, ...]) -> Any:
-    """An array of that shape, NaN for what is no proper number, zero for what rounding leaves of it."""
+    """An array of that shape, NaN for what is no proper number, zero for what rounding leaves of
+    it.
+    """
     rows = np.array(np.broadcast_to(found, shape), dtype=float)
     rows[~(np.abs(rows) < LARGEST)] = np.nan
     rows[np.abs(rows) < SAME] = 0.0
@@ -307,7 +327,9 @@ class Mistakes:
 
     @cached_property
     def leads(self) -> Mapping[str, Mapping[str, float]]:
-        """For each ask and mistake the value in the ask's unit; a mistake without value is not there."""
+        """For each ask and mistake the value in the ask's unit; a mistake without value is not
+        there.
+        """
         kinds = tuple(candidates(self.template, self.asks))
         values = {name: as_float(self.values[name]) for name in self.template.parameters}
         rows = outcomes(self.template, self.asks, kinds, values, self.plan).answers

@@ -44,7 +44,9 @@ def symbol(name: str) -> str:
 
 
 def subscript(part: str) -> str:
-    """One part of a subscript: relative, transport and Coriolis by their letters, points with their digits."""
+    """One part of a subscript: relative, transport and Coriolis by their letters, points with their
+    digits.
+    """
     return PARTS.get(part, point_symbol(part))
 
 

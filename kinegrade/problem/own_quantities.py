@@ -1,7 +1,9 @@
-"""How an ask is read off a motion into which own values are put, and what of the motion it is read off.
+"""How an ask is read off a motion into which own values are put, and what of the motion it is read
+off.
 
-`follow_through` uses it. A quantity can be put in where it says of one moving thing only: a body, a point, a relative
-motion, a Coriolis or a normal part. The difference of the velocities of two points of one body is the body's rotation.
+`follow_through` uses it. A quantity can be put in where it says of one moving thing only: a body, a
+point, a relative motion, a Coriolis or a normal part. The difference of the velocities of two
+points of one body is the body's rotation.
 """
 
 from __future__ import annotations
@@ -41,7 +43,9 @@ class OwnQuantities(Quantities):
     motion: FollowedMotion
 
     def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
-        """Centripetal part of the acceleration of a point relative to a base point of the same body, as it is taken."""
+        """Centripetal part of the acceleration of a point relative to a base point of the same
+        body, as it is taken.
+        """
         share = self.motion.share(normal_share(self.point(place), self.point(base)))
         taken: Vector = super().normal(place, base, body) * share
         return taken
@@ -63,7 +67,9 @@ def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable
 
 
 def with_rotations(tree: Expression, bodies: Sequence[Body]) -> Expression:
-    """The tree with each difference of the velocities of two points of one body written as the body's rotation."""
+    """The tree with each difference of the velocities of two points of one body written as the
+    body's rotation.
+    """
     match tree:
         case Call(function, arguments):
             return Call(function, tuple(with_rotations(part, bodies) for part in arguments))

@@ -23,9 +23,10 @@ class Problem:
     def solve(self, **values: str | int | float) -> Solution:
         """The solution at the given values, each a number or an exact text in the parameter's unit.
 
-        What is not given takes its published value, or the first drawable one. A float counts as the decimal that
-        it prints as. Answers have `.value`, `.exact`, `.unit` and `.decimal(digits)`.
-        Raises TemplateError for unknown names and unreadable values, MechanismError with the reason in mechanics.
+        What is not given takes its published value, or the first drawable one. A float counts as
+        the decimal that it prints as. Answers have `.value`, `.exact`, `.unit` and
+        `.decimal(digits)`. Raises TemplateError for unknown names and unreadable values,
+        MechanismError with the reason in mechanics.
 
         >>> Problem.load("slider-crank").solve(phi=90, k="sqrt(3)")["omega_AB"].value
         0.0

@@ -1,4 +1,5 @@
-"""What an ask's `quantity` may say: velocities, accelerations, their relative parts, poles, lengths and angles.
+"""What an ask's `quantity` may say: velocities, accelerations, their relative parts, poles, lengths
+and angles.
 
     magnitude(velocity(B))                     speed of B
     x(acceleration(B))                         component
@@ -7,7 +8,8 @@
     normal_acceleration(A, O, I)               part of A relative to O, both on body I, towards O
     angle(velocity(A), velocity(B))            from the first to the second, counter-clockwise
 
-A point's body is named where the point belongs to several that are not pinned there: `velocity(A, cam)`.
+A point's body is named where the point belongs to several that are not pinned there: `velocity(A,
+cam)`.
 """
 
 from __future__ import annotations
@@ -59,7 +61,9 @@ def quantities(motion: Motion, arithmetic: Any) -> dict[str, Callable[..., Any]]
 
 @dataclass(frozen=True)
 class Quantities:
-    """Reads quantities off a motion; points arrive as the mechanism's own vectors, bodies by name."""
+    """Reads quantities off a motion; points arrive as the mechanism's own vectors, bodies by
+    name.
+    """
 
     motion: Motion
     arithmetic: Any
@@ -136,13 +140,17 @@ class Quantities:
         return self.motion.coriolis(self.point(place), self.body(body), self.body(frame))
 
     def normal(self, place: Vector, base: Vector, body: Any) -> Vector:
-        """Centripetal part of the acceleration of a point relative to a base point of the same body."""
+        """Centripetal part of the acceleration of a point relative to a base point of the same
+        body.
+        """
         rate = self.motion.omega(self.body(body))
         acceleration: Vector = (base - place) * (rate * rate)
         return acceleration
 
     def tangential(self, place: Vector, base: Vector, body: Any) -> Vector:
-        """Tangential part of the acceleration of a point relative to a base point of the same body."""
+        """Tangential part of the acceleration of a point relative to a base point of the same
+        body.
+        """
         acceleration: Vector = (place - base).turned() * self.motion.alpha(self.body(body))
         return acceleration
 

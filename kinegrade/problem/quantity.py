@@ -21,10 +21,11 @@ LONGEST_CLOSED_FORM = (
 
 @dataclass(frozen=True)
 class Quantity:
-    """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small field holds it.
+    """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small
+    field holds it.
 
-    None stands for a coordinate or distance of a point at infinity. `consequences` tells what known mistakes lead to
-    in place of an answer, given its name and value.
+    None stands for a coordinate or distance of a point at infinity. `consequences` tells what known
+    mistakes lead to in place of an answer, given its name and value.
     """
 
     name: str
@@ -73,14 +74,18 @@ class Quantity:
 
     @property
     def closed_form(self) -> str | None:
-        """The exact number in LaTeX math where it fits a line, else None; a short decimal as it is."""
+        """The exact number in LaTeX math where it fits a line, else None; a short decimal as it
+        is.
+        """
         if self.exact is None or len(self.exact) > LONGEST_CLOSED_FORM:
             return None
         return decimal_text(self.plain, 12) if self.is_plain else self.latex
 
     @property
     def plain(self) -> Any:
-        """The number, angles that are a rational part of a turn in degrees where that is the unit."""
+        """The number, angles that are a rational part of a turn in degrees where that is the
+        unit.
+        """
         degrees = self.measure.degrees and isinstance(self.number, Angle) and not self.number.parts
         return self.number.half_turns * 180 if degrees else self.number
 
@@ -110,9 +115,11 @@ class Quantity:
 
     @property
     def mistakes(self) -> Mapping[str, float]:
-        """What known mistakes lead to, in `unit`, by their identifiers; those that change nothing are not there.
+        """What known mistakes lead to, in `unit`, by their identifiers; those that change nothing
+        are not there.
 
-        Empty for givens and at infinity. `problem.mistake_kinds` lists the mistakes and their sentences.
+        Empty for givens and at infinity. `problem.mistake_kinds` lists the mistakes and their
+        sentences.
         """
         if self.consequences is None or self.at_infinity:
             return {}
@@ -131,7 +138,9 @@ class Quantity:
 
     @property
     def given_text(self) -> str:
-        """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees as degrees."""
+        """The number as a problem states it: a short decimal where it ends, else its LaTeX; degrees
+        as degrees.
+        """
         return decimal_text(self.plain, 12) if self.is_plain else self.latex or self.decimal(6)
 
     def record(self) -> dict[str, Any]:

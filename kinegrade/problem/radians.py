@@ -1,4 +1,6 @@
-"""Plain numbers where an angle is due: `polar(O, r, 60)` is 60 radians, and its author meant 60 degrees."""
+"""Plain numbers where an angle is due: `polar(O, r, 60)` is 60 radians, and its author meant 60
+degrees.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +38,9 @@ def plain_number(tree: Expression) -> Any:
 
 
 def worked_out(sign: Operator, left: Any, right: Any) -> Any:
-    """left sign right of two rationals; None where one is missing or the sign is no such operation."""
+    """left sign right of two rationals; None where one is missing or the sign is no such
+    operation.
+    """
     if left is None or right is None or (sign == "/" and right == 0):
         return None
     match sign:

@@ -1,7 +1,7 @@
 """From the TOML text of a template to a Template; every fault of the file is reported at once.
 
-TOML is pure data and is read by the standard library; expressions are read by our own grammar. So a template from a
-stranger is safe to open.
+TOML is pure data and is read by the standard library; expressions are read by our own grammar. So a
+template from a stranger is safe to open.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
-from kinegrade.problem.author_words import read_method, read_tags
 from kinegrade.problem.conditions import read_condition
 from kinegrade.problem.consistency import inconsistencies
 from kinegrade.problem.domain import read_choices
@@ -35,13 +34,15 @@ from kinegrade.problem.shared_mechanism import (
 )
 from kinegrade.problem.signs import read_sign
 from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
+from kinegrade.problem.template_choices import read_method, read_tags
 from kinegrade.problem.toml_text import KNOWN, NEEDED, short_line, toml_tables
 from kinegrade.problem.uses import Uses
 from kinegrade.problem.wordings import read_texts
 from kinegrade.units import read_unit
 
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
-NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {', '.join(sorted(RESERVED))}"
+TAKEN = ", ".join(sorted(RESERVED))
+NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {TAKEN}"
 IDENTIFIER = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
 Part = TypeVar("Part")
 # The text of the mechanism of that name; raises TemplateError when there is none.
@@ -56,11 +57,11 @@ def no_mechanisms(name: str) -> str:
 def read_template(
     name: str, text: str, mechanisms: Mechanisms = no_mechanisms, *, kept: bool = False
 ) -> Template:
-    """The template of that name. Raises TemplateError with all faults, each with its file and the place in it.
+    """The template of that name. Raises TemplateError with all faults, each with its place.
 
-    `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the text of the
-    mechanism that the template shares with others. A template that is `kept` with an exam was good enough to set it:
-    it is read without a look at dimensions, so that no later rule closes an exam's folder.
+    `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the
+    text of the mechanism that the template shares with others. A template that is `kept` with an
+    exam is read without a look at dimensions, so that no later rule closes an exam's folder.
     """
     reader = Reader(name, text, mechanisms)
     template = reader.template()
@@ -100,7 +101,7 @@ class Reader:
         return table
 
     def need(self, table: Mapping[str, Any], keys: Iterable[str]) -> None:
-        """A fault for every key that is not there; without the tables of names reading ends, as all would be unknown."""
+        """A fault for every missing key; without the tables of names reading ends."""
         missing = [key for key in keys if key not in table]
         self.faults += [
             f"{self.where}: {key} is missing: every template needs it"
@@ -111,7 +112,7 @@ class Reader:
             raise TemplateError(*self.faults)
 
     def share(self, mechanisms: Mechanisms) -> None:
-        """Lay the tables over those of the mechanism; one that cannot be read ends here, as its names are unknown."""
+        """Lay the tables over those of the mechanism; one that cannot be read ends here."""
         name = self.layers.own["mechanism"]
         text = self.part("mechanism", lambda: mechanisms(mechanism_name(name)))
         if text is None:
@@ -271,7 +272,7 @@ class Reader:
         return tuple(found)
 
     def check_names(self, *groups: Any) -> None:
-        """Names are plain identifiers, and no name means two things, except a body named after its point."""
+        """Names are plain and mean one thing; only a body may be named after its point."""
         parameters, lengths, points, bodies = groups
         for name in [*parameters, *lengths, *points, *(body.name for body in bodies)]:
             if not IDENTIFIER.fullmatch(name) or name in RESERVED:
@@ -393,7 +394,7 @@ class Reader:
             return FigureHints()
 
     def figure_fault(self, problem: str) -> None:
-        """A fault of the figure, told by its first words: the template's name, the table and the key."""
+        """A fault of the figure, by its first words: template, table and key."""
         key = re.match(r"[\w-]+: (figure\.\w+)", problem)
         file, _ = self.layers.standing(key[1] if key else "figure")
         self.faults.append(f"{file}: figure: {short_line(problem)}")

@@ -18,7 +18,8 @@ def report_lines(report: Report) -> Iterator[str]:
     )
     yield (
         f"  drawable combinations: {template.combinations}; examined: "
-        f"{report.instances + sum(report.refused.values())}, accepted: {report.instances}, refused: {refused}"
+        f"{report.instances + sum(report.refused.values())}, accepted: {report.instances}, "
+        f"refused: {refused}"
     )
     yield f"  distinct instances: about {report.distinct}; {report.seconds * 1e3:.1f} ms each"
     for name, spread in report.spreads.items():

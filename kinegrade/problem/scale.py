@@ -1,7 +1,7 @@
 """The mechanism's own scale: the largest length, velocity, rotation ... that occurs, by dimension.
 
-Where an exact answer is zero, a relative tolerance would leave no room at all; the room is then a share of the
-largest quantity of the same kind in the mechanism.
+Where an exact answer is zero, a relative tolerance would leave no room at all; the room is then a
+share of the largest quantity of the same kind in the mechanism.
 """
 
 from __future__ import annotations
@@ -16,12 +16,16 @@ from kinegrade.units import Unit
 
 
 def scale(motion: Motion, unit: Unit) -> float:
-    """The largest size of a quantity of that dimension in the mechanism, in `unit`; angles: a radian; else 1."""
+    """The largest size of a quantity of that dimension in the mechanism, in `unit`; angles: a
+    radian; else 1.
+    """
     return float(max(sizes(motion, unit), default=0.0))
 
 
 def sizes(motion: Motion, unit: Unit) -> Iterator[Any]:
-    """The sizes of all quantities of that dimension in the mechanism, in `unit`; arrays for a motion in arrays."""
+    """The sizes of all quantities of that dimension in the mechanism, in `unit`; arrays for a
+    motion in arrays.
+    """
     if unit.time == 0 and unit.length == 0:
         yield 57.3 if unit.degrees else 1.0
     elif unit.time == 0:
@@ -38,7 +42,9 @@ def lengths(motion: Motion) -> Iterator[Any]:
 
 
 def turning(motion: Motion, time: int) -> Iterator[Any]:
-    """Angular velocities, or angular accelerations with the squares of the angular velocities beside them."""
+    """Angular velocities, or angular accelerations with the squares of the angular velocities
+    beside them.
+    """
     for body in motion.frames.mechanism.bodies:
         if not body.particle:
             rate = abs(double(motion.omega(body.name)))

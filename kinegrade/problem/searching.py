@@ -1,6 +1,7 @@
 """A search for values that break a template, among those that can be drawn and their neighbours.
 
-Hypothesis looks for an instance that meets the conditions and still cannot be solved, and gives the simplest it finds.
+Hypothesis looks for an instance that meets the conditions and still cannot be solved, and gives the
+simplest it finds.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ from kinegrade.temporary import temporary_folder
 def breaking_values(
     template: Template, asks: Sequence[str], examples: int
 ) -> tuple[dict[str, str], str] | None:
-    """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show none."""
+    """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show
+    none.
+    """
     strategy = st.fixed_dictionaries(
         {
             name: st.sampled_from(probed(template, parameter))
@@ -50,7 +53,9 @@ def breaking_values(
 
 @contextmanager
 def nothing_left_behind() -> Iterator[None]:
-    """Hypothesis keeps notes in the current folder; an author's folder is not the place for them."""
+    """Hypothesis keeps notes in the current folder; an author's folder is not the place for
+    them.
+    """
     with temporary_folder() as folder:
         set_hypothesis_home_dir(str(folder))
         try:
@@ -60,7 +65,9 @@ def nothing_left_behind() -> Iterator[None]:
 
 
 def reason(template: Template, asks: Sequence[str], values: Mapping[str, str]) -> str | None:
-    """Why an instance that meets the conditions cannot be solved; None when it can, or does not meet them."""
+    """Why an instance that meets the conditions cannot be solved; None when it can, or does not
+    meet them.
+    """
     try:
         if all(holds(template, condition, values) for condition in template.conditions):
             solve_template(template, values, asks)

@@ -1,12 +1,20 @@
 """The sentences in which a template states its joints and inputs, and what each must contain.
 
-    pin A: OA AB                                        B of AB slides on line(O, 0)
-    A of AB slides on line(O, A) of OC                  AB slides through sleeve along line(O, A)
-    M stays on circle(O1, R) of ring1                   circle(C, R) of cam touches line(A, 0) of BC
-    circle(A, r2) of II rolls on circle(O, r1) inside   circle(A, r1) of I meshes with circle(B, r2) of II on arm
-    BC translates                                       rod turns with arm
+    pin A: OA AB
+    B of AB slides on line(O, 0)
+    A of AB slides on line(O, A) of OC
+    AB slides through sleeve along line(O, A)
+    M stays on circle(O1, R) of ring1
+    circle(C, R) of cam touches line(A, 0) of BC
+    circle(A, r2) of II rolls on circle(O, r1) inside
+    circle(A, r1) of I meshes with circle(B, r2) of II on arm
+    BC translates
+    rod turns with arm
 
-    OA turns                AB turns relative to OA     B of AB moves along -x [relative to AE]     A of W circles O
+    OA turns
+    AB turns relative to OA
+    B of AB moves along -x [relative to AE]
+    A of W circles O
 
 Where no second body is named it is the ground. `inside` says that one circle lies within the other.
 """
@@ -31,15 +39,18 @@ _JOINT_PATTERNS: Mapping[JointKind, str] = {
     "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
     "sleeve": r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))",
     "arc": rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}",
-    "contact": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-    "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> inside)?",
-    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of (?P<of>\w+)"
-    r" on (?P<carrier>\w+)(?P<inside> inside)?",
+    "contact": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) touches "
+    rf"(?P<on>{SHAPE}){OF}(?P<inside> inside)?",
+    "roll": rf"(?P<circle>circle\(.+?\)) of (?P<body>\w+) rolls on (?P<on>{SHAPE}){OF}(?P<inside> "
+    r"inside)?",
+    "mesh": r"(?P<circle>circle\(.+?\)) of (?P<body>\w+) meshes with (?P<on>circle\(.+?\)) of "
+    r"(?P<of>\w+) on (?P<carrier>\w+)(?P<inside> inside)?",
     "parallel": r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))",
 }
 _DRIVER_PATTERNS: Mapping[DriverKind, str] = {
     "rotation": r"(?P<body>\w+) turns(?: relative to (?P<of>\w+))?",
-    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to (?P<of>\w+))?",
+    "component": r"(?P<point>\w+) of (?P<body>\w+) moves along (?P<along>.+?)(?: relative to "
+    r"(?P<of>\w+))?",
     "circulation": r"(?P<point>\w+) of (?P<body>\w+) circles (?P<centre>\w+)",
 }
 JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}

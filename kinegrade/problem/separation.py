@@ -1,9 +1,10 @@
-"""Keeping mistakes and truth apart: in which instances a known mistake lands within tolerance of a right answer.
+"""Keeping mistakes and truth apart: in which instances a known mistake lands within tolerance of a
+right answer.
 
-Decided in doubles for many instances at once. A mistaken value is too near when it, written to three significant
-figures, might be taken for right; the margin of half a unit of the third figure also keeps rounding in doubles from
-deciding anything. What most instances of a question cannot tell apart (a term that is identically zero there) is not
-asked of any of them.
+Decided in doubles for many instances at once. A mistaken value is too near when it, written to
+three significant figures, might be taken for right; the margin of half a unit of the third figure
+also keeps rounding in doubles from deciding anything. What most instances of a question cannot tell
+apart (a term that is identically zero there) is not asked of any of them.
 """
 
 from __future__ import annotations
@@ -39,10 +40,11 @@ NORMAL_OR_CORIOLIS = {
 
 @dataclass(frozen=True)
 class Comparison:
-    """Instances held against what mistakes lead to: for every ask a row for each mistake, by `identifiers`.
+    """Instances held against what mistakes lead to: for every ask a row for each mistake, by
+    `identifiers`.
 
-    `near` tells where a mistaken value might be taken for right, `changed` where it is another value at all; `fit`
-    tells which instances may be drawn at all, as far as doubles know.
+    `near` tells where a mistaken value might be taken for right, `changed` where it is another
+    value at all; `fit` tells which instances may be drawn at all, as far as doubles know.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
@@ -53,10 +55,11 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Separation:
-    """A question's mistakes and what its draws keep apart: `kept` has for every ask one flag for each mistake.
+    """A question's mistakes and what its draws keep apart: `kept` has for every ask one flag for
+    each mistake.
 
-    Both are judged by a `sample` of draws; `usable` is the share of it that meets the conditions and hides no mistake
-    that is kept apart.
+    Both are judged by a `sample` of draws; `usable` is the share of it that meets the conditions
+    and hides no mistake that is kept apart.
     """
 
     template: Template
@@ -69,7 +72,9 @@ class Separation:
     usable: float = 1.0
 
     def confuses(self, values: Values) -> Any:
-        """For each instance whether a mistake lands too near the truth; False for those unfit for other reasons."""
+        """For each instance whether a mistake lands too near the truth; False for those unfit for
+        other reasons.
+        """
         seen = self.compare(values)
         confused = [(seen.near[name] & self.kept[name][:, None]).any(axis=0) for name in self.asks]
         return np.any(confused, axis=0) & seen.fit
@@ -96,21 +101,21 @@ class Separation:
     def inseparable(self) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample cannot tell from the truth.
 
-        They change nothing although their term is of consequence (it is zero at this instant), or almost nothing in
-        most instances; draws do not keep them apart.
+        They change nothing although their term is of consequence (it is zero at this instant), or
+        almost nothing in most instances; draws do not keep them apart.
         """
         seen = self.compare(self.sample)
-        stirred = outcomes(
+        perturbed = outcomes(
             self.template,
             self.asks,
             self.mistakes,
             in_floats(self.template, self.sample),
             self.plan,
-            stirred=True,
+            perturbed=True,
         )
         found = {}
         for name in self.asks:
-            right, *wrong = stirred.answers[name]
+            right, *wrong = perturbed.answers[name]
             hidden = (seen.changed[name] & seen.fit).any(axis=1)
             for place, (mistake, one) in enumerate(zip(self.mistakes, wrong, strict=True)):
                 hidden[place] |= (
@@ -122,7 +127,9 @@ class Separation:
         return found
 
     def room(self, name: str, right: Any, found: Outcomes) -> Any:
-        """How far from the right answers one may be, in the ask's unit: a bound, for the draw alone."""
+        """How far from the right answers one may be, in the ask's unit: a bound, for the draw
+        alone.
+        """
         tolerance = self.tolerances.get(name, ONE_PER_CENT)
         share, absolute = float(tolerance.share), float(tolerance.absolute)
         room = np.maximum(share * np.abs(right), absolute)
@@ -130,7 +137,9 @@ class Separation:
         return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
 
     def fit(self, found: Outcomes, arrays: Mapping[str, Any]) -> Any:
-        """Which instances meet the conditions and have answers that do not vanish where they must not."""
+        """Which instances meet the conditions and have answers that do not vanish where they must
+        not.
+        """
         known = {
             name: rows[0] for name, rows in found.answers.items() if np.isfinite(rows[0]).any()
         }
@@ -189,7 +198,9 @@ def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
 
 
 def apart(one: Any, other: Any, ask: Ask) -> Any:
-    """The difference of two answers; of angles that turn round, the difference without full turns."""
+    """The difference of two answers; of angles that turn round, the difference without full
+    turns.
+    """
     difference = np.abs(one - other)
     if not ask.cyclic:
         return difference
@@ -198,5 +209,7 @@ def apart(one: Any, other: Any, ask: Ask) -> Any:
 
 
 def differing(one: Any, other: Any) -> Any:
-    """Where one value is another than the other, and not the same rounded; False where there is none."""
+    """Where one value is another than the other, and not the same rounded; False where there is
+    none.
+    """
     return np.abs(one - other) > SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)

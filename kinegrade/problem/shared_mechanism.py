@@ -1,8 +1,10 @@
-"""A mechanism that several templates share: its file holds tables, over which each template lays its own.
+"""A mechanism that several templates share: its file holds tables, over which each template lays
+its own.
 
-Entries of `[parameters]`, `[lengths]`, `[points]` and `[bodies]` are the mechanism's, then the template's; of one name
-the template's wins, and a parameter is laid over key by key. Joints and conditions are the mechanism's followed by the
-template's; the keys of `[figure]` are the template's where it has them.
+Entries of `[parameters]`, `[lengths]`, `[points]` and `[bodies]` are the mechanism's, then the
+template's; of one name the template's wins, and a parameter is laid over key by key. Joints and
+conditions are the mechanism's followed by the template's; the keys of `[figure]` are the template's
+where it has them.
 """
 
 from __future__ import annotations
@@ -30,7 +32,9 @@ LISTED = re.compile(r"(joints|conditions)\[(\d+)\]", re.ASCII)
 
 @dataclass(frozen=True)
 class Layers:
-    """A template's own tables over those of its mechanism, which has none where the template stands alone."""
+    """A template's own tables over those of its mechanism, which has none where the template stands
+    alone.
+    """
 
     file: str
     own: Mapping[str, Any]
@@ -49,7 +53,8 @@ class Layers:
     def standing(self, path: str) -> tuple[str, str]:
         """The file, and the place in it, of what stands at `path` of the tables together.
 
-        `path` may also be a name or a sentence alone. A parameter that both describe stands in both files.
+        `path` may also be a name or a sentence alone. A parameter that both describe stands in both
+        files.
         """
         listed = LISTED.fullmatch(path)
         if listed:
@@ -77,7 +82,9 @@ class Layers:
 
 
 def laid_over(key: str, shared: Any, own: Any) -> Any:
-    """A template's own table or list over the mechanism's; one of the wrong kind is kept, to be refused later."""
+    """A template's own table or list over the mechanism's; one of the wrong kind is kept, to be
+    refused later.
+    """
     if isinstance(shared, list) and isinstance(own, list):
         return [*shared, *own]
     if not isinstance(shared, dict) or not isinstance(own, dict):
@@ -98,7 +105,9 @@ def holds(tables: Mapping[str, Any], keys: Iterable[str], name: str) -> bool:
 
 
 def mechanism_name(name: Any) -> str:
-    """A name that can stand for a file in the folder and nowhere else. Raises TemplateError for any other."""
+    """A name that can stand for a file in the folder and nowhere else. Raises TemplateError for any
+    other.
+    """
     if not isinstance(name, str) or not FILE_NAME.fullmatch(name):
         raise TemplateError(
             f"expected a file's name in {FOLDER}/ without .toml: small letters, digits, hyphens"
@@ -123,7 +132,10 @@ def mechanism_faults(file: str, tables: Mapping[str, Any]) -> list[str]:
 def unsharable(key: str) -> str:
     """Why what stands under a key cannot be shared."""
     if key == "mechanism":
-        return "mechanism: a mechanism cannot build on a further one: write all its tables in this file"
+        return (
+            "mechanism: a mechanism cannot build on a further one: write all its tables in this "
+            "file"
+        )
     if key in KINDS:
         return f"{key}: expected a {'table' if KINDS[key] is dict else 'list'}"
     return f"{key!r:.60} cannot be shared: leave it to the templates: {did_you_mean(key, KINDS)}"

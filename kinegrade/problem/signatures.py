@@ -1,7 +1,8 @@
-"""What the functions of expressions take and give: by name, the kinds of their arguments and of their value.
+"""What the functions of expressions take and give: by name, the kinds of their arguments and of
+their value.
 
-`expression.elementary`, `mechanics.geometry`, `quantities` and `centrode` work them out; a test holds the names here
-against theirs.
+`expression.elementary`, `mechanics.geometry`, `quantities` and `centrode` work them out; a test
+holds the names here against theirs.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ from kinegrade.problem.kinds import (
     united,
 )
 
-# A POINT is named, as its motion is meant; a PLACE may be worked out, and is written POINT to people as well.
+# A POINT is named, as its motion is meant; a PLACE may be worked out, and is written POINT to
+# people as well.
 PlainSlot = Literal[
     "NUMBER", "PLACE", "VECTOR", "LINE", "CIRCLE", "LINE or CIRCLE", "PLACE or LINE", "SIDE"
 ]
@@ -42,7 +44,9 @@ Result = Callable[[str, Sequence[Kind]], Kind]
 
 @dataclass(frozen=True)
 class Signature:
-    """The slots that a function's arguments fill, how many of them it needs, and the kind of its value."""
+    """The slots that a function's arguments fill, how many of them it needs, and the kind of its
+    value.
+    """
 
     slots: tuple[Slot, ...]
     needed: int

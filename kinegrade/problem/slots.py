@@ -1,7 +1,7 @@
 """The text of a statement taken apart: what stands as it is, and the slots that are filled in.
 
-A slot is `{{ name }}` or `{{ name.value }}` and nothing else: there is no language behind it. So a template from a
-stranger can print what it has, and do no more.
+A slot is `{{ name }}` or `{{ name.value }}` and nothing else: there is no language behind it. So a
+template from a stranger can print what it has, and do no more.
 """
 
 from __future__ import annotations
@@ -62,7 +62,9 @@ def slots_in_formulas(text: str) -> tuple[Slot, ...]:
 
 
 def after_dollars(opened: str, mark: str) -> str:
-    """What formula is open after dollar signs: "" for none. Two signs also end one formula and begin another."""
+    """What formula is open after dollar signs: "" for none. Two signs also end one formula and
+    begin another.
+    """
     if not opened:
         return mark
     if opened == mark:
@@ -73,7 +75,8 @@ def after_dollars(opened: str, mark: str) -> str:
 def slot_faults(
     text: str, parameters: Collection[str], texts: Collection[str]
 ) -> Iterator[tuple[str, str]]:
-    """What is wrong with the slots of a text that may name these parameters and texts: the unknown name, the fault.
+    """What is wrong with the slots of a text that may name these parameters and texts: the unknown
+    name, the fault.
 
     The name is "" where the fault is another one.
 

@@ -1,4 +1,6 @@
-"""Solving an instance: exactly where a small field holds its values, by certified balls everywhere else."""
+"""Solving an instance: exactly where a small field holds its values, by certified balls everywhere
+else.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +46,9 @@ CERTIFIED = (
 
 @dataclass(frozen=True)
 class Solution:
-    """An instance solved: its parameters and answers in their units, and the motion they come from."""
+    """An instance solved: its parameters and answers in their units, and the motion they come
+    from.
+    """
 
     template: Template
     parameters: Mapping[str, Quantity]
@@ -65,7 +69,9 @@ class Solution:
 
 @dataclass(frozen=True)
 class Consequences:
-    """What known mistakes lead to at one instance; worked out, for all asks at once, when it is first asked for."""
+    """What known mistakes lead to at one instance; worked out, for all asks at once, when it is
+    first asked for.
+    """
 
     template: Template
     asks: Mapping[str, Ask]
@@ -90,9 +96,11 @@ def solve_template(
     asks: Iterable[str] | None = None,
     plan: Plan | None = None,
 ) -> Solution:
-    """Solve `template` at the values given as texts in the parameters' units; the rest take their default.
+    """Solve `template` at the values given as texts in the parameters' units; the rest take their
+    default.
 
-    Raises TemplateError for unknown names or unreadable values, MechanismError with the reason in mechanics.
+    Raises TemplateError for unknown names or unreadable values, MechanismError with the reason in
+    mechanics.
     """
     trees = read_values(template, given)
     wanted = require_asks(template, asks)
@@ -105,7 +113,8 @@ def solve_template(
 
 
 def certified(work: Callable[[Any], Result]) -> Result:
-    """What `work` gives in the first arithmetic that holds its values: exact, then balls of growing precision.
+    """What `work` gives in the first arithmetic that holds its values: exact, then balls of growing
+    precision.
 
     Raises MechanismError when even the narrowest balls leave a sign or a pivot open.
     """
@@ -156,8 +165,9 @@ def read_again(text: str) -> Expression:
 def parameter_values(
     template: Template, trees: Mapping[str, Expression], arithmetic: Any
 ) -> dict[str, Any]:
-    """All parameters in SI. Raises TemplateError with every value that is no number (roots of negative numbers,
-    unknown names), Inexact where the exact field does not hold them."""
+    """All parameters in SI. Raises TemplateError with every value that is no number (roots of
+    negative numbers, unknown names), Inexact where the exact field does not hold them.
+    """
     faults, values = [], {}
     for name, parameter in template.parameters.items():
         try:
@@ -235,7 +245,9 @@ def answer(
 
 
 def require_number(number: Any, ask: Ask) -> None:
-    """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle where one is due."""
+    """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle
+    where one is due.
+    """
     if not isinstance(number, (int, fmpq, Surd, arb, Angle)):
         raise ExpressionError(
             "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
@@ -247,7 +259,9 @@ def require_number(number: Any, ask: Ask) -> None:
 
 
 def require_certified(number: Any) -> None:
-    """Raises Undecided for a ball that is too wide to be a reference; one about zero must be narrow in itself."""
+    """Raises Undecided for a ball that is too wide to be a reference; one about zero must be narrow
+    in itself.
+    """
     if not isinstance(number, arb):
         return
     narrow = (
@@ -262,7 +276,9 @@ def require_certified(number: Any) -> None:
 def certain(
     template: Template, trees: Mapping[str, Expression], values: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The parameters in SI, exact wherever they can be, although the instance is solved by balls."""
+    """The parameters in SI, exact wherever they can be, although the instance is solved by
+    balls.
+    """
     found = dict(values)
     for name, parameter in template.parameters.items():
         with suppress(Inexact):

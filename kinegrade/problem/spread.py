@@ -39,7 +39,9 @@ class Spread:
         )
 
     def copied(self) -> str | None:
-        """The given that the answer equals (signs apart) in almost all instances, if there is one."""
+        """The given that the answer equals (signs apart) in almost all instances, if there is
+        one.
+        """
         for name, count in self.copies.most_common(1):
             if count >= OFTEN * len(self.values):
                 return name

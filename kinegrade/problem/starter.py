@@ -1,4 +1,6 @@
-"""The starter template: a complete mechanism with every table of a template, for an author to write over."""
+"""The starter template: a complete mechanism with every table of a template, for an author to write
+over.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +18,11 @@ def starter_text() -> str:
 
 
 def write_starter(name: str, path: Path | None = None, *, force: bool = False) -> Path:
-    """Writes the starter as the template `name`, by default to NAME.toml in the current folder; gives its path.
+    """Writes the starter as the template `name`, by default to NAME.toml in the current folder;
+    gives its path.
 
-    Raises TemplateError for what is no template's name, and for a path that does not end in it; OutputError
-    where a file stands already, unless `force`.
+    Raises TemplateError for what is no template's name, and for a path that does not end in it;
+    OutputError where a file stands already, unless `force`.
     """
     text = starter_text()
     read_template(name, text)

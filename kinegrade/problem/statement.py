@@ -1,8 +1,9 @@
 """The statement of an instance: the template's text with this student's numbers in it.
 
-Statements are Markdown with LaTeX math between dollar signs. `{{ r }}` becomes `$r = 0.25\\,\\unit{m}$`, `{{ r.value }}`
-the number with its unit alone, and `{{ turning }}` the wording of `[[text.turning]]` that applies at these values.
-Nothing else is filled in: a template from a stranger can print its parameters and its own texts and no more.
+Statements are Markdown with LaTeX math between dollar signs. `{{ r }}` becomes `$r =
+0.25\\,\\unit{m}$`, `{{ r.value }}` the number with its unit alone, and `{{ turning }}` the wording
+of `[[text.turning]]` that applies at these values. Nothing else is filled in: a template from a
+stranger can print its parameters and its own texts and no more.
 """
 
 from __future__ import annotations
@@ -53,7 +54,8 @@ def with_unit(quantity: Quantity) -> str:
 def statement(template: Template, parameters: Mapping[str, Quantity], language: Language) -> str:
     """The statement in one language at these parameters.
 
-    Raises TemplateError where no wording of a text applies, and for a statement of more than LONGEST characters.
+    Raises TemplateError where no wording of a text applies, and for a statement of more than
+    LONGEST characters.
     """
     givens = {
         name: Given(template.parameters[name].symbol, with_unit(quantity))
@@ -66,8 +68,8 @@ def statement(template: Template, parameters: Mapping[str, Quantity], language: 
     text = filled(template.statement.in_language(language), givens, texts)
     if len(text) > LONGEST:
         raise TemplateError(
-            f"{template.name}.toml: statement.{language}: {len(text)} characters once it is filled in: "
-            f"at most {LONGEST} are printed: shorten it"
+            f"{template.name}.toml: statement.{language}: {len(text)} characters once it is "
+            f"filled in: at most {LONGEST} are printed: shorten it"
         )
     return text
 
@@ -75,7 +77,9 @@ def statement(template: Template, parameters: Mapping[str, Quantity], language: 
 def applying(
     template: Template, parameters: Mapping[str, Quantity]
 ) -> Iterator[tuple[str, Translated]]:
-    """The texts that depend on values, by name, each in the wording that applies. Raises TemplateError."""
+    """The texts that depend on values, by name, each in the wording that applies. Raises
+    TemplateError.
+    """
     given = {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
     for name in template.texts:
         found = wording(template, name, given)
@@ -89,14 +93,17 @@ def applying(
 
 
 def filled(text: str, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
-    """A text with its slots filled in; the template was read, so every slot names a given or a text."""
+    """A text with its slots filled in; the template was read, so every slot names a given or a
+    text.
+    """
     return "".join(
         one if isinstance(one, str) else in_slot(one, givens, texts) for one in pieces(text)
     )
 
 
 def specimens(template: Template, language: Language) -> Iterator[tuple[str, str]]:
-    """The statement and every wording in it, with their places: filled in as they are printed, at a value of 1.
+    """The statement and every wording in it, with their places: filled in as they are printed, at a
+    value of 1.
 
     Without those that `statement_faults` reports for a slot inside a formula.
     """
@@ -143,8 +150,8 @@ def left_out(template: Template, language: Language) -> list[str]:
             *(named(one.text.in_language(language)) for one in wordings)
         )
     return [
-        f"{template.name}.toml: statement.{language}: the parameter {name} is not given to the student: "
-        f"write {{{{ {name} }}}}"
+        f"{template.name}.toml: statement.{language}: the parameter {name} is not given to the "
+        f"student: write {{{{ {name} }}}}"
         for name in template.parameters
         if name not in given
     ]
@@ -153,8 +160,8 @@ def left_out(template: Template, language: Language) -> list[str]:
 def in_formulas(template: Template, language: Language) -> list[str]:
     """The slots between dollar signs, which would cut a formula in two."""
     return [
-        f"{template.name}.toml: {where}: {{{{ {slot.name} }}}} stands inside a formula: it brings dollar "
-        "signs of its own, so write it outside"
+        f"{template.name}.toml: {where}: {{{{ {slot.name} }}}} stands inside a formula: it brings "
+        "dollar signs of its own, so write it outside"
         for where, text in written(template, language)
         for slot in slots_in_formulas(text)
     ]
@@ -181,7 +188,8 @@ def unused_texts(template: Template) -> list[str]:
             faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")
         else:
             faults += [
-                f"statement.{language}: the text {name} does not stand in it: write {{{{ {name} }}}}"
+                f"statement.{language}: the text {name} does not stand in it: write {{{{ {name} "
+                f"}}}}"
                 for language in lacking
             ]
     return [f"{template.name}.toml: {fault}" for fault in faults]

@@ -1,4 +1,6 @@
-"""Tags: the words by which a bank finds templates, most of them derived from what a template asks."""
+"""Tags: the words by which a bank finds templates, most of them derived from what a template
+asks.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,9 @@ KINDS = ("position", "velocity", "acceleration")
 
 
 def kind(ask: Ask) -> str:
-    """What an ask is about, by the power of time in its unit: m and deg, m/s and rad/s, m/s^2 and rad/s^2."""
+    """What an ask is about, by the power of time in its unit: m and deg, m/s and rad/s, m/s^2 and
+    rad/s^2.
+    """
     return {-1: "velocity", -2: "acceleration"}.get(ask.unit.time, "position")
 
 
@@ -18,7 +22,9 @@ def asked_about(template: Template, about: str = "") -> tuple[str, ...]:
 
 
 def tags(template: Template) -> frozenset[str]:
-    """The highest kind among the asks with points, and the tags that the template's author added."""
+    """The highest kind among the asks with points, and the tags that the template's author
+    added.
+    """
     kinds = {kind(template.asks[name]) for name in template.asked()}
     highest = next((name for name in reversed(KINDS) if name in kinds), "position")
     return frozenset({highest, *template.tags})

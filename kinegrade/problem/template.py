@@ -41,7 +41,9 @@ class Translated:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A quantity that is given: its unit, what may be drawn (exact texts in that unit), its published value."""
+    """A quantity that is given: its unit, what may be drawn (exact texts in that unit), its
+    published value.
+    """
 
     name: str
     symbol: str
@@ -64,10 +66,12 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Ask:
-    """A quantity that may be asked for: how it follows from the motion, its unit, sign convention and weight.
+    """A quantity that may be asked for: how it follows from the motion, its unit, sign convention
+    and weight.
 
-    `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that zero is a proper
-    answer, `cyclic` that an angle is right with any number of full turns more or less.
+    `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that
+    zero is a proper answer, `cyclic` that an angle is right with any number of full turns more or
+    less.
     """
 
     name: str
@@ -93,7 +97,9 @@ class Condition:
 
 @dataclass(frozen=True)
 class Wording:
-    """A text for the values at which its condition holds; without a condition, for all values that are left."""
+    """A text for the values at which its condition holds; without a condition, for all values that
+    are left.
+    """
 
     condition: Condition | None
     text: Translated
@@ -113,10 +119,11 @@ class Published:
 class Template:
     """One mechanism with its questions; `text` is the file as it was read, kept with every exam.
 
-    `tags` are the author's words for finding it, besides those that follow from what it asks. `mechanism` is the
-    name and the text of the file that it shares with other templates, if it does. `method` is how its worked solution
-    finds velocities where several methods serve. `texts` are the texts that depend on values: of the wordings of one
-    name the first whose condition holds applies.
+    `tags` are the author's words for finding it, besides those that follow from what it asks.
+    `mechanism` is the name and the text of the file that it shares with other templates, if it
+    does. `method` is how its worked solution finds velocities where several methods serve. `texts`
+    are the texts that depend on values: of the wordings of one name the first whose condition holds
+    applies.
     """
 
     name: str

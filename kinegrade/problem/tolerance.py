@@ -1,4 +1,6 @@
-"""How far from the exact value an answer is still right: the rule that a bank states and the paper prints."""
+"""How far from the exact value an answer is still right: the rule that a bank states and the paper
+prints.
+"""
 
 from __future__ import annotations
 
@@ -17,10 +19,12 @@ CARRIED = 3  # significant figures that everybody carries through a calculation
 
 @dataclass(frozen=True)
 class Tolerance:
-    """Right within max(relative*|exact value|, absolute), the bounds included; absolute in the ask's unit.
+    """Right within max(relative*|exact value|, absolute), the bounds included; absolute in the
+    ask's unit.
 
-    With `figures`, right is also what agrees with the exact value rounded to that many significant figures: within
-    half a unit of the last of them, the bounds included. Whatever of the three gives more room holds.
+    With `figures`, right is also what agrees with the exact value rounded to that many significant
+    figures: within half a unit of the last of them, the bounds included. Whatever of the three
+    gives more room holds.
     """
 
     relative: Fraction
@@ -29,13 +33,16 @@ class Tolerance:
 
     @property
     def share(self) -> Fraction:
-        """The largest relative deviation that the rule allows, whatever the value: 1/100, or 1/200 for 3 figures."""
+        """The largest relative deviation that the rule allows, whatever the value: 1/100, or 1/200
+        for 3 figures.
+        """
         return max(self.relative, Fraction(5, 10**self.figures) if self.figures else Fraction(0))
 
     def interval(self, exact: Fraction) -> tuple[Fraction, Fraction]:
         """The smallest and the largest right answer.
 
-        >>> [float(bound) for bound in Tolerance(Fraction(0), Fraction(0), 3).interval(Fraction("1.2304"))]
+        >>> three_figures = Tolerance(Fraction(0), Fraction(0), 3)
+        >>> [float(bound) for bound in three_figures.interval(Fraction("1.2304"))]
         [1.225, 1.235]
         """
         room = max(self.relative * abs(exact), self.absolute)
@@ -46,9 +53,11 @@ class Tolerance:
         return low, high
 
     def carried(self, exact: Fraction) -> int:
-        """The significant figures that a student must carry: 3, or as many more as it takes to tell right from wrong.
+        """The significant figures that a student must carry: 3, or as many more as it takes to tell
+        right from wrong.
 
-        A number written to n figures may be off by half a unit of the last; that must be less than what is allowed.
+        A number written to n figures may be off by half a unit of the last; that must be less than
+        what is allowed.
         """
         share = float(max(self.share, self.absolute / abs(exact)) if exact else self.share)
         figures = CARRIED
@@ -61,8 +70,8 @@ ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
 
 def effective(tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles) -> Tolerance:
-    """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's share of the mechanism's
-    own scale is allowed. Next to zero is what is smaller than that.
+    """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's
+    share of the mechanism's own scale is allowed. Next to zero is what is smaller than that.
     """
     room = tolerance.share * own_scale(motion, unit)
     if abs(value) >= room:

@@ -48,7 +48,9 @@ NEEDED = (
 
 
 def toml_tables(where: str, text: str) -> dict[str, Any]:
-    """The tables of a TOML text. Raises TemplateError when it is too long, no TOML, or holds absurd numbers."""
+    """The tables of a TOML text. Raises TemplateError when it is too long, no TOML, or holds absurd
+    numbers.
+    """
     if len(text) > MAX_CHARACTERS:
         raise TemplateError(f"{where}: {len(text)} characters: at most {MAX_CHARACTERS} are read")
     try:

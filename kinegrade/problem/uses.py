@@ -17,11 +17,12 @@ from kinegrade.problem.template import Condition, Template, Translated
 
 @dataclass(frozen=True)
 class Uses:
-    """Checks names where they are used; `fault` takes a path in the template's tables and what is wrong there.
+    """Checks names where they are used; `fault` takes a path in the template's tables and what is
+    wrong there.
 
-    `faulty` are names that the file declares by something that cannot be read: that is reported once, there, and not
-    again wherever the name is used. `unknown` collects the names that are not there, with the places and what is to
-    be said at each; the first one stands for all.
+    `faulty` are names that the file declares by something that cannot be read: that is reported
+    once, there, and not again wherever the name is used. `unknown` collects the names that are not
+    there, with the places and what is to be said at each; the first one stands for all.
     """
 
     fault: Callable[[str, str], None]
@@ -29,7 +30,9 @@ class Uses:
     unknown: dict[str, list[tuple[str, str]]] = field(default_factory=dict)
 
     def check(self, template: Template) -> None:
-        """Names in expressions are known where they are used; published results and asks belong together."""
+        """Names in expressions are known where they are used; published results and asks belong
+        together.
+        """
         parameters = {*template.parameters, "pi"}
         self.check_order("lengths", template.lengths, parameters)
         self.check_order("points", template.points, {*parameters, *template.lengths, *BRANCHES})
@@ -72,7 +75,8 @@ class Uses:
             )
 
     def check_texts(self, template: Template, parameters: Collection[str]) -> None:
-        """Statements name parameters and texts, texts name parameters; texts have names of their own.
+        """Statements name parameters and texts, texts name parameters; texts have names of their
+        own.
 
         `parameters` are all that the file describes, also those that could not be read.
         """
@@ -93,7 +97,9 @@ class Uses:
         parameters: Collection[str],
         texts: Collection[str],
     ) -> None:
-        """A fault for everything in double braces that is no name known here, once in each language."""
+        """A fault for everything in double braces that is no name known here, once in each
+        language.
+        """
         for language in LANGUAGES:
             for name, problem in dict.fromkeys(
                 slot_faults(text.in_language(language), parameters, texts)
@@ -130,7 +136,9 @@ class Uses:
             self.check_known(f"asks.{name}", ask.quantity, known | bodies)
 
     def check_listed(self, path: str, kind: str, named: tuple[str, ...], there: set[str]) -> None:
-        """A fault for every body or point that is named and not there; parts that a sentence lacks are empty."""
+        """A fault for every body or point that is named and not there; parts that a sentence lacks
+        are empty.
+        """
         for name in named:
             if name and name not in there and name not in self.faulty:
                 self.miss(name, path, f'no {kind} "{name}": {did_you_mean(name, there)}')

@@ -1,4 +1,5 @@
-"""The table `[text]` of a template: texts that depend on values, each a list of wordings with their conditions.
+"""The table `[text]` of a template: texts that depend on values, each a list of wordings with their
+conditions.
 
     [[text.turning]]
     if = "alpha > 0"
@@ -9,7 +10,8 @@
     en = "at a constant rate"
     zh = "匀速"
 
-The first wording whose condition holds applies; one without `if`, which must be the last, at all values that are left.
+The first wording whose condition holds applies; one without `if`, which must be the last, at all
+values that are left.
 """
 
 from __future__ import annotations

@@ -12,13 +12,12 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities import Quantities, body_names, quantities
 from kinegrade.problem.template import Ask
-from kinegrade.worked.case import Case
+from kinegrade.worked.asked_vectors import Facts, is_vector_call, prerequisites
 from kinegrade.worked.centrodes import centrode_blocks
-from kinegrade.worked.deduced import with_cosine
+from kinegrade.worked.deductions import with_cosine
 from kinegrade.worked.document import Block, Display, Result
-from kinegrade.worked.facts import Facts, is_vector_call, prerequisites
 from kinegrade.worked.formula_text import latex_of, symbols_of
-from kinegrade.worked.needs import calls
+from kinegrade.worked.needed_rates import calls
 from kinegrade.worked.numbers import (
     DIGITS,
     absolute_value,
@@ -38,6 +37,7 @@ from kinegrade.worked.points import Fact, Findings, Piece
 from kinegrade.worked.poles import pole_blocks, pole_name
 from kinegrade.worked.scalars import turning, turning_value
 from kinegrade.worked.senses import direction_words, rotation_words
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import NUMBER, component
 
 RIGHT = 1e-7  # degrees from a right angle that count as none
@@ -54,7 +54,9 @@ class Written:
 
 
 def answer_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
-    """How an answer follows from what the steps have given; not for answers that positions alone decide."""
+    """How an answer follows from what the steps have given; not for answers that positions alone
+    decide.
+    """
     if any(call.function == "circle_of_poles" for call in calls(ask.quantity)):
         yield from centrode_blocks(ask, case, findings)
         return
@@ -85,8 +87,9 @@ def counted_as_asked(ask: Ask, case: Case) -> str:
 
 
 def last_line(ask: Ask, written: Written, writer: Writer) -> str:
-    """The answer's symbol, its formula, its numbers and its value, which is the key's; in SI first where numbers lead
-    to a value in centimetres or millimetres."""
+    """The answer's symbol, its formula, its numbers and its value, which is the key's; in SI first
+    where numbers lead to a value in centimetres or millimetres.
+    """
     answer = writer.case.solution.answers[ask.name]
     between = [
         text for text in (written.symbols, written.numbers) if text not in ("", "0", ask.symbol)
@@ -258,7 +261,9 @@ class Writer:
 
 
 def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
-    """The sum of pieces along the axis at an angle in degrees; those that are normal to it add nothing."""
+    """The sum of pieces along the axis at an angle in degrees; those that are normal to it add
+    nothing.
+    """
     symbols, numbers = "", ""
     for piece in pieces:
         angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)

@@ -1,4 +1,6 @@
-"""The fixed centrode of a body where it is a circle: poles in several positions, the circle through them."""
+"""The fixed centrode of a body where it is a circle: poles in several positions, the circle through
+them.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +11,14 @@ from kinegrade.expression import Name
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.centrode import Centrodes, through
 from kinegrade.problem.template import Ask
-from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_text import symbols_of
-from kinegrade.worked.needs import calls
+from kinegrade.worked.needed_rates import calls
 from kinegrade.worked.numbers import short, stated, stated_quantity
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.points import Findings
 from kinegrade.worked.poles import pole_blocks, pole_name
+from kinegrade.worked.solution_case import Case
 
 SHOWN = 4
 RADIUS = r"\rho"

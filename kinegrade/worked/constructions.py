@@ -1,6 +1,7 @@
-"""One construction of a point in textbook words and equations: where it lies, and its coordinates worked out.
+"""One construction of a point in textbook words and equations: where it lies, and its coordinates
+worked out.
 
-Lines, circles and feet of perpendiculars are in `kinegrade.worked.meetings`.
+Lines, circles and feet of perpendiculars are in `kinegrade.worked.intersections`.
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ from kinegrade.language import Language
 from kinegrade.worked.coordinates import ZERO, Pair, Step, length_of, minus, over, plus, scaled
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, Results, TermTable
 from kinegrade.worked.formula_text import quarter_turns
-from kinegrade.worked.instance import Instance
-from kinegrade.worked.meetings import foot_blocks, meeting_blocks
+from kinegrade.worked.instance_formulas import Instance
+from kinegrade.worked.intersections import foot_blocks, meeting_blocks
 from kinegrade.worked.position_words import PositionWords, position_words
 from kinegrade.worked.vector_words import negated, vector_words
 
@@ -35,7 +36,9 @@ class Coordinates:
 
 
 def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tuple[Block, ...]:
-    """The blocks of all steps, the origin first; neighbours that are given by their coordinates share a sentence."""
+    """The blocks of all steps, the origin first; neighbours that are given by their coordinates
+    share a sentence.
+    """
     words, blocks = position_words(language), list[Block | Coordinates]()
     for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
         told = construction(step, instance, language)
@@ -97,7 +100,9 @@ def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, .
 
 
 def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
-    """Where the point of a step lies, for constructions whose coordinates follow at once; "" where these say all."""
+    """Where the point of a step lies, for constructions whose coordinates follow at once; "" where
+    these say all.
+    """
     point, tree = instance.symbols[step.point], step.tree
     match tree:
         case Name():
@@ -127,7 +132,9 @@ def polar_sentence(
     instance: Instance,
     words: PositionWords,
 ) -> str:
-    """Distance and direction from a centre; a negative distance is one in the opposite direction."""
+    """Distance and direction from a centre; a negative distance is one in the opposite
+    direction.
+    """
     centre, radius, angle = parts
     quarters = quarter_turns(angle)
     against = instance.sign(radius) < 0
@@ -183,7 +190,9 @@ def way(start: Expression, end: Expression, instance: Instance) -> Expression:
 
 
 def length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
-    """AB = the root of the squares, worked out; nothing for a length that is no distance of two points."""
+    """AB = the root of the squares, worked out; nothing for a length that is no distance of two
+    points.
+    """
     if not isinstance(size, Call) or size.function != "distance":
         return ()
     first, second = size.arguments

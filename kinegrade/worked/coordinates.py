@@ -1,8 +1,9 @@
-"""From constructions to coordinates: every point of a template as a step, and what a step says of x and y.
+"""From constructions to coordinates: every point of a template as a step, and what a step says of x
+and y.
 
-A construction within another becomes a step of its own, with an auxiliary point H; differences, sums and turns of
-vectors become formulas in the coordinates of named points. Coordinates that are zero by the choice of the axes are put
-in, so that formulas are as short as in a textbook.
+A construction within another becomes a step of its own, with an auxiliary point H; differences,
+sums and turns of vectors become formulas in the coordinates of named points. Coordinates that are
+zero by the choice of the axes are put in, so that formulas are as short as in a textbook.
 """
 
 from __future__ import annotations
@@ -33,14 +34,18 @@ QUARTERS: Mapping[int, tuple[int, int]] = {0: (1, 0), 1: (0, 1), 2: (-1, 0), 3: 
 
 @dataclass(frozen=True)
 class Step:
-    """A point and its construction, whose arguments are names, numbers and vectors of named points."""
+    """A point and its construction, whose arguments are names, numbers and vectors of named
+    points.
+    """
 
     point: str
     tree: Expression
 
 
 def steps(template: Template) -> tuple[Step, ...]:
-    """The template's points in its order, each after the auxiliary points that its construction needs."""
+    """The template's points in its order, each after the auxiliary points that its construction
+    needs.
+    """
     found: list[Step] = []
     taken = {*template.points, *template.parameters, *template.lengths}
     for point, tree in template.points.items():
@@ -54,7 +59,9 @@ def steps(template: Template) -> tuple[Step, ...]:
 def unnested(
     tree: Expression, found: list[Step], before: int, taken: set[str], top: bool = False
 ) -> Expression:
-    """The tree with inner constructions replaced by the names of auxiliary points, which are added to `found`."""
+    """The tree with inner constructions replaced by the names of auxiliary points, which are added
+    to `found`.
+    """
     match tree:
         case Operation(sign=sign):
             left, right = (unnested(part, found, before, taken) for part in (tree.left, tree.right))
@@ -70,7 +77,9 @@ def unnested(
 def unnested_call(
     tree: Call, found: list[Step], before: int, taken: set[str], top: bool
 ) -> Expression:
-    """A call with inner constructions replaced likewise; itself a new point where it places one and is not `top`."""
+    """A call with inner constructions replaced likewise; itself a new point where it places one and
+    is not `top`.
+    """
     plain = Call(
         tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments)
     )
@@ -81,7 +90,9 @@ def unnested_call(
 
 
 def awkward(function: str, centre: Expression) -> bool:
-    """Whether a sentence would stumble over the point about which, or from which, a thing is constructed."""
+    """Whether a sentence would stumble over the point about which, or from which, a thing is
+    constructed.
+    """
     pair = isinstance(centre, Call) and function == "circle"
     return pair or isinstance(centre, Operation)
 
@@ -108,7 +119,9 @@ def needed(all_steps: tuple[Step, ...], wanted: Iterable[str]) -> tuple[Step, ..
 
 @dataclass(frozen=True)
 class Axes:
-    """Writes vectors in coordinates; `points` are the named ones, `zeros` the coordinates x(A) that are zero."""
+    """Writes vectors in coordinates; `points` are the named ones, `zeros` the coordinates x(A) that
+    are zero.
+    """
 
     points: frozenset[str]
     zeros: frozenset[Expression]
@@ -141,7 +154,9 @@ class Axes:
                 assert_never(tree)
 
     def pair(self, tree: Expression) -> Pair | None:
-        """The coordinates of a point or vector as formulas; None for what meets or stands at right angles."""
+        """The coordinates of a point or vector as formulas; None for what meets or stands at right
+        angles.
+        """
         match tree:
             case Name():
                 return (self.x(tree.name), self.y(tree.name)) if tree.name in self.points else None
@@ -180,7 +195,9 @@ class Axes:
 
 
 def axes_of(all_steps: tuple[Step, ...]) -> Axes:
-    """The axes in which points are given, with the coordinates that each construction makes zero at sight."""
+    """The axes in which points are given, with the coordinates that each construction makes zero at
+    sight.
+    """
     axes = Axes(frozenset(step.point for step in all_steps), frozenset())
     for step in all_steps:
         leaves = (Call("x", (Name(step.point),)), Call("y", (Name(step.point),)))
@@ -197,7 +214,9 @@ def axes_of(all_steps: tuple[Step, ...]) -> Axes:
 
 
 def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
-    """What the lines parallel to the axes say of the point in which they meet something; ONE where they say nothing."""
+    """What the lines parallel to the axes say of the point in which they meet something; ONE where
+    they say nothing.
+    """
     if not isinstance(tree, Call) or tree.function != "meet":
         return
     for shape in tree.arguments[:2]:

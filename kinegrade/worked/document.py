@@ -1,7 +1,8 @@
-"""What a worked solution consists of, free of any typesetter: prose, equations, tables of terms, pictures, results.
+"""What a worked solution consists of, free of any typesetter: prose, equations, tables of terms,
+pictures, results.
 
-`kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is Markdown with
-`$...$` LaTeX math, math is LaTeX without dollar signs, plain is printed as it is.
+`kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is
+Markdown with `$...$` LaTeX math, math is LaTeX without dollar signs, plain is printed as it is.
 """
 
 from __future__ import annotations
@@ -29,7 +30,9 @@ class Prose:
 
 @dataclass(frozen=True)
 class Display:
-    """Equations, one below the other, aligned at the `&` that each line may hold before its first relation sign."""
+    """Equations, one below the other, aligned at the `&` that each line may hold before its first
+    relation sign.
+    """
 
     lines: tuple[str, ...]  # math
 
@@ -46,7 +49,9 @@ class Term:
 
 @dataclass(frozen=True)
 class TermTable:
-    """A vector equation written term by term, the magnitude and the direction of every term below it."""
+    """A vector equation written term by term, the magnitude and the direction of every term below
+    it.
+    """
 
     terms: tuple[Term, ...]
 
@@ -68,7 +73,9 @@ class Pictures:
 
 @dataclass(frozen=True)
 class Result:
-    """An answer: the exact value where a line holds it, the decimal, and its sense or direction in words."""
+    """An answer: the exact value where a line holds it, the decimal, and its sense or direction in
+    words.
+    """
 
     symbol: str  # math
     exact: str | None  # math, without unit

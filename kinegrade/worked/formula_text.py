@@ -1,10 +1,11 @@
-"""Expressions of templates as textbook formulas in LaTeX math, with symbols or with an instance's numbers.
+"""Expressions of templates as textbook formulas in LaTeX math, with symbols or with an instance's
+numbers.
 
     l*sin(theta)*cos(psi)/sin(psi)     \\frac{l \\sin\\theta \\cos\\psi}{\\sin\\psi}
     x(A) + k*r*cos(phi + pi/2)         x_{A} + k\\,r \\cos(\\varphi + 90^\\circ)
 
-A leaf is whatever is printed by a symbol or a number; `Writer` is told what the leaves are and knows all the rest:
-precedence, fractions, roots, signs and where a product needs its dot.
+A leaf is whatever is printed by a symbol or a number; `Writer` is told what the leaves are and
+knows all the rest: precedence, fractions, roots, signs and where a product needs its dot.
 """
 
 from __future__ import annotations
@@ -54,11 +55,13 @@ def latex_of(
     degrees: bool = False,
     points: Collection[str] = (),
 ) -> str:
-    """LaTeX math (no dollar signs) of an expression; `symbols` gives the LaTeX of its names, see `symbols_of`.
+    """LaTeX math (no dollar signs) of an expression; `symbols` gives the LaTeX of its names, see
+    `symbols_of`.
 
-    `pi` prints as such, but in degrees within sines and cosines, and everywhere if the expression is an angle that is
-    to be printed with `degrees`. A name without a symbol prints as `problem.notation.symbol` has it. The difference
-    of two of the `points` prints as a vector with an arrow.
+    `pi` prints as such, but in degrees within sines and cosines, and everywhere if the expression
+    is an angle that is to be printed with `degrees`. A name without a symbol prints as
+    `problem.notation.symbol` has it. The difference of two of the `points` prints as a vector with
+    an arrow.
 
     >>> from kinegrade.expression import read
     >>> print(latex_of(read("-l_1*sin(psi)/sin(theta + pi/2)"), {}))
@@ -85,7 +88,9 @@ def symbols_of(template: Template) -> dict[str, str]:
 
 
 def symbolic(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Piece | None:
-    """The leaves of a formula in symbols: names, coordinates and distances of points, angles of so many degrees."""
+    """The leaves of a formula in symbols: names, coordinates and distances of points, angles of so
+    many degrees.
+    """
     if angular and (half_turns := constant_half_turns(tree)) is not None:
         return Piece(decimal_text(abs(half_turns * 180), 6) + r"^\circ", "number", half_turns < 0)
     match tree:
@@ -105,7 +110,9 @@ def named(name: str) -> str:
 
 
 def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
-    """x_A, y_A, the distance AB, the angle from the x axis to AB; None where the points are not named."""
+    """x_A, y_A, the distance AB, the angle from the x axis to AB; None where the points are not
+    named.
+    """
     points = [
         symbols.get(part.name, point_symbol(part.name))
         for part in tree.arguments
@@ -121,7 +128,9 @@ def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
 
 
 def vector_between(tree: Expression, points: Collection[str]) -> Piece | None:
-    """The difference of two points as the vector from the second to the first; None for anything else."""
+    """The difference of two points as the vector from the second to the first; None for anything
+    else.
+    """
     if not isinstance(tree, Operation) or tree.sign != "-":
         return None
     if not (isinstance(tree.left, Name) and isinstance(tree.right, Name)):
@@ -136,7 +145,9 @@ def arrow(start: str, end: str) -> str:
 
 
 def quarter_turns(tree: Expression) -> int | None:
-    """How many right angles an angle made of numbers and `pi` comes to, 0 to 3; None where it is no such angle."""
+    """How many right angles an angle made of numbers and `pi` comes to, 0 to 3; None where it is no
+    such angle.
+    """
     half_turns = constant_half_turns(tree)
     quarters = None if half_turns is None else half_turns * 2
     return None if quarters is None or quarters != int(quarters) else int(quarters) % 4
@@ -158,7 +169,8 @@ def has_call(tree: Expression) -> bool:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes expressions; `leaf` gives the piece of what is printed whole, or None for what is to be taken apart.
+    """Writes expressions; `leaf` gives the piece of what is printed whole, or None for what is to
+    be taken apart.
 
     `angular` says that the expression is an angle, to be printed in degrees.
     """
@@ -225,7 +237,9 @@ class Writer:
                 assert_never(tree.sign)
 
     def product(self, tree: Operation, angular: bool) -> Piece:
-        """Factors side by side, over the divisors where there are any; all signs before the whole."""
+        """Factors side by side, over the divisors where there are any; all signs before the
+        whole.
+        """
         above, below = ([positive(piece) for piece in part] for part in self.factors(tree, angular))
         negative = sum(piece.negative for piece in above + below) % 2 == 1
         top = joined(above)

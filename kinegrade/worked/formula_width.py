@@ -1,4 +1,5 @@
-"""About how wide a LaTeX formula prints, in letters: enough to tell what fits on a line of a display.
+"""About how wide a LaTeX formula prints, in letters: enough to tell what fits on a line of a
+display.
 
 >>> round(width(r"\\frac{a + b}{2}")), round(width(r"x_{A}"), 1)
 (4, 1.7)
@@ -65,7 +66,9 @@ def following(tokens: Iterator[str]) -> float:
 
 
 def chained(left: str, parts: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """left = first = second ..., on further lines where one is too short for all; aligned at the first sign."""
+    """left = first = second ..., on further lines where one is too short for all; aligned at the
+    first sign.
+    """
     lines, room = [left + " &"], WIDEST - width(left)
     used = 0.0
     for sign, text in parts:

@@ -9,9 +9,9 @@ from kinegrade.language import Language
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Parallel, Pin, Roll, Sleeve
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.relations import omega_of
-from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.phrases import phrase
+from kinegrade.worked.solution_case import Case
 
 STOPS: Mapping[Language, tuple[str, str]] = {"en": (".", "; "), "zh": ("。", "；")}
 

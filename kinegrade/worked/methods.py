@@ -1,7 +1,7 @@
 """Velocities of two points of a body by the projection theorem, or by the instantaneous centre.
 
-Where neither serves (a body that turns about nothing known, a composition of motions), nothing is given, and the step
-is told by the base point.
+Where neither serves (a body that turns about nothing known, a composition of motions), nothing is
+given, and the step is told by the base point.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.problem.template import Method
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import Stage, deduced, rotation_result, solved_lines
+from kinegrade.worked.deductions import Stage, deduced, rotation_result, solved_lines
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.needs import calls
+from kinegrade.worked.known_vectors import is_told_negative
+from kinegrade.worked.needed_rates import calls
 from kinegrade.worked.numbers import absolute_value, double, length, short, size, stated
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.points import Findings, point_symbol, way
 from kinegrade.worked.poles import pole_name
 from kinegrade.worked.projection import PARALLEL, deductions
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.steps import remarks, table
-from kinegrade.worked.told import is_told_negative
 from kinegrade.worked.vectors import arm, letters_of, magnitude_formula, symbol, vanishes
 from kinegrade.worked.wording import introduction
 
@@ -66,7 +66,9 @@ def method_title(stage: Stage) -> str | None:
 
 
 def method_for(coupler: Coupler, case: Case) -> Method:
-    """The method asked for; else the pole where an answer is about it, or where the body does not turn."""
+    """The method asked for; else the pole where an answer is about it, or where the body does not
+    turn.
+    """
     if case.method is not None:
         return case.method
     asked = {
@@ -80,7 +82,9 @@ def method_for(coupler: Coupler, case: Case) -> Method:
 
 
 def coupler_of(stage: Stage) -> Coupler | None:
-    """The two points of a step of one velocity equation v_B = v_A + v_BA, None for any other step."""
+    """The two points of a step of one velocity equation v_B = v_A + v_BA, None for any other
+    step.
+    """
     if stage.level != "velocity" or len(stage.equations) != 1:
         return None
     equation = stage.equations[0]
@@ -158,7 +162,9 @@ def by_pole(coupler: Coupler, stage: Stage, findings: Findings) -> Iterator[Bloc
 
 
 def base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
-    """The speed of the point whose velocity is known, where it follows from a rotation about a fixed axis."""
+    """The speed of the point whose velocity is known, where it follows from a rotation about a
+    fixed axis.
+    """
     formula = magnitude_formula(coupler.equation, coupler.base, case)
     if formula and coupler.base.term and not is_told_negative(coupler.base.term, case, "velocity"):
         value = coupler.base.value
@@ -207,14 +213,19 @@ def pole_lines(
 
 
 def found_speed(coupler: Coupler, how: str, case: Case) -> Iterator[str]:
-    """The size and direction of the second point's velocity, and the rotation of the body that it turns with."""
+    """The size and direction of the second point's velocity, and the rotation of the body that it
+    turns with.
+    """
     sought, term = coupler.point, coupler.point.term
     if term is None or sought.coefficient is None:
         return
     negative = double(sought.value.dot(sought.coefficient)) < 0
     letters = letters_of(coupler.equation, sought, case)
     speed = absolute_value(letters) if negative else letters
-    yield f"{speed} &= {how} = {stated(length(sought.value, case.arithmetic), 'm/s')}{way(sought.value, case)}"
+    yield (
+        f"{speed} &= {how} = "
+        f"{stated(length(sought.value, case.arithmetic), 'm/s')}{way(sought.value, case)}"
+    )
     if term.kind == "rotation":
         fraction = rf"\frac{{{speed}}}{{{arm(sought, case)}}} = "
         yield rotation_result(term.rate, case, "velocity", f"-{fraction}" if negative else fraction)

@@ -1,4 +1,6 @@
-"""The names of bodies, points and rates in a worked solution: as the paper's own symbols where it has them."""
+"""The names of bodies, points and rates in a worked solution: as the paper's own symbols where it
+has them.
+"""
 
 from __future__ import annotations
 
@@ -39,9 +41,8 @@ BODIES = {  # the words that templates use for bodies
     "sun": ("the sun gear", "太阳轮"),
     "roller": ("the roller", "滚子"),
 }
-LINKS = frozenset(
-    {"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"}
-)  # told by their ends
+# Told by their ends
+LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,9 @@ class Naming:
         )
 
     def _wheel(self, body: str) -> str:
-        """The wheel, or the gear; with its letter where there are several, or where it is a roman numeral."""
+        """The wheel, or the gear; with its letter where there are several, or where it is a roman
+        numeral.
+        """
         kind = "gear" if "gear" in self.template.family else "wheel"
         several = sum(self._is_round(other.name) for other in self.template.bodies) > 1
         roman = set(body) <= set("IV")
@@ -121,7 +124,9 @@ class Naming:
 
     @cached_property
     def _turning(self) -> dict[str, tuple[str, str]]:
-        """For each body the symbols that the asks give to its rotation, else those of its points."""
+        """For each body the symbols that the asks give to its rotation, else those of its
+        points.
+        """
         asked = {(call, body): symbol for call, body, symbol in self._asked_rotations()}
         taken = set(asked.values())
         found: dict[str, tuple[str, str]] = {}

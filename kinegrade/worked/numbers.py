@@ -1,4 +1,6 @@
-"""Numbers as a worked solution states them: the exact value where it is short, and four significant digits."""
+"""Numbers as a worked solution states them: the exact value where it is short, and four significant
+digits.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,8 @@ LONGEST = 26  # characters of an exact value that still reads at a glance within
 
 
 def stated(number: Any, unit: str) -> str:
-    """A number in SI as LaTeX math: exact, decimal, unit; the exact value only where it is short and says more.
+    """A number in SI as LaTeX math: exact, decimal, unit; the exact value only where it is short
+    and says more.
 
     >>> from kinegrade.exact.field import Field
     >>> field = Field()

@@ -22,7 +22,8 @@ def phrases() -> dict[str, dict[Language, str]]:
 
 
 def phrase(key: str, language: Language, **parts: object) -> str:
-    """A sentence in one language, its places filled in; a first word that is filled in keeps its case.
+    """A sentence in one language, its places filled in; a first word that is filled in keeps its
+    case.
 
     >>> phrase("ccw", "zh")
     '逆时针'

@@ -1,4 +1,6 @@
-"""The pictures of a step: the mechanism with its vectors, the polygon of the equation, the construction of a pole."""
+"""The pictures of a step: the mechanism with its vectors, the polygon of the equation, the
+construction of a pole.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +17,15 @@ from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.hints import Turning
 from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.template import Ask
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import Stage
+from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import Picture, Pictures
 from kinegrade.worked.methods import coupler_of, method_for
-from kinegrade.worked.needs import calls, chains_of
+from kinegrade.worked.needed_rates import calls, chains_of
 from kinegrade.worked.numbers import NEGLIGIBLE
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.poles import pole_name
 from kinegrade.worked.scalars import speed, term_of
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.vectors import letters_of
 
 
@@ -59,7 +61,9 @@ def spans(equation: VectorEquation) -> bool:
 
 
 def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
-    """The mechanism with the rotations and the motions of points that are given; none where all of them are zero."""
+    """The mechanism with the rotations and the motions of points that are given; none where all of
+    them are zero.
+    """
     rates = [rate for step in steps for rate in step.unknowns]
     found = turnings(rates, case, level)
     values = case.rates(level)
@@ -81,7 +85,9 @@ def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[
 
 
 def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
-    """The picture of a step without vectors: the rotation that it gives, about its pole where a body rolls."""
+    """The picture of a step without vectors: the rotation that it gives, about its pole where a
+    body rolls.
+    """
     case, roll = stage.case, rolling(step, stage.case)
     if roll is not None and roll.of == GROUND and stage.level == "velocity":
         centre = roll.circle.centre
@@ -106,7 +112,9 @@ def rolling(step: Step, case: Case) -> Roll | None:
 
 
 def answer_pictures(asked: Sequence[Ask], case: Case) -> Iterator[Pictures]:
-    """The mechanism with the velocities, and with the accelerations, of the points that the asks name."""
+    """The mechanism with the velocities, and with the accelerations, of the points that the asks
+    name.
+    """
     pictures = []
     for function, key in (
         ("velocity", "picture_points"),
@@ -136,7 +144,9 @@ def asked_arrows(ask: Ask, function: str, case: Case) -> Iterator[PointArrow]:
 
 
 def vectors_picture(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
-    """The mechanism with all vectors of the step at their points, and the rotations that the step gives."""
+    """The mechanism with all vectors of the step at their points, and the rotations that the step
+    gives.
+    """
     case = stage.case
     mechanism = drawable_mechanism(case.motion.frames.mechanism)
     arrows = {

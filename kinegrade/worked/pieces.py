@@ -15,7 +15,9 @@ APART = ("(", "|", r"\sqrt", r"\cdot", *OPERATORS)  # marks of a product that ne
 
 @dataclass(frozen=True)
 class Piece:
-    """A part of a formula: its text without the sign, and what kind of thing it is to its neighbours."""
+    """A part of a formula: its text without the sign, and what kind of thing it is to its
+    neighbours.
+    """
 
     text: str
     kind: Kind
@@ -30,7 +32,9 @@ class Piece:
 
 
 def numeral(text: str) -> Piece:
-    """A number already printed, in LaTeX math, that takes the place of a symbol and keeps its minus to itself."""
+    """A number already printed, in LaTeX math, that takes the place of a symbol and keeps its minus
+    to itself.
+    """
     body = text.removeprefix("-")
     if is_sum(text):
         return Piece(text, "sum")
@@ -58,7 +62,9 @@ def positive(piece: Piece) -> Piece:
 
 
 def following(piece: Piece) -> str:
-    """A term with the sign that joins it to those before; a negative number keeps its own, in brackets."""
+    """A term with the sign that joins it to those before; a negative number keeps its own, in
+    brackets.
+    """
     if piece.text.startswith("-"):
         return (" - " if piece.negative else " + ") + bracketed(piece.text)
     return (" - " if piece.negative else " + ") + piece.text
@@ -76,7 +82,9 @@ def joined(factors: list[Piece]) -> str:
 
 
 def between(before: Piece, piece: Piece) -> str:
-    """The mark between two factors: a dot where they would run into one another, else a little room or none."""
+    """The mark between two factors: a dot where they would run into one another, else a little room
+    or none.
+    """
     operator = piece.text.startswith(OPERATORS)
     if piece.kind == "number" or before.text == "1" or (before.kind == "function" and not operator):
         return r" \cdot "

@@ -1,4 +1,6 @@
-"""The velocity or acceleration of a point of a body whose motion is known: by its arm, or by its base point."""
+"""The velocity or acceleration of a point of a body whose motion is known: by its arm, or by its
+base point.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +21,9 @@ from kinegrade.mechanics.vector_equation import (
     term_parts,
     term_value,
 )
-from kinegrade.worked.case import LETTERS, Case
-from kinegrade.worked.deduced import UNITS
+from kinegrade.worked.deductions import UNITS
 from kinegrade.worked.document import Block, Display, Prose
+from kinegrade.worked.known_vectors import positive_sense, ways
 from kinegrade.worked.numbers import (
     absolute_value,
     angle_text,
@@ -35,8 +37,8 @@ from kinegrade.worked.numbers import (
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.scalars import turning_value
 from kinegrade.worked.senses import direction_words
+from kinegrade.worked.solution_case import LETTERS, Case
 from kinegrade.worked.summands import NUMBER, Summand, component, sum_line, sum_of
-from kinegrade.worked.told import positive_sense, ways
 from kinegrade.worked.vectors import letter, letters_of, number_of, subscript
 
 Key = tuple[Level, tuple[tuple[str, str, str], ...]]
@@ -44,7 +46,9 @@ Key = tuple[Level, tuple[tuple[str, str, str], ...]]
 
 @dataclass(frozen=True)
 class Piece:
-    """A vector that is told by one number: its symbol, the direction in which that counts positive, its value."""
+    """A vector that is told by one number: its symbol, the direction in which that counts positive,
+    its value.
+    """
 
     symbol: str
     positive: Vector
@@ -53,9 +57,11 @@ class Piece:
 
 @dataclass(frozen=True)
 class Fact:
-    """A vector that the solution has found: its symbol, and whether by components or by sizes and directions.
+    """A vector that the solution has found: its symbol, and whether by components or by sizes and
+    directions.
 
-    `pieces` are the vectors whose sum it is where it is told by sizes: itself, or a normal and a tangential part.
+    `pieces` are the vectors whose sum it is where it is told by sizes: itself, or a normal and a
+    tangential part.
     """
 
     symbol: str
@@ -73,8 +79,8 @@ class Fact:
 class Findings:
     """What a solution has found so far, filled in as it is written.
 
-    `numbers` are those of the relative motions where a step has several, by the rate of each; `sized` the symbols of
-    vectors known by components whose size has been told as well.
+    `numbers` are those of the relative motions where a step has several, by the rate of each;
+    `sized` the symbols of vectors known by components whose size has been told as well.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -84,8 +90,10 @@ class Findings:
     sized: set[str] = field(default_factory=set)
 
     def note(self, equation: VectorEquation, case: Case) -> None:
-        """Keep what a solved equation gives: the vector that stands alone on one side, which is that of both chains,
-        the vectors of points fixed to nothing but the ground, and the numbers of its relative motions."""
+        """Keep what a solved equation gives: the vector that stands alone on one side, which is
+        that of both chains, the vectors of points fixed to nothing but the ground, and the numbers
+        of its relative motions.
+        """
         for part in equation.compositions:
             if part.term is not None:
                 self.numbers[part.term.rate] = number_of(equation, part)
@@ -124,7 +132,9 @@ def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact
 
 
 def sense_of(part: Part, case: Case) -> Vector:
-    """The direction in which a part's number counts positive: its own where only its size is told."""
+    """The direction in which a part's number counts positive: its own where only its size is
+    told.
+    """
     if part.coefficient is not None:
         return part.coefficient
     if part.term is None or part.part == "n" or part.term.kind == "rotation":
@@ -193,7 +203,9 @@ def added_up(
 
 
 def single(term: Term, name: str, case: Case) -> Iterator[Block]:
-    """The velocity of a point that turns about a fixed axis; of a guided point, whose speed has been told, nothing."""
+    """The velocity of a point that turns about a fixed axis; of a guided point, whose speed has
+    been told, nothing.
+    """
     if term.kind != "rotation":
         return
     body = term.rate.removeprefix("omega ")
@@ -217,14 +229,18 @@ def single(term: Term, name: str, case: Case) -> Iterator[Block]:
 
 
 def place_of(term: Term, case: Case) -> str:
-    """What distinguishes the sentence on a point that only coincides with one of the body that turns."""
+    """What distinguishes the sentence on a point that only coincides with one of the body that
+    turns.
+    """
     name = term.rate.removeprefix("omega ")
     own = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
     return "" if term.point in own else "_at"
 
 
 def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
-    """The acceleration of a point on a fixed circle: the normal part by its speed, the tangential one as told."""
+    """The acceleration of a point on a fixed circle: the normal part by its speed, the tangential
+    one as told.
+    """
     point, centre = case.naming.point(term.point), case.naming.point(term.base)
     yield Prose(phrase("known_circle", case.language, point=point, centre=centre))
     normal, tangential = (
@@ -256,7 +272,9 @@ def way(vector: Vector, case: Case) -> str:
 def carried(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The components of a point's vector by its base point: rotation about it added to the base point's own."""
+    """The components of a point's vector by its base point: rotation about it added to the base
+    point's own.
+    """
     last, before = chain[-1], chain[:-1]
     base_name = point_symbol(last.base, level, case)
     yield from find_point(before, base_name, case, level, findings)
@@ -283,9 +301,11 @@ def carried(
 def carried_component(
     axis: str, start: tuple[str, Vector], term: Term, case: Case, level: Level
 ) -> str:
-    """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and value.
+    """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and
+    value.
 
-    `start` is the vector of the base point with its symbol, "" where it is fixed. What does not turn adds nothing.
+    `start` is the vector of the base point with its symbol, "" where it is fixed. What does not
+    turn adds nothing.
     """
     base_name, base = start
     along = 0 if axis == "x" else 1
@@ -300,7 +320,9 @@ def carried_component(
 
 
 def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
-    """What the rotation about a base point adds to a component; nothing where the rotation is zero."""
+    """What the rotation about a base point adds to a component; nothing where the rotation is
+    zero.
+    """
     along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
     point, base = case.naming.point(term.point), case.naming.point(term.base)
     body = term.rate.removeprefix("omega ")
@@ -323,7 +345,9 @@ def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterato
 def composed(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The components of a point that moves within a moving body: transport, relative and Coriolis parts added."""
+    """The components of a point that moves within a moving body: transport, relative and Coriolis
+    parts added.
+    """
     last, before = chain[-1], chain[:-1]
     head = LETTERS[level]
     number = findings.numbers.get(last.rate, "")

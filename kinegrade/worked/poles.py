@@ -7,17 +7,19 @@ from collections.abc import Iterator
 
 from kinegrade.expression import Call, Name
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.needs import calls
+from kinegrade.worked.needed_rates import calls
 from kinegrade.worked.numbers import double, short, stated
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.points import Findings, find_point, point_symbol, vector_of
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import component
 
 
 def pole_name(body: str, case: Case) -> str:
-    """The letter of a body's pole: the one by which an ask calls it, else P, or a letter that no point has."""
+    """The letter of a body's pole: the one by which an ask calls it, else P, or a letter that no
+    point has.
+    """
     for ask in case.template.asks.values():
         named = re.match(r"[xy]_\{?([A-Z])\}?$", ask.symbol)
         if named and Call("pole", (Name(body),)) in calls(ask.quantity):
@@ -52,7 +54,9 @@ def pole_blocks(body: str, case: Case, findings: Findings) -> Iterator[Block]:
 
 
 def pole_line(axis: str, letter: str, body: str, velocity: Vector, case: Case) -> str:
-    """x_P = x_A - v_Ay / omega, y_P = y_A + v_Ax / omega, with the body's base point A and its velocity."""
+    """x_P = x_A - v_Ay / omega, y_P = y_A + v_Ax / omega, with the body's base point A and its
+    velocity.
+    """
     along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
     base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
     point, at = case.naming.point(base), case.motion.points[base]

@@ -1,4 +1,5 @@
-"""How an answer that is asked of a pose follows from coordinates: coordinates, distances, components and angles.
+"""How an answer that is asked of a pose follows from coordinates: coordinates, distances,
+components and angles.
 
 The last line ends with the key's own answer: its value is not worked out a second time.
 """
@@ -34,7 +35,7 @@ from kinegrade.worked.coordinates import (
 )
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_width import chained
-from kinegrade.worked.instance import (
+from kinegrade.worked.instance_formulas import (
     AREA,
     DEGREE,
     METRE,
@@ -66,7 +67,8 @@ def functions(tree: Expression) -> frozenset[str]:
 
 
 def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[Block, ...]:
-    """The working of an answer for which `is_positional` holds, from coordinates to the answer as it stands in the key.
+    """The working of an answer for which `is_positional` holds, from coordinates to the answer as
+    it stands in the key.
 
     In the ask's own unit; angles counter-clockwise. Raises KeyError for an ask that was not solved.
     """
@@ -76,7 +78,9 @@ def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[
 def pose_answers(
     solution: Solution, ask_names: Iterable[str], language: Language
 ) -> tuple[Block, ...]:
-    """The workings of several such answers, one after the other; a length that two of them need is found once."""
+    """The workings of several such answers, one after the other; a length that two of them need is
+    found once.
+    """
     blocks: tuple[Block, ...] = ()
     found: frozenset[Expression] = frozenset()
     plain = False
@@ -91,7 +95,9 @@ def pose_answers(
 def one_answer(
     solution: Solution, name: str, language: Language, found: frozenset[Expression]
 ) -> tuple[tuple[Block, ...], frozenset[Expression]]:
-    """The working of one answer where the lengths `found` are known, and the lengths known after it."""
+    """The working of one answer where the lengths `found` are known, and the lengths known after
+    it.
+    """
     ask, answer, instance = (
         solution.template.asks[name],
         solution.answers[name],
@@ -129,7 +135,9 @@ def last_line(
 
 
 def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tuple[Part, ...]:
-    """The answer, a length in centimetres or millimetres also in metres, and an angle in radians also in degrees."""
+    """The answer, a length in centimetres or millimetres also in metres, and an angle in radians
+    also in degrees.
+    """
     told, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
     if answer.is_zero or not (
         unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)
@@ -166,7 +174,9 @@ class Working:
         return self.instance.axes.pair(vector) or (ZERO, ZERO)
 
     def reduced(self, tree: Expression) -> tuple[Expression, Working]:
-        """The expression in coordinates, lengths and angles, and what had to be worked out for it."""
+        """The expression in coordinates, lengths and angles, and what had to be worked out for
+        it.
+        """
         match tree:
             case Operation():
                 left, working = self.reduced(tree.left)
@@ -260,7 +270,9 @@ class Working:
         return (names[0], names[1]), tuple(lines), instance
 
     def angle(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
-        """The angle from one vector to another: its cosine and sine up to a factor, its tangent, its quadrant."""
+        """The angle from one vector to another: its cosine and sine up to a factor, its tangent,
+        its quadrant.
+        """
         if self.pair(first) in (AXIS_X, AXIS_Y):
             return self.angle_from_axis(first, second)
         start, lines, instance = self.lettered("u", first)

@@ -1,4 +1,6 @@
-"""The sentences under which distances, components and angles are worked out, one table per language."""
+"""The sentences under which distances, components and angles are worked out, one table per
+language.
+"""
 
 from __future__ import annotations
 
@@ -28,13 +30,13 @@ class PoseWords:
 
 
 ENGLISH = PoseWords(
-    component="The component of {vector} in the direction of {direction} is their scalar product over the length of "
-    "the latter:",
+    component="The component of {vector} in the direction of {direction} is their scalar product "
+    "over the length of the latter:",
     axis_component="The ${axis}$ component of the unit vector in the direction of {direction}:",
-    angle="The angle is counted counter-clockwise from {first} to {second}. Its cosine and its sine are proportional "
-    "to the scalar product and the vector product of the two:",
-    angle_from_axis="The angle is counted counter-clockwise from {first} to {second}. Its cosine and its sine are "
-    "proportional to the coordinates of this vector:",
+    angle="The angle is counted counter-clockwise from {first} to {second}. Its cosine and its "
+    "sine are proportional to the scalar product and the vector product of the two:",
+    angle_from_axis="The angle is counted counter-clockwise from {first} to {second}. Its cosine "
+    "and its sine are proportional to the coordinates of this vector:",
     between="The angle between {first} and {second} follows from their scalar product:",
     x_axis="the $x$ axis",
     y_axis="the $y$ axis",
@@ -46,7 +48,8 @@ ENGLISH = PoseWords(
         (
             -1,
             1,
-        ): "The cosine is negative, the sine positive: the angle lies between $90^\\circ$ and $180^\\circ$.",
+        ): "The cosine is negative, the sine positive: the angle lies between $90^\\circ$ and "
+        "$180^\\circ$.",
         (
             -1,
             -1,
@@ -54,7 +57,8 @@ ENGLISH = PoseWords(
         (
             1,
             -1,
-        ): "The cosine is positive, the sine negative: the angle lies between $-90^\\circ$ and $0^\\circ$.",
+        ): "The cosine is positive, the sine negative: the angle lies between $-90^\\circ$ and "
+        "$0^\\circ$.",
         (1, 0): "The sine is zero, the cosine positive: the angle is zero.",
         (-1, 0): "The sine is zero, the cosine negative: the angle is $180^\\circ$.",
         (0, 1): "The cosine is zero, the sine positive: the angle is $90^\\circ$.",

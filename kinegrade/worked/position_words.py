@@ -1,4 +1,6 @@
-"""The sentences of the chapter on positions, one table per language; `{}` fields take LaTeX math or other phrases."""
+"""The sentences of the chapter on positions, one table per language; `{}` fields take LaTeX math or
+other phrases.
+"""
 
 from __future__ import annotations
 
@@ -58,8 +60,8 @@ ENGLISH = PositionWords(
     coincides="${point}$ coincides with ${other}$:",
     polar="${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction ${angle}$, "
     "counted counter-clockwise from the $x$ axis:",
-    polar_against="${point}$ lies at the distance ${radius}$ from ${centre}$, opposite to the direction ${angle}$, "
-    "which is counted counter-clockwise from the $x$ axis:",
+    polar_against="${point}$ lies at the distance ${radius}$ from ${centre}$, opposite to the "
+    "direction ${angle}$, which is counted counter-clockwise from the $x$ axis:",
     beside={
         0: "${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction of $x$:",
         1: "${point}$ lies at the distance ${radius}$ from ${centre}$ in the direction of $y$:",
@@ -69,15 +71,18 @@ ENGLISH = PositionWords(
     midpoint="${point}$ is the midpoint of ${first}{second}$:",
     displaced="From ${base}$ to ${point}$ leads the vector {vector}:",
     turned="{vector} turned through $90^\\circ$ counter-clockwise",
-    toward="${point}$ lies on the ray from ${start}$ through ${end}$, at the distance ${distance}$ from ${start}$:",
-    along="${point}$ lies at the distance ${distance}$ from ${start}$ in the direction of the vector {vector}:",
+    toward="${point}$ lies on the ray from ${start}$ through ${end}$, at the distance ${distance}$ "
+    "from ${start}$:",
+    along="${point}$ lies at the distance ${distance}$ from ${start}$ in the direction of the "
+    "vector {vector}:",
     foot="${point}$ is the foot of the perpendicular from ${from_}$ to {line}.",
-    foot_reached="Its distance ${share}$ from ${start}$, negative against this direction, is the projection of "
-    "{vector} on the line:",
+    foot_reached="Its distance ${share}$ from ${start}$, negative against this direction, is the "
+    "projection of {vector} on the line:",
     lines_meet="${point}$ is the point in which {first} and {second} meet:",
-    along_first="its distance from ${start}$ along the first of them is ${share}$, negative against its direction:",
-    quadratic="with ${share}$ for its distance from ${start}$ along the line, negative against the line's direction, "
-    "the equation of the circle becomes a quadratic one:",
+    along_first="its distance from ${start}$ along the first of them is ${share}$, negative "
+    "against its direction:",
+    quadratic="with ${share}$ for its distance from ${start}$ along the line, negative against the "
+    "line's direction, the equation of the circle becomes a quadratic one:",
     line_meets_circle="${point}$ is the {side} of the points in which {line} meets {circle}:",
     circles_meet="${point}$ lies on {first} and on {second}, {side}.",
     sides={"right": "right one", "left": "left one", "upper": "upper one", "lower": "lower one"},
@@ -90,12 +95,13 @@ ENGLISH = PositionWords(
     x_axis="the $x$ axis",
     y_axis="the $y$ axis",
     circle="the circle about ${centre}$ of radius ${radius}$",
-    triangle="In the triangle ${first}{second}{point}$ all sides are known; the law of cosines gives its angle "
-    "at ${first}$:",
+    triangle="In the triangle ${first}{second}{point}$ all sides are known; the law of cosines "
+    "gives its angle at ${first}$:",
     circles_without_triangle="Both circles give one equation each:",
-    reached_along="From ${first}$ the point ${point}$ is seen in the direction of ${first}{second}$ turned through "
-    "this angle {sense}:",
-    lengths_and_directions="Lengths and directions, angles counted counter-clockwise from the $x$ axis:",
+    reached_along="From ${first}$ the point ${point}$ is seen in the direction of "
+    "${first}{second}$ turned through this angle {sense}:",
+    lengths_and_directions="Lengths and directions, angles counted counter-clockwise from the $x$ "
+    "axis:",
 )
 CHINESE = PositionWords(
     origin="取 ${point}$ 为坐标原点。",

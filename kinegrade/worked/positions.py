@@ -1,4 +1,5 @@
-"""The chapter on positions of a worked solution: where every point is at the instant, and how far and which way apart.
+"""The chapter on positions of a worked solution: where every point is at the instant, and how far
+and which way apart.
 
 Everything is told from the constructions of the template, in its order, with this paper's numbers.
 """
@@ -15,12 +16,13 @@ from kinegrade.problem.solving import Solution
 from kinegrade.worked.constructions import chapter
 from kinegrade.worked.coordinates import ZERO, length_of, needed
 from kinegrade.worked.document import Block, Display, Prose
-from kinegrade.worked.instance import DEGREE, METRE, RADIAN, Instance, instance_of
+from kinegrade.worked.instance_formulas import DEGREE, METRE, RADIAN, Instance, instance_of
 from kinegrade.worked.position_words import position_words
 
 
 def positions(solution: Solution, wanted: Collection[str], language: Language) -> tuple[Block, ...]:
-    """Where the points `wanted` are, and those they are constructed from: a sentence and equations for each.
+    """Where the points `wanted` are, and those they are constructed from: a sentence and equations
+    for each.
 
     Coordinates in metres, x to the right, y upwards. Named lengths of the template come first.
     """
@@ -41,9 +43,11 @@ def named_lengths(instance: Instance, language: Language) -> tuple[Block, ...]:
 def lengths_and_directions(
     solution: Solution, pairs: Iterable[tuple[str, str]], language: Language
 ) -> tuple[Block, ...]:
-    """The distance of each pair of points in metres, and the direction from the first to the second.
+    """The distance of each pair of points in metres, and the direction from the first to the
+    second.
 
-    Directions are counted counter-clockwise from the x axis, in degrees. Points that coincide have no direction.
+    Directions are counted counter-clockwise from the x axis, in degrees. Points that coincide have
+    no direction.
     """
     instance = instance_of(solution)
     lines: tuple[str, ...] = ()
@@ -72,7 +76,9 @@ def length_formula(first: str, second: str, instance: Instance) -> Expression:
 
 
 def built_radius(centre: str, tree: Expression) -> Expression | None:
-    """The distance from a named centre at which a construction places its point; None where it does not."""
+    """The distance from a named centre at which a construction places its point; None where it does
+    not.
+    """
     match tree:
         case Call(function="polar" | "circle", arguments=(Name(name), radius, *_)) if (
             name == centre
@@ -102,7 +108,9 @@ def is_circle(shape: Expression, centre: str) -> bool:
 
 
 def direction_formula(first: str, second: str, instance: Instance) -> Expression:
-    """How the direction from one point to another is known: as the angle of the construction, or from coordinates."""
+    """How the direction from one point to another is known: as the angle of the construction, or
+    from coordinates.
+    """
     tree = next(step.tree for step in instance.steps if step.point == second)
     match tree:
         case Call(function="polar", arguments=(Name(name), radius, angle)) if name == first:

@@ -20,7 +20,9 @@ PARALLEL = 1e-9  # sine of the angle below which two directions count as one
 
 @dataclass(frozen=True)
 class Share:
-    """What one part gives to a projection: its size times the cosine of `angle`, with a sign; angle in degrees."""
+    """What one part gives to a projection: its size times the cosine of `angle`, with a sign; angle
+    in degrees.
+    """
 
     part: Part
     sign: int
@@ -29,7 +31,9 @@ class Share:
 
 @dataclass(frozen=True)
 class Projection:
-    """A vector equation projected on the axis at `axis` degrees; `dropped` is the unknown part normal to it."""
+    """A vector equation projected on the axis at `axis` degrees; `dropped` is the unknown part
+    normal to it.
+    """
 
     equation: VectorEquation
     axis: float
@@ -68,7 +72,9 @@ class Projection:
 
 @dataclass(frozen=True)
 class Deduction:
-    """Equations that together give the rates `unknowns`: projections, and relations between rates."""
+    """Equations that together give the rates `unknowns`: projections, and relations between
+    rates.
+    """
 
     projections: tuple[Projection, ...]
     scalars: tuple[Relation, ...]
@@ -78,10 +84,11 @@ class Deduction:
 def deductions(
     equations: Sequence[VectorEquation], scalars: Sequence[Relation], unknowns: Sequence[str]
 ) -> Iterator[Deduction]:
-    """How the vector equations and scalar relations of a step give its unknown rates, one deduction after the other.
+    """How the vector equations and scalar relations of a step give its unknown rates, one deduction
+    after the other.
 
-    An unknown that only one equation holds is first projected out of it; what the equations share is solved
-    together, then each of those follows.
+    An unknown that only one equation holds is first projected out of it; what the equations share
+    is solved together, then each of those follows.
     """
     own = {index: private(index, equations, scalars) for index in range(len(equations))}
     shared = [rate for rate in unknowns if not any(rate in rates for rates in own.values())]
@@ -137,7 +144,9 @@ def enough(
 
 
 def toward(equation: VectorEquation, rate: str, others: Sequence[str]) -> Projection:
-    """The projection that gives a rate: normal to the other unknown, else along the rate's own part."""
+    """The projection that gives a rate: normal to the other unknown, else along the rate's own
+    part.
+    """
     return normal_to(equation, others[0], rate) if others else along(equation, rate)
 
 
@@ -154,7 +163,9 @@ def along(equation: VectorEquation, rate: str) -> Projection:
 
 
 def oriented(projection: Projection, sought: str | None) -> Projection:
-    """The projection with its axis reversed where most parts count negative; in a tie the sought one decides."""
+    """The projection with its axis reversed where most parts count negative; in a tie the sought
+    one decides.
+    """
     shares = (*projection.left, *projection.right)
     balance = sum(share.sign for share in shares)
     deciding = [share for share in shares if balance or share.part.unknown == sought]

@@ -1,4 +1,6 @@
-"""Steps that need no vectors: what is given, bodies that turn alike, rolling without slipping, meshing gears."""
+"""Steps that need no vectors: what is given, bodies that turn alike, rolling without slipping,
+meshing gears.
+"""
 
 from __future__ import annotations
 
@@ -21,20 +23,22 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.relations import Relation, Term, omega_of
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.case import LETTERS, Case
-from kinegrade.worked.deduced import UNITS, along_direction, rotation_result
+from kinegrade.worked.deductions import UNITS, along_direction, rotation_result
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_text import latex_of, symbols_of
 from kinegrade.worked.kinds import track_of
+from kinegrade.worked.known_vectors import positive_sense, sense_told
 from kinegrade.worked.numbers import bracketed, double, short, stated
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.senses import direction_words, sense_along, sense_of_rotation
-from kinegrade.worked.told import positive_sense, sense_told
+from kinegrade.worked.solution_case import LETTERS, Case
 
 
 @dataclass(frozen=True)
 class Statement:
-    """A relation between rates: its title, why it holds, and the relation in symbols as a line of a display."""
+    """A relation between rates: its title, why it holds, and the relation in symbols as a line of a
+    display.
+    """
 
     title: str
     reason: str
@@ -181,7 +185,9 @@ def rolling(roll: Roll, relation: Relation, case: Case, level: Level) -> Stateme
 
 
 def positive_words(term: Term, case: Case, level: Level) -> str:
-    """In which sense a guided point's speed counts positive, in brackets; "" where its direction has no short name."""
+    """In which sense a guided point's speed counts positive, in brackets; "" where its direction
+    has no short name.
+    """
     if term.frame != GROUND:
         return ""
     centre = case.naming.point(term.base)

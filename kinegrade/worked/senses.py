@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.case import Case
 from kinegrade.worked.numbers import angle_text, bearing, double
 from kinegrade.worked.phrases import phrase
+from kinegrade.worked.solution_case import Case
 
 AXES = {0.0: "right", 90.0: "up", 180.0: "left", 270.0: "down"}
 
@@ -25,7 +25,8 @@ def rotation_words(value: Any, case: Case) -> str:
 
 
 def sense_along(value: float, positive: Vector, ends: tuple[str, str] | None, case: Case) -> str:
-    """The way of a vector as a text within an equation: left, right, up, down, from point to point, or reversed.
+    """The way of a vector as a text within an equation: left, right, up, down, from point to point,
+    or reversed.
 
     `ends` are points of its line in the positive sense, None where it has none.
     """

@@ -1,7 +1,9 @@
-"""The worked solution of a solved instance, derived from its plan: nothing in it is written for one template.
+"""The worked solution of a solved instance, derived from its plan: nothing in it is written for one
+template.
 
-What moves how; where everything is; the steps of the plan for velocities, then for accelerations, as far as the
-answers need them; how each answer follows; the answers, whose values are the key's own.
+What moves how; where everything is; the steps of the plan for velocities, then for accelerations,
+as far as the answers need them; how each answer follows; the answers, whose values are the key's
+own.
 """
 
 from __future__ import annotations
@@ -18,8 +20,7 @@ from kinegrade.problem.quantities import Quantities
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Ask, Method
 from kinegrade.worked.answers import answer_blocks, result
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import Stage
+from kinegrade.worked.deductions import Stage
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -32,7 +33,7 @@ from kinegrade.worked.document import (
 )
 from kinegrade.worked.kinds import kinds
 from kinegrade.worked.methods import method_blocks, method_title
-from kinegrade.worked.needs import NOTHING, Needs, needs_of, steps_needed
+from kinegrade.worked.needed_rates import NOTHING, Needs, needs_of, steps_needed
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.pictures import (
     answer_pictures,
@@ -44,6 +45,7 @@ from kinegrade.worked.points import Findings
 from kinegrade.worked.pose_answers import is_positional, pose_answers
 from kinegrade.worked.positions import positions
 from kinegrade.worked.scalars import single_rate
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.steps import stage_of, step_blocks
 from kinegrade.worked.wording import title
 
@@ -51,8 +53,9 @@ from kinegrade.worked.wording import title
 def worked_solution(
     solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
 ) -> WorkedSolution:
-    """The worked solution for the asks named, by the method where several serve (else the template's, else the
-    base point)."""
+    """The worked solution for the asks named, by the method where several serve (else the
+    template's, else the base point).
+    """
     case = Case(solution, language, method or solution.template.method)
     asked = tuple(solution.template.asks[name] for name in asks)
     return WorkedSolution(tuple(begun(block) for block in blocks(case, asked)))
@@ -106,7 +109,9 @@ def all_needs(case: Case, asked: Iterable[Ask]) -> Needs:
 
 
 def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
-    """Where the points of the mechanism are; for a problem of positions alone the answers tell it."""
+    """Where the points of the mechanism are; for a problem of positions alone the answers tell
+    it.
+    """
     yield Heading(phrase("positions", case.language), 1)
     if all(is_positional(ask) for ask in asked):
         yield Pictures((mechanism_picture(case),))
@@ -116,7 +121,9 @@ def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
 def level_chapter(
     steps: Sequence[Step], case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The steps of velocities, or of accelerations, numbered; what is given comes first and counts as one."""
+    """The steps of velocities, or of accelerations, numbered; what is given comes first and counts
+    as one.
+    """
     imposed = [step for step in steps if is_given(step, case)]
     known: set[str] = {rate for step in imposed for rate in step.unknowns}
     number = 0
@@ -155,7 +162,9 @@ def is_given(step: Step, case: Case) -> bool:
 
 
 def holds_still(step: Step, case: Case) -> bool:
-    """Whether a step only says that a body does not turn, which has been told with what moves how."""
+    """Whether a step only says that a body does not turn, which has been told with what moves
+    how.
+    """
     relations = [case.motion.frames.relations[index] for index in step.relations]
     held = isinstance(relations[0].source, (Parallel, Sleeve))
     return len(relations) == 1 and held and len(relations[0].turning) == 1

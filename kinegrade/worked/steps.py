@@ -14,8 +14,7 @@ from kinegrade.mechanics.vector_equation import (
     together,
     vector_equation,
 )
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import UNITS, Stage, deduced
+from kinegrade.worked.deductions import UNITS, Stage, deduced
 from kinegrade.worked.document import Block, Display, Prose, Term, TermTable
 from kinegrade.worked.kinds import translating
 from kinegrade.worked.numbers import bracketed, double, length, short, stated
@@ -23,6 +22,7 @@ from kinegrade.worked.phrases import phrase
 from kinegrade.worked.points import Fact, Findings, find_point, key_of, point_symbol, way
 from kinegrade.worked.projection import deductions
 from kinegrade.worked.scalars import body_or_ground, scalar_step, stated_relation
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import component
 from kinegrade.worked.vectors import (
     direction,
@@ -84,7 +84,9 @@ def letters_together(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def found_before(equation: VectorEquation, case: Case, findings: Findings) -> Iterator[Block]:
-    """How the vectors are found that the equation takes as known and that no earlier step has given as one."""
+    """How the vectors are found that the equation takes as known and that no earlier step has given
+    as one.
+    """
     for part in equation.parts:
         if not part.together:
             continue
@@ -128,7 +130,9 @@ def contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
 
 
 def same_path(equation: VectorEquation) -> bool:
-    """Whether an equation only says that a guided point moves as a point of a body whose motion is known."""
+    """Whether an equation only says that a guided point moves as a point of a body whose motion is
+    known.
+    """
     return is_whole(equation.left) and is_whole(equation.right) and len(equation.unknowns) == 1
 
 
@@ -153,7 +157,9 @@ def equals(formula: str) -> str:
 
 
 def table(equation: VectorEquation, case: Case) -> TermTable:
-    """The equation term by term with magnitudes and directions; what vanishes at this instant is left out."""
+    """The equation term by term with magnitudes and directions; what vanishes at this instant is
+    left out.
+    """
     terms: list[Term] = []
     for side in (equation.left, equation.right):
         shown = [part for part in side if not vanishes(part)]
@@ -174,7 +180,9 @@ def table(equation: VectorEquation, case: Case) -> TermTable:
 
 
 def remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Of what a composition's vectors consist, which parts vanish, and which points are meant by primed letters."""
+    """Of what a composition's vectors consist, which parts vanish, and which points are meant by
+    primed letters.
+    """
     listed = list(meanings(equation, case))
     if listed:
         yield Prose(

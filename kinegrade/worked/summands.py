@@ -10,7 +10,7 @@ from typing import Literal
 from kinegrade.mechanics.relations import total
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.deduced import UNITS
+from kinegrade.worked.deductions import UNITS
 from kinegrade.worked.numbers import bracketed, short, stated
 
 NUMBER = re.compile(r"-?[0-9.]+")
@@ -31,7 +31,9 @@ class Summand:
 
 
 def sum_of(summands: Sequence[Summand], what: Literal["symbol", "number"]) -> str:
-    """Summands written one after the other, the first without a plus sign; 0 where there are none."""
+    """Summands written one after the other, the first without a plus sign; 0 where there are
+    none.
+    """
     text = " ".join(f"{one.sign} {getattr(one, what)}" for one in summands)
     return text[2:] if text.startswith("+") else "-" + text[2:] if text else "0"
 

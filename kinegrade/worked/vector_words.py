@@ -1,4 +1,6 @@
-"""Vectors in the sentences of a worked solution: an arrow, a multiple of one, a pair, or one that is turned."""
+"""Vectors in the sentences of a worked solution: an arrow, a multiple of one, a pair, or one that
+is turned.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ from typing import assert_never
 
 from kinegrade.expression import Call, Expression, Name, Number, Operation
 from kinegrade.worked.coordinates import ZERO, is_negated, minus
-from kinegrade.worked.instance import Instance
+from kinegrade.worked.instance_formulas import Instance
 from kinegrade.worked.position_words import PositionWords
 
 
@@ -38,7 +40,9 @@ def vector_words(vector: Expression, instance: Instance, words: PositionWords) -
 
 
 def is_plain(vector: Expression, instance: Instance) -> bool:
-    """Whether a vector is printed well as it is: a pair, the way from point to point, or a multiple of one."""
+    """Whether a vector is printed well as it is: a pair, the way from point to point, or a multiple
+    of one.
+    """
     match vector:
         case Call(function=""):
             return True

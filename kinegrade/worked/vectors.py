@@ -13,9 +13,9 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.relations import Term, omega_of
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, Role, VectorEquation
-from kinegrade.worked.case import LETTERS, Case
+from kinegrade.worked.known_vectors import is_told_negative, path_of
 from kinegrade.worked.numbers import NEGLIGIBLE, absolute_value, angle_text, bearing, length, short
-from kinegrade.worked.told import is_told_negative, path_of
+from kinegrade.worked.solution_case import LETTERS, Case
 
 ROLES: Mapping[Role, str] = {
     "transport": r"\mathrm{e}",
@@ -30,7 +30,9 @@ def letter(equation: VectorEquation) -> str:
 
 
 def subscript(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The subscript of a part: a, e, r, C in a composition (numbered where there are two), else the points."""
+    """The subscript of a part: a, e, r, C in a composition (numbered where there are two), else the
+    points.
+    """
     plain = case.naming.point(part.point)
     point = primed(plain) if part.coincident else plain
     match part.role:
@@ -56,7 +58,9 @@ def axis_of(part: Part) -> str:
 
 
 def is_composed(equation: VectorEquation, part: Part) -> bool:
-    """Whether a part is the absolute motion of the only composition: alone on its side, the other one opposite."""
+    """Whether a part is the absolute motion of the only composition: alone on its side, the other
+    one opposite.
+    """
     side, other = (
         (equation.left, equation.right)
         if part in equation.left
@@ -80,7 +84,9 @@ def letters_of(equation: VectorEquation, part: Part, case: Case, *, bold: bool =
 
 
 def symbol(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The symbol of a part in equations: the algebraic value of an unknown one, the size of a known one."""
+    """The symbol of a part in equations: the algebraic value of an unknown one, the size of a known
+    one.
+    """
     letters = letters_of(equation, part, case)
     known = (
         part.unknown is None
@@ -132,7 +138,9 @@ def magnitude_formula(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def magnitude_of_term(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
-    """The formula of the size of a term's velocity, or of a part of its acceleration; "" where it has none."""
+    """The formula of the size of a term's velocity, or of a part of its acceleration; "" where it
+    has none.
+    """
     match term.kind:
         case "sliding":
             return ""
@@ -186,7 +194,9 @@ def signed_speed(case: Case, term: Term) -> float:
 
 
 def direction(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its positive sense."""
+    """The direction of a part in prose: how it lies, and its angle from +x; of an unknown part its
+    positive sense.
+    """
     angle = angle_text(bearing(heading(part)))
     how = way_of(equation, part, case)
     return f"${how}$, ${angle}$" if how else f"${angle}$"
@@ -243,7 +253,9 @@ def track(term: Term, case: Case) -> str:
 
 
 def ends_of_track(term: Term, case: Case) -> tuple[str, str] | None:
-    """The two points by which the line is given along which a point slides, None where it is given otherwise."""
+    """The two points by which the line is given along which a point slides, None where it is given
+    otherwise.
+    """
     sentence = case.joint(term)
     if sentence and sentence.on and len(sentence.on.arguments) == 2:
         start, end = sentence.on.arguments

@@ -8,10 +8,10 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import Stage
+from kinegrade.worked.deductions import Stage
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.scalars import body_or_ground, stated_relation
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.vectors import is_composed, letter, letters_of, number_of, primed, vanishes
 
 
@@ -125,7 +125,9 @@ def chained_bases(equation: VectorEquation, turning: Sequence[Term], case: Case)
 
 
 def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case: Case) -> str:
-    """The sentence for a point seen from two moving frames, or for a point of one that slides in another."""
+    """The sentence for a point seen from two moving frames, or for a point of one that slides in
+    another.
+    """
     names = [case.naming.body(part.frame) for part in compositions]
     points = [case.naming.point(part.point) for part in compositions]
     if any(part in equation.left for part in compositions) and any(
@@ -149,7 +151,9 @@ def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case:
 
 
 def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
-    """Of what the absolute and the transport vector of a composition consist, where they are not single parts."""
+    """Of what the absolute and the transport vector of a composition consist, where they are not
+    single parts.
+    """
     if len(equation.compositions) != 1:
         return
     relative = equation.compositions[0]
@@ -165,7 +169,8 @@ def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         if not parts or not all(
             part.role == "transport" or is_composed(equation, part) for part in parts
         ):
-            yield rf"$\boldsymbol{{{letter(equation)}}}_{{\mathrm{{{role}}}{number}}}={'+'.join(seen) or '0'}$"
+            symbol = rf"\boldsymbol{{{letter(equation)}}}_{{\mathrm{{{role}}}{number}}}"
+            yield f"${symbol}={'+'.join(seen) or '0'}$"
 
 
 def owner(equation: VectorEquation, case: Case) -> str:

@@ -1,4 +1,6 @@
-"""The main job through the command line, on the files that are shipped: an exam for 60 students, marked."""
+"""The main job through the command line, on the files that are shipped: an exam for 60 students,
+marked.
+"""
 
 from __future__ import annotations
 
@@ -86,7 +88,9 @@ def verdicts(demo: Demo) -> Verdicts:
 
 @pytest.fixture(scope="session")
 def counted(demo: Demo) -> Typed:
-    """The typed answers that count: of two rows the last, of strangers none; an id gets its zeros back."""
+    """The typed answers that count: of two rows the last, of strangers none; an id gets its zeros
+    back.
+    """
     roster = {line["student"] for line in lines_of(ROSTER)}
     restored = {ZEROS_EATEN.lstrip("0"): ZEROS_EATEN}
     typed = {restored.get(row.student, row.student): row for row in class_rows(demo.exam)}
@@ -148,7 +152,9 @@ def test_the_complaints_are_those_planted_and_no_others(demo: Demo) -> None:
 
 
 def shown(content: str) -> str:
-    """Rows that are kept whole are told by their many commas; formulas stand behind an apostrophe."""
+    """Rows that are kept whole are told by their many commas; formulas stand behind an
+    apostrophe.
+    """
     return "a whole row" if content.count(",") > 10 else content.removeprefix("'")
 
 

@@ -2,10 +2,11 @@
 
     python -m tests.demo.type_answers demo/EXAM banks/demo-answers.csv
 
-Every student knows a share of the answers and types them in an own manner; the rest are the slips that
-instructors know. What is rare in one exam (a cell nobody can read, a row twice, a stranger) is planted. Each
-choice comes from a seed, the student and the column, so that one answer more changes no other: the same exam
-gives the same bytes. `make demo-answers` runs this after templates have changed.
+Every student knows a share of the answers and types them in an own manner; the rest are the slips
+that instructors know. What is rare in one exam (a cell nobody can read, a row twice, a stranger) is
+planted. Each choice comes from a seed, the student and the column, so that one answer more changes
+no other: the same exam gives the same bytes. `make demo-answers` runs this after templates have
+changed.
 """
 
 from __future__ import annotations
@@ -61,7 +62,9 @@ class Key:
 
 @dataclass(frozen=True)
 class Answer:
-    """A typed cell, how its number came about ("right" where nothing went wrong) and how that is spelled."""
+    """A typed cell, how its number came about ("right" where nothing went wrong) and how that is
+    spelled.
+    """
 
     text: str
     slip: str
@@ -105,7 +108,8 @@ SPELLINGS: Weighted[Callable[[Decimal, str], str]] = {
     "four digits": (34, lambda value, unit: significant(value, 4)),
     "five digits": (14, lambda value, unit: significant(value, 5)),
     "three digits": (12, lambda value, unit: significant(value, 3)),
-    # three digits: with four, "1,234" raises a doubt about thousands, and DOUBTFUL plants the only one
+    # three digits: with four, "1,234" raises a doubt about thousands, and DOUBTFUL plants the only
+    # one
     "decimal comma": (10, lambda value, unit: significant(value, 3).replace(".", ",")),
     "no leading zero": (5, lambda value, unit: without_zero(significant(value, 4))),
     "comma, no leading zero": (

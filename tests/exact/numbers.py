@@ -15,7 +15,9 @@ Recipe = Any
 
 
 def towers() -> st.SearchStrategy[Recipe]:
-    """Recipes of numbers: a rational, or two recipes under + - * /, or the root of a recipe's size."""
+    """Recipes of numbers: a rational, or two recipes under + - * /, or the root of a recipe's
+    size.
+    """
     leaves = st.one_of(rationals, st.sampled_from([2, 3, 5, 6]).map(lambda n: ("sqrt", fmpq(n))))
     return st.recursive(
         leaves,
@@ -27,7 +29,9 @@ def towers() -> st.SearchStrategy[Recipe]:
 
 
 def build(recipe: Recipe, field: Any) -> tuple[Any, Any]:
-    """The number in a field, and its decimal; roots that would make the field too large are left out."""
+    """The number in a field, and its decimal; roots that would make the field too large are left
+    out.
+    """
     with mp.workdps(60):
         if not isinstance(recipe, tuple):
             return recipe, mpf(int(recipe.p)) / int(recipe.q)

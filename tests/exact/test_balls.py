@@ -104,9 +104,8 @@ def test_roots_and_directions_at_their_borders() -> None:
 
 def test_linear_equations_in_balls() -> None:
     with BALLS.context():
-        x, y = BALLS.solve(
-            [[2, 1], [1, 3], [3, 4]], [3, 5, 8]
-        )  # the third is the sum of the others
+        # The third is the sum of the others
+        x, y = BALLS.solve([[2, 1], [1, 3], [3, 4]], [3, 5, 8])
         assert x.overlaps(arb(Q(4, 5)))
         assert y.overlaps(arb(Q(7, 5)))
         with pytest.raises(Singular, match="do not determine"):

@@ -64,9 +64,8 @@ def test_the_solution_solves_and_doubles_agree(entries: list[Any], unknowns: lis
     matrix = [[entries[3 * i + j] + two * (i == j) for j in range(3)] for i in range(3)]
     matrix.append([sum(column, Q(0)) for column in zip(*matrix, strict=True)])
     right = [sum((a * x for a, x in zip(row, unknowns, strict=True)), Q(0)) for row in matrix]
-    assert (
-        field.solve(matrix, right) == unknowns
-    )  # a rational matrix plus root 2 on the diagonal is never singular
+    # A rational matrix plus root 2 on the diagonal is never singular
+    assert field.solve(matrix, right) == unknowns
     fast = Floats().solve(
         [[float(a) if a != 0 else 0.0 for a in map(as_float, row)] for row in matrix],
         list(map(as_float, right)),

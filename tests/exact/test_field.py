@@ -1,4 +1,6 @@
-"""Exact numbers: a field that grows by square roots, against 60 digits of mpmath and against known values."""
+"""Exact numbers: a field that grows by square roots, against 60 digits of mpmath and against known
+values.
+"""
 
 from __future__ import annotations
 

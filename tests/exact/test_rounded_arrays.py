@@ -1,4 +1,6 @@
-"""Working by hand for many at once gives each what it gets alone, to the last bit; who differs from most is told."""
+"""Working by hand for many at once gives each what it gets alone, to the last bit; who differs from
+most is told.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Working by hand: what is written down has so many significant figures, what stays in the calculator has all."""
+"""Working by hand: what is written down has so many significant figures, what stays in the
+calculator has all.
+"""
 
 from __future__ import annotations
 
@@ -59,9 +61,8 @@ def test_every_unknown_that_is_solved_for_is_written_down() -> None:
 
 
 def test_surplus_equations_are_left_alone_although_rounding_makes_them_disagree() -> None:
-    assert THREE.solve([[1.0], [2.0], [1.0]], [0.333, 0.667, 0.334]) == [
-        0.334
-    ]  # the one with most weight is used
+    # The one with most weight is used
+    assert THREE.solve([[1.0], [2.0], [1.0]], [0.333, 0.667, 0.334]) == [0.334]
     THREE.require_zero(0.001)
 
 

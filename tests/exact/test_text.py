@@ -1,4 +1,6 @@
-"""How numbers print: exact text read back, LaTeX, decimals rounded correctly to any number of digits."""
+"""How numbers print: exact text read back, LaTeX, decimals rounded correctly to any number of
+digits.
+"""
 
 from __future__ import annotations
 

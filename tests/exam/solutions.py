@@ -1,4 +1,6 @@
-"""Worked solutions as the engine would derive them, for the tests of their typesetting: a slider-crank by hand."""
+"""Worked solutions as the engine would derive them, for the tests of their typesetting: a
+slider-crank by hand.
+"""
 
 from __future__ import annotations
 
@@ -63,8 +65,8 @@ ACCELERATION = TermTable(
 ENGLISH_BLOCKS: tuple[Block, ...] = (
     Heading("What moves how", 1),
     Prose(
-        "The crank $OA$ turns about the fixed axis $O$; the rod $AB$ has plane motion; the slider $B$"
-        " is in translation along $Ox$."
+        "The crank $OA$ turns about the fixed axis $O$; the rod $AB$ has plane motion; the "
+        "slider $B$ is in translation along $Ox$."
     ),
     Heading("Velocities", 1),
     Heading("Step 1: the crank $OA$ turns about $O$", 2),
@@ -73,7 +75,8 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
     Prose("The velocity of $B$ is that of the base point $A$ and that of the rotation about it:"),
     VELOCITY,
     Prose(
-        r"Two magnitudes are unknown. Projected on $AB$, on which $\boldsymbol{v}_{BA}$ has no part:"
+        r"Two magnitudes are unknown. Projected on $AB$, on which $\boldsymbol{v}_{BA}$ has no "
+        r"part:"
     ),
     Display(
         (
@@ -101,8 +104,8 @@ ENGLISH_BLOCKS: tuple[Block, ...] = (
     Prose("Projected on $AB$:"),
     Display(
         (
-            r"a_B\cos 30^{\circ} &= a_A^{\mathrm{n}}\cos 90^{\circ} + a_A^{\mathrm{t}}\cos 0^{\circ}"
-            r" + a_{BA}^{\mathrm{n}}",
+            r"a_B\cos 30^{\circ} &= a_A^{\mathrm{n}}\cos 90^{\circ} + a_A^{\mathrm{t}}\cos "
+            r"0^{\circ} + a_{BA}^{\mathrm{n}}",
             r"a_B &= \frac{\alpha\cdot OA + \omega_{AB}^2\cdot AB}{\cos 30^{\circ}} = \frac{4}{3}"
             r" = 1.33333\,\mathrm{m/s^2}",
         )
@@ -135,9 +138,10 @@ ENGLISH_SOLUTION = SolutionSheet(
             1,
             "q1",
             "Slider-crank: velocity and acceleration of the slider $B$",
-            r"The crank $OA$ of length $r = 0.3\,\mathrm{m}$ turns clockwise about the fixed pin $O$ with "
-            r"$\omega = 2\,\mathrm{rad/s}$ and $\alpha = 5\,\mathrm{rad/s^2}$. The rod has the length $AB = \sqrt{3}\,OA$. "
-            r"Find the velocity and the acceleration of the slider $B$ when $\varphi = 60^\circ$.",
+            r"The crank $OA$ of length $r = 0.3\,\mathrm{m}$ turns clockwise about the fixed pin "
+            r"$O$ with $\omega = 2\,\mathrm{rad/s}$ and $\alpha = 5\,\mathrm{rad/s^2}$. The rod "
+            r"has the length $AB = \sqrt{3}\,OA$. Find the velocity and the acceleration of the "
+            r"slider $B$ when $\varphi = 60^\circ$.",
             ENGLISH_BLOCKS,
         ),
     ),
@@ -161,7 +165,8 @@ CHINESE_BLOCKS: tuple[Block, ...] = (
     Display(
         (
             r"v_B\cos 30^{\circ} &= v_A\cos 0^{\circ}",
-            r"v_B &= \frac{v_A}{\cos 30^{\circ}} = \frac{2\sqrt{3}}{5} = 0.692820\,\mathrm{m/s}\quad\text{（向右）}",
+            r"v_B &= \frac{v_A}{\cos 30^{\circ}} = \frac{2\sqrt{3}}{5} = "
+            r"0.692820\,\mathrm{m/s}\quad\text{（向右）}",
         )
     ),
     Pictures(
@@ -224,7 +229,9 @@ CHINESE_SOLUTION = SolutionSheet(
 
 
 def long_equation(terms: int) -> TermTable:
-    """A vector equation of that many terms, with magnitudes and directions as long as they may become."""
+    """A vector equation of that many terms, with magnitudes and directions as long as they may
+    become.
+    """
     magnitudes = (
         "?",
         r"$2\omega_{\mathrm{e}} v_{\mathrm{r}}$",

@@ -1,4 +1,6 @@
-"""A bank is read whole, exactly and safely; every fault of the file is told at once, with its place."""
+"""A bank is read whole, exactly and safely; every fault of the file is told at once, with its
+place.
+"""
 
 from __future__ import annotations
 
@@ -168,8 +170,8 @@ def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path:
         '[[questions]]\ntemplate = "slidercrank"\n[[questions]]\ntemplate = "../slider-crank"',
     )
     assert found[0] == (
-        "questions[1].template: crank.toml: statement.en: the parameter h is not given to the student: "
-        "write {{ h }}"
+        "questions[1].template: crank.toml: statement.en: the parameter h is not given to the "
+        "student: write {{ h }}"
     )
     assert found[1].startswith(
         f"questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file"
@@ -187,7 +189,8 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
     assert len(bank(tmp_path, mine).questions) == 2
     (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
     assert faults(tmp_path, mine) == [
-        'questions[2].template: another template of this bank has the name "slider-crank": rename the file'
+        'questions[2].template: another template of this bank has the name "slider-crank": rename '
+        "the file"
     ]
 
 
@@ -230,7 +233,8 @@ number = 2
         'unknown key "titel": did you mean "title"?',
         'tolerance: unknown key "size": known here: absolute, figures, relative',
         "tolerance: expected a tolerance above zero, the relative one below 100 %",
-        'questions[1]: expected a table with one of template = "...", family = "..." and tag = "..."',
+        'questions[1]: expected a table with one of template = "...", family = "..." and tag = '
+        '"..."',
         'questions[2]: unknown key "number": known here: asks, draw, points, template, tolerance',
         "questions[2].tolerance: expected a tolerance above zero, the relative one below 100 %",
         "questions[2].points: asks says the points already: leave one of the two out",
@@ -243,7 +247,8 @@ number = 2
         'questions[2].draw: no parameter "q": known here: alpha, k, omega, phi, r',
         "questions[2].draw.k: draw: expected 1 to 2000 values, each once",
         'questions[2].draw.r: unknown name "x": known here: pi',
-        'questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, the last value not before the '
+        'questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, the last value '
+        "not before the "
         "first, and there may be at most 2000 values",
         'course: expected a text, or texts { en = "...", zh = "..." }',
         'date: expected a text or a date, like "spring 2026" or 2026-05-01',
@@ -285,7 +290,8 @@ number = 2
         (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
         (
             QUESTION + "tolerance = 0.01",
-            'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }',
+            'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 '
+            "} or { figures = 3 }",
         ),
         (
             QUESTION + "tolerance = { figures = 1 }",
@@ -413,7 +419,10 @@ def test_a_bank_is_found_by_path_or_by_name(
 
 
 def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
-    credit = 'credit = { follow-through = "1/3", wrong-unit = "50 %", mistakes = { coriolis-halved = 0.25 } }\n'
+    credit = (
+        'credit = { follow-through = "1/3", wrong-unit = "50 %", mistakes = { coriolis-halved '
+        "= 0.25 } }\n"
+    )
     found = bank(tmp_path, HEAD + credit + "solutions = true\n" + QUESTION)
     assert found.credit.alone == {"follow-through": Fraction(1, 3), "wrong-unit": Fraction(1, 2)}
     assert found.credit.record() == {

@@ -1,4 +1,6 @@
-"""What a bank leaves to be drawn: never a template twice, decided by the secret, refused where it cannot be done."""
+"""What a bank leaves to be drawn: never a template twice, decided by the secret, refused where it
+cannot be done.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,7 @@ from hypothesis import strategies as st
 from kinegrade.errors import BankError
 from kinegrade.exam.bank import read_blueprint
 from kinegrade.exam.blueprint import Bank, Blueprint, matched
-from tests.exam.shelf_of_cranks import write_shelf
+from tests.exam.folder_of_cranks import write_shelf
 from tests.problem.crank import crank_text
 
 HEAD = 'title = "Midterm"\ncourse = "Mechanics"\n'
@@ -113,14 +115,16 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'family = "geer"',
             [
-                'questions[1].family: no shipped template has the family "geer": did you mean "gear"? '
+                'questions[1].family: no shipped template has the family "geer": did you mean '
+                '"gear"? '
                 "(known here: cam, crank, gear)"
             ],
         ),
         (
             'tag = "flat"',
             [
-                'questions[1].tag: no shipped template has the tag "flat": known here: acceleration, round, '
+                'questions[1].tag: no shipped template has the tag "flat": known here: '
+                "acceleration, round, "
                 "velocity"
             ],
         ),
@@ -134,16 +138,18 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'template = "gear-1"; family = "gear"; tag = "acceleration"',
             [
-                "questions[3].number: 1 different templates are to be drawn, 0 can be had besides those of the other questions: "
-                "draw fewer"
+                "questions[3].number: 1 different templates are to be drawn, 0 can be had "
+                "besides those of the other questions: draw fewer"
             ],
         ),
         (
             'family = "gear", number = 0, without = ["gear-3"], draw = { r = [1] }',
             [
-                'questions[1]: unknown key "draw": known here: asks, family, number, points, tolerance, without',
+                'questions[1]: unknown key "draw": known here: asks, family, number, points, '
+                "tolerance, without",
                 "questions[1].number: expected a whole number from 1 to 50, not '0'",
-                'questions[1].without: "gear-3" would not be drawn: did you mean "gear-2"? (known here: gear-1, gear-2)',
+                'questions[1].without: "gear-3" would not be drawn: did you mean "gear-2"? (known '
+                "here: gear-1, gear-2)",
             ],
         ),
         (
@@ -155,7 +161,8 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
             ['questions[1].without: expected a list of templates like ["slider-crank"]'],
         ),
         (
-            'family = "gear", points = 1; family = "crank", points = true; family = "cam", points = 1001',
+            'family = "gear", points = 1; family = "crank", points = true; family = "cam", points '
+            "= 1001",
             [
                 "questions[1].points: gear-1 asks 2 quantities: expected a point for each",
                 "questions[2].points: expected a whole number from 1 to 1000, not 'a bool'",
@@ -174,10 +181,10 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
             'tag = "velocity", number = 50; tag = "velocity", number = 50',
             [
                 "questions: expected at most 50 questions, not 100",
-                "questions[1].number: 50 different templates are to be drawn, 4 can be had besides those of the other questions: "
-                "draw fewer",
-                "questions[2].number: 50 different templates are to be drawn, 0 can be had besides those of the other questions: "
-                "draw fewer",
+                "questions[1].number: 50 different templates are to be drawn, 4 can be had "
+                "besides those of the other questions: draw fewer",
+                "questions[2].number: 50 different templates are to be drawn, 0 can be had "
+                "besides those of the other questions: draw fewer",
             ],
         ),
     ],
@@ -193,9 +200,8 @@ def test_a_faulty_template_on_the_shelf_is_told(tmp_path: Path) -> None:
     (shelf / "gear-1.toml").write_text("title = 3", encoding="utf-8")
     found = faults(shelf, 'family = "gear"')
     assert found[0] == "gear-1.toml: family is missing: every template needs it"
-    assert (
-        len(blueprint(shelf, 'template = "gear-2"').slots) == 1
-    )  # where nothing is drawn the shelf is not read
+    # Where nothing is drawn the shelf is not read
+    assert len(blueprint(shelf, 'template = "gear-2"').slots) == 1
 
 
 NAMES = "abcd"

@@ -121,7 +121,7 @@ def test_no_two_papers_of_a_class_have_one_code(monkeypatch: pytest.MonkeyPatch)
 def test_words_give_the_same_exam_anywhere_and_say_what_they_cost(folder: Path) -> None:
     said = [written(folder, name, "--reproducible", "open sesame") for name in ("ONE", "TWO")]
     assert contents(folder / "ONE") == contents(folder / "TWO")
-    assert "whoever guesses these words can print every paper and its key" in said[0]
+    assert "anyone who guesses these words can print every paper and its key" in said[0]
     assert "guesses" not in written(folder, "EXAM", "--seed", "open sesame")
     assert kept_secret(folder / "ONE") == FromWords("open sesame")
     help_text = " ".join(kinegrade("generate", "--help").stdout.split())

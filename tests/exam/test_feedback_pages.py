@@ -1,4 +1,6 @@
-"""Feedback sheets as PDF, and the words they are made with, from an exam as `generate` writes it."""
+"""Feedback sheets as PDF, and the words they are made with, from an exam as `generate` writes
+it.
+"""
 
 from __future__ import annotations
 

@@ -49,7 +49,8 @@ def test_every_supported_command_compiles() -> None:
     [
         (
             r"\omgea",
-            r"q1: formula $\omgea$: unknown command \omgea; expected plain LaTeX math; did you mean \omega?",
+            r"q1: formula $\omgea$: unknown command \omgea; expected plain LaTeX math; did you "
+            r"mean \omega?",
         ),
         (r"\input{/etc/passwd}", "unknown command \\input"),
         (r"\zzzzzz", "write it with other commands"),
@@ -61,7 +62,7 @@ def test_every_supported_command_compiles() -> None:
         ("圆", "expected no 圆 in math; put it into \\text{...}"),
         (
             r"\end{cases} x",
-            r"q1: formula $\end{cases} x$: cannot be read; expected whole LaTeX math; mend it",
+            r"q1: formula $\end{cases} x$: cannot be read; expected whole LaTeX math; fix it",
         ),
         ("a // b", "expected no // in math"),
         (r"\frac{1}{2", "braces do not match; expected a } for every {; count them"),

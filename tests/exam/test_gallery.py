@@ -1,4 +1,6 @@
-"""`kinegrade gallery`: every template with what it asks and how it looks; what cannot be shown says why."""
+"""`kinegrade gallery`: every template with what it asks and how it looks; what cannot be shown says
+why.
+"""
 
 from __future__ import annotations
 
@@ -102,7 +104,10 @@ def test_a_long_title_wraps_and_math_in_it_is_set(tmp_path: Path) -> None:
 def test_a_template_that_cannot_be_drawn_is_shown_with_the_reason(tmp_path: Path) -> None:
     path = write(tmp_path, "never", ('conditions = ["5*r <= 4*b"]', 'conditions = ["5*r < 0"]'))
     status, complaints, (page,) = gallery(tmp_path, path, "slider-crank")
-    reason = "gallery (never): no acceptable instance for student 1 in 400 draws (refused so far: condition 400)"
+    reason = (
+        "gallery (never): no acceptable instance for student 1 in 400 draws (refused so far: "
+        "condition 400)"
+    )
     assert status == 1
     assert complaints.startswith(f"complaint: {reason}")
     assert f"Cannot be shown: {reason}" in page

@@ -291,9 +291,8 @@ def test_papers_are_pdf_in_print_order_and_do_not_name_the_secret(exam: Path) ->
             assert not pdf.attachments
             assert "spring" not in str(dict(pdf.docinfo))
     with pikepdf.open(exam / "papers.pdf") as whole:
-        assert len(whole.pages) == sum(
-            count + count % 2 for count in pages
-        )  # each begins on a sheet of its own
+        # Each begins on a sheet of its own
+        assert len(whole.pages) == sum(count + count % 2 for count in pages)
 
 
 def test_the_text_of_a_paper_does_not_hold_its_answers(exam: Path) -> None:

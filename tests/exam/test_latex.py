@@ -1,4 +1,6 @@
-"""The press of LaTeX: whole files for each student, the same every time, and faults in the instructor's words."""
+"""The press of LaTeX: whole files for each student, the same every time, and faults in the
+instructor's words.
+"""
 
 from __future__ import annotations
 
@@ -83,9 +85,8 @@ def test_plain_text_never_becomes_a_command(tmp_path: Path) -> None:
         ENGLISH, course=code, title=code, date=code, student=code, name=code, code=code
     )
     ((page,),) = printed({"s": hostile}, tmp_path).values()
-    assert (
-        page.count(seen(code.replace("\0", ""))) == 7
-    )  # student, course and code also run on the page
+    # Student, course and code also run on the page
+    assert page.count(seen(code.replace("\0", ""))) == 7
 
 
 def test_an_id_that_no_font_prints_is_printed_as_code_points(tmp_path: Path) -> None:
@@ -189,8 +190,8 @@ def test_a_character_without_a_font_elsewhere_is_refused(tmp_path: Path) -> None
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers({"s": replace(ENGLISH, questions=(question,))}, tmp_path)
     assert refusal.value.problems == (
-        "paper A-0001, q1 (crank): no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic or Chinese;"
-        " write it otherwise",
+        "paper A-0001, q1 (crank): no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic "
+        "or Chinese; write it otherwise",
     )
 
 
@@ -209,7 +210,7 @@ def test_what_tex_refuses_is_named_by_paper_question_template_and_line(tmp_path:
         "paper K7Q2-9FHM, q2 (slider-crank): TeX: Double superscript in line "
     )
     assert r"a^b^c" in problem
-    assert problem.endswith("; expected math that can be typeset; mend the formula in the template")
+    assert problem.endswith("; expected math that can be typeset; fix the formula in the template")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -89,7 +89,8 @@ def test_what_it_does_not_need_is_refused(markdown: str) -> None:
         ("^^5cinput", r"q1: formula $^^5cinput$: expected one thing behind each ^; write ^{...}"),
         (
             r"\begin L",
-            r"q1: formula $\begin L$: expected braces right behind \begin and \end; write \begin{cases}",
+            r"q1: formula $\begin L$: expected braces right behind \begin and \end; write "
+            r"\begin{cases}",
         ),
         ("圆", "expected no 圆 in math"),
     ],

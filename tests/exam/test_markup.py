@@ -52,7 +52,10 @@ def test_what_an_exam_needs(markdown: str, expected: str) -> None:
 def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
     with pytest.raises(TypesetError) as refusal:
         prose(markdown, "q1, statement")
-    expected = f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, lists and $math$"
+    expected = (
+        f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, "
+        "lists and $math$"
+    )
     assert refusal.value.problems[0].startswith(expected)
 
 

@@ -1,4 +1,6 @@
-"""What stands on a paper and in the key: the student's own numbers, the answers in the key alone."""
+"""What stands on a paper and in the key: the student's own numbers, the answers in the key
+alone.
+"""
 
 from __future__ import annotations
 

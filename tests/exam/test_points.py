@@ -1,4 +1,6 @@
-"""Points shared out: whole, all of them, nobody without, nobody more than a point from the exact share."""
+"""Points shared out: whole, all of them, nobody without, nobody more than a point from the exact
+share.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""People know a question by the number printed on their paper; the names q1, q2 of files stand on no page."""
+"""People know a question by the number printed on their paper; the names q1, q2 of files stand on
+no page.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,9 @@ def squeezed(file: Path) -> str:
 
 
 def shuffled_class(folder: Path, *options: str) -> Path:
-    """An exam of two students whose papers have their own orders, with exceptions to the rule in two questions."""
+    """An exam of two students whose papers have their own orders, with exceptions to the rule in
+    two questions.
+    """
     write_class(folder)
     bank = (folder / "bank.toml").read_text(encoding="utf-8")
     (folder / "bank.toml").write_text(f"shuffle = true\n{bank}", encoding="utf-8")
@@ -108,7 +112,9 @@ def test_a_number_is_told_apart_only_where_it_is_another() -> None:
 
 
 def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path: Path) -> None:
-    """With "q1: 0/5" beside the grade, students of shuffled papers complained about another question."""
+    """With "q1: 0/5" beside the grade, students of shuffled papers complained about another
+    question.
+    """
     exam = shuffled_class(tmp_path, "--no-solutions")
     list(marked(exam, "en"))
     marks = tmp_path / "MARKS"

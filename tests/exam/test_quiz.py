@@ -1,4 +1,6 @@
-"""An exam folder as a quiz: the key's own numbers, the papers' own texts and figures, whoever makes them."""
+"""An exam folder as a quiz: the key's own numbers, the papers' own texts and figures, whoever makes
+them.
+"""
 
 from __future__ import annotations
 
@@ -274,7 +276,8 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
         (
             "exam.json",
             None,
-            r"exam.json: cannot be read \(No such file or directory\) - expected an exam folder made by",
+            r"exam.json: cannot be read \(No such file or directory\) - expected an exam folder "
+            r"made by",
         ),
         (
             "bank.toml",
@@ -289,7 +292,8 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
         (
             "exam.json",
             b"{}",
-            r"exam.json: is broken \(KeyError: 'format'\) - expected it as kinegrade generate wrote it",
+            r"exam.json: is broken \(KeyError: 'format'\) - expected it as kinegrade generate "
+            r"wrote it",
         ),
         (
             "exam.json",
@@ -304,7 +308,8 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
         (
             "key.jsonl",
             b"{",
-            r"key.jsonl:1: is broken \(JSONDecodeError\) - expected it as kinegrade generate wrote it",
+            r"key.jsonl:1: is broken \(JSONDecodeError\) - expected it as kinegrade generate wrote "
+            r"it",
         ),
         ("templates/crank.toml", b"family = 5", r"EXAM: crank.toml"),
     ],

@@ -1,4 +1,6 @@
-"""Worked solutions as HTML: everything that the printed ones say but the pictures, ending with the key's numbers."""
+"""Worked solutions as HTML: everything that the printed ones say but the pictures, ending with the
+key's numbers.
+"""
 
 from __future__ import annotations
 

@@ -293,9 +293,7 @@ def test_numbers_that_can_be_guessed_are_not_kept_without_a_word(folder: Path) -
     words = generate(folder, "--force", "--new-numbers", "--reproducible", "spring")
     assert words.exit_code == 0
     again = generate(folder, "--force")
-    said = (
-        f"{folder}/EXAM: keeps numbers that come from words: whoever guesses these words can print"
-    )
+    said = f"{folder}/EXAM: keeps numbers that come from words: anyone who guesses these words can print"
     assert [line for line in again.stderr.splitlines() if line.startswith(said)]
     assert "come from words" not in generate(folder, "--force", "--new-numbers").stderr
 

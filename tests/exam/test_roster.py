@@ -56,7 +56,8 @@ def test_all_faults_are_reported_at_once() -> None:
     assert caught.value.problems == (
         'roster.csv:2: no student id ("Ann") - expected one on every line - add it',
         'roster.csv:5: no student id ("Dan") - expected one on every line - add it',
-        'roster.csv: student id "1" stands on lines 3 and 4 - expected each id once - correct or delete one',
+        'roster.csv: student id "1" stands on lines 3 and 4 - expected each id once - correct or '
+        "delete one",
     )
 
 

@@ -27,13 +27,15 @@ asks = { v_B = 1, a_B = { points = 2, tolerance = { absolute = 0.05 } } }
         (
             "1/100",
             "0",
-            "by at most 1 % of that value. Where the exact value is zero, or less than 1 % of the largest",
+            "by at most 1 % of that value. Where the exact value is zero, or less than 1 % of the "
+            "largest",
             "不超过精确值的 1 %即判为正确。精确值为零或小于该机构中同类量最大值的 1 % 时，允许偏差为该最大值的 1 %。",
         ),
         (
             "1/200",
             "1/500",
-            "at most 0.5 % of that value, or by at most 0.002 in the unit of the table, whichever is more.",
+            "at most 0.5 % of that value, or by at most 0.002 in the unit of the table, whichever "
+            "is more.",
             "0.5 %（或不超过 0.002，以表中单位计，取其大者）",
         ),
         (
@@ -55,21 +57,23 @@ def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: 
     [
         (
             Tolerance(Fraction(0), Fraction(0), 3),
-            "An answer is right if it agrees with the exact value to 3 significant digits (where that is 1.2304, from 1.225 "
-            "to 1.235). Where the exact value is zero, or less than 0.5 % of the largest quantity of its kind in the "
-            "mechanism, 0.5 % of that quantity is allowed.",
+            "An answer is right if it agrees with the exact value to 3 significant digits "
+            "(where that is 1.2304, from 1.225 to 1.235). Where the exact value is zero, or "
+            "less than 0.5 % of the largest quantity of its kind in the mechanism, 0.5 % of "
+            "that quantity is allowed.",
             "答案与精确值在 3 位有效数字内一致（如精确值为 1.2304 时，从 1.225 到 1.235）即判为正确。"
             "精确值为零或小于该机构中同类量最大值的 0.5 % 时，允许偏差为该最大值的 0.5 %。",
         ),
         (
             Tolerance(Fraction(1, 100), Fraction(0), 4),
-            "(where that is 1.23404, from 1.2335 to 1.2345), or differs from it by at most 1 % of it. Where the exact value "
-            "is zero, or less than 1 % of",
+            "(where that is 1.23404, from 1.2335 to 1.2345), or differs from it by at most 1 % "
+            "of it. Where the exact value is zero, or less than 1 % of",
             "（如精确值为 1.23404 时，从 1.2335 到 1.2345），或与其之差不超过精确值的 1 %，即判为正确。",
         ),
         (
             Tolerance(Fraction(1, 200), Fraction(1, 50), 2),
-            "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it or 0.02 in the unit of the "
+            "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it "
+            "or 0.02 in the unit of the "
             "table. Where the exact value is zero, or less than 5 % of",
             "或与其之差不超过精确值的 0.5 %或 0.02（以表中单位计），即判为正确。",
         ),
@@ -117,8 +121,8 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     english, chinese = rules(bank, "en"), rules(bank, "zh")
     assert len(english) == len(chinese) == 4
     assert english[-1] == (
-        "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at most 0.05 "
-        "in the unit of the table."
+        "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at "
+        "most 0.05 in the unit of the table."
     )
     assert chinese[-1].startswith("第 1 题 $a_{B}$：答案与精确值之差不超过 0.05")
 

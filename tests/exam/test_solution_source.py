@@ -1,4 +1,6 @@
-"""Worked solutions come out as pages: everything is on them, nothing sticks out, no heading stands alone."""
+"""Worked solutions come out as pages: everything is on them, nothing sticks out, no heading stands
+alone.
+"""
 
 from __future__ import annotations
 
@@ -68,7 +70,9 @@ def pages(compiler: typst.Compiler) -> Print:
 
 
 def inked_columns(image: bytes) -> tuple[int, int, int]:
-    """The first and the last column of a PNG page (8 bits, RGBA) that are not white, and the number of columns."""
+    """The first and the last column of a PNG page (8 bits, RGBA) that are not white, and the number
+    of columns.
+    """
     width, height = unpack(">II", image[16:24])
     chunks, at = [], 8
     while at < len(image):

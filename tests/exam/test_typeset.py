@@ -1,4 +1,6 @@
-"""Papers and keys come out as PDF: whole, the same every time, and never with a box for a character."""
+"""Papers and keys come out as PDF: whole, the same every time, and never with a box for a
+character.
+"""
 
 from __future__ import annotations
 
@@ -152,7 +154,9 @@ def test_a_paper_of_many_questions_has_a_box_for_each_mark(
 
 
 def right_margins(pdf: bytes, folder: Path) -> list[float]:
-    """Millimetres between the start of the rightmost text of each page and the page's right edge."""
+    """Millimetres between the start of the rightmost text of each page and the page's right
+    edge.
+    """
     file = folder / "read.pdf"
     file.write_bytes(pdf)
     margins = []
@@ -245,7 +249,8 @@ def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) 
             replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2")))
         )
     assert refusal.value.problems == (
-        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; mend the formulas",
+        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; mend "
+        "the formulas",
     )
 
 

@@ -1,4 +1,6 @@
-"""Versions A, B, C, and papers that each have their own order: what `kinegrade generate` writes, and `grade` marks."""
+"""Versions A, B, C, and papers that each have their own order: what `kinegrade generate` writes,
+and `grade` marks.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +57,9 @@ def text_of(file: Path) -> str:
 
 
 def headings(line: dict[str, Any], known: str, language: Language) -> list[str]:
-    """Number and title of each question as they follow on the paper, that of the answer sheet where it is another."""
+    """Number and title of each question as they follow on the paper, that of the answer sheet where
+    it is another.
+    """
     templates = {
         question["question"]: load_template(question["template"]) for question in line["questions"]
     }

@@ -1,4 +1,6 @@
-"""Papers for Word and for a browser: everything is in them, formulas are formulas, and no text becomes code."""
+"""Papers for Word and for a browser: everything is in them, formulas are formulas, and no text
+becomes code.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +38,10 @@ TAKES = {
     "dfrac": r"\dfrac{a}{b}",
     "tfrac": r"\tfrac{a}{b}",
 }
-WITH_ARGUMENT = "mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace overrightarrow sqrt"
+WITH_ARGUMENT = (
+    "mathrm mathbf mathit boldsymbol bm vec bar hat tilde dot ddot overline underbrace "
+    "overrightarrow sqrt"
+)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +62,9 @@ def words(element: ElementTree.Element) -> str:
 
 
 def with_figure(paper: Paper) -> Paper:
-    """The paper with a figure in its first question, and a second question named otherwise than its number."""
+    """The paper with a figure in its first question, and a second question named otherwise than its
+    number.
+    """
     first = replace(paper.questions[0], figure=polygon_scene())
     return replace(
         paper,
@@ -261,8 +268,8 @@ def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> Non
     with pytest.raises(TypesetError) as refusal:
         press.html(replace(ENGLISH, questions=(question,)))
     assert refusal.value.problems == (
-        r"html: formula $\frac{a}$: cannot be read; expected whole LaTeX math; mend it",
-        "html: formula $x^$: cannot be read; expected whole LaTeX math; mend it",
+        r"html: formula $\frac{a}$: cannot be read; expected whole LaTeX math; fix it",
+        "html: formula $x^$: cannot be read; expected whole LaTeX math; fix it",
     )
 
 

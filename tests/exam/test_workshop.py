@@ -66,9 +66,8 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
     assert all(size >= CHUNK for size in sizes[:-1])
 
 
-@pytest.mark.parametrize(
-    "threads", ["1", "2"]
-)  # of a library: copies where there are none, else processes afresh
+# Of a library: copies where there are none, else processes afresh
+@pytest.mark.parametrize("threads", ["1", "2"])
 def test_copies_of_a_process_without_threads_write_the_same_bytes(
     folder: Path, threads: str
 ) -> None:
@@ -108,8 +107,8 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
     program = (
-        "import kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = TypstPress(); "
-        "from kinegrade.exam.workshop import alone; print(alone())"
+        "import kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = "
+        "TypstPress(); from kinegrade.exam.workshop import alone; print(alone())"
     )
     environment = {
         **os.environ,
@@ -181,9 +180,8 @@ def test_nobody_gets_the_numbers_of_another_however_the_class_is_divided(folder:
 
 def test_a_draw_that_fails_in_a_worker_is_told_as_ever(folder: Path) -> None:
     (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
-    scarce = FEW.replace(
-        'omega = "1 .. 8 step 1"', "omega = [1, 2, 3, 4, 5, 20000000]"
-    )  # 40 sound ones for 41
+    # 40 sound ones for 41
+    scarce = FEW.replace('omega = "1 .. 8 step 1"', "omega = [1, 2, 3, 4, 5, 20000000]")
     (folder / "bank.toml").write_text(scarce, encoding="utf-8")
     errors = [generate(folder, "EXAM", "--jobs", jobs).stderr for jobs in ("1", "2")]
     assert errors[0] == errors[1]

@@ -1,4 +1,6 @@
-"""What may be asked of every picture: symbols apart from each other and from bold lines, everything on the paper."""
+"""What may be asked of every picture: symbols apart from each other and from bold lines, everything
+on the paper.
+"""
 
 from __future__ import annotations
 

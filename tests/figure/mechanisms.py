@@ -1,4 +1,6 @@
-"""The first eight mechanisms with float values, as a template would assemble them, and their hints."""
+"""The first eight mechanisms with float values, as a template would assemble them, and their
+hints.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Further mechanisms of the catalogue, one posture each: every joint kind and every way a body can look."""
+"""Further mechanisms of the catalogue, one posture each: every joint kind and every way a body can
+look.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""What every back end keeps: the size of the scene, all primitives, and symbols alone reach the typesetter."""
+"""What every back end keeps: the size of the scene, all primitives, and symbols alone reach the
+typesetter.
+"""
 
 from __future__ import annotations
 
@@ -70,9 +72,8 @@ def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> Non
     for symbol, (width, height) in zip(SYMBOLS, sizes, strict=True):
         room = symbol_size(symbol)
         assert float(width) * 25.4 / 72.27 <= room[0] + 0.05, symbol
-        assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, (
-            symbol
-        )  # TeX's root stands out a little
+        # TeX's root stands out a little
+        assert float(height) * 25.4 / 72.27 <= room[1] + 0.8, symbol
 
 
 @BACK_ENDS

@@ -157,9 +157,8 @@ def test_the_edge_of_a_plate_rests_on_knife_edges_not_in_sleeves() -> None:
     wedges = [
         part for part in drawing.primitives if isinstance(part, Outline) and len(part.corners) == 3
     ]
-    assert all(
-        part.corners[1].dot(part.corners[0]) > part.corners[0].squared() for part in wedges
-    )  # outside
+    # Outside
+    assert all(part.corners[1].dot(part.corners[0]) > part.corners[0].squared() for part in wedges)
 
 
 def test_a_rod_through_its_point_has_two_free_ends_with_letters() -> None:

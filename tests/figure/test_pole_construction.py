@@ -1,4 +1,6 @@
-"""The construction of a velocity pole: normals that meet, tips on one line, a contact, far away, at infinity."""
+"""The construction of a velocity pole: normals that meet, tips on one line, a contact, far away, at
+infinity.
+"""
 
 from __future__ import annotations
 

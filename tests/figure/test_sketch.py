@@ -1,4 +1,6 @@
-"""What every figure keeps, whatever the mechanism: to scale, on its paper, nothing written over anything."""
+"""What every figure keeps, whatever the mechanism: to scale, on its paper, nothing written over
+anything.
+"""
 
 from __future__ import annotations
 
@@ -139,9 +141,8 @@ def test_a_link_between_its_two_points_carries_its_length_as_a_letter() -> None:
     scene = sketch(*slider_crank(0.2, 1.75, 60))
     thin = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN]
     assert {"r", "k r"} <= {label.symbol for label in scene.labels}
-    assert (
-        sum(len(part.lines) for part in thin if len(part.lines) == 3) == 0
-    )  # no dimension: two extensions and a line
+    # No dimension: two extensions and a line
+    assert sum(len(part.lines) for part in thin if len(part.lines) == 3) == 0
 
 
 def test_a_length_divided_by_another_point_gets_a_dimension_line() -> None:

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.figure import sketchbook
-from kinegrade.figure.alike import Subject
 from kinegrade.figure.scene import Scene
+from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.sketchbook import sketch_once
 from kinegrade.mechanics.numeric import drawable_mechanism

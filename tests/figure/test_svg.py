@@ -78,9 +78,8 @@ def test_an_arc_turns_the_way_the_scene_says(sweep: float) -> None:
     path = drawn(Bow(Vector(20.0, 15.0), 10.0, 0.0, sweep, FIRM)).find(f".//{SVG}path")
     assert path is not None
     arcs = re.findall(r"A10 10 0 0 (\d) ([-\d.]+) ([-\d.]+)", path.attrib["d"])
-    assert {flag for flag, _, _ in arcs} == {
-        "0" if sweep > 0 else "1"
-    }  # 0 is counter-clockwise, as y points down
+    # 0 is counter-clockwise, as y points down
+    assert {flag for flag, _, _ in arcs} == {"0" if sweep > 0 else "1"}
     points = [(30.0, 15.0), *((float(x), float(y)) for _, x, y in arcs)]
     for (x, y), (next_x, next_y) in pairwise(points):
         assert hypot(x - 20, y - 15) == pytest.approx(10, abs=0.01)

@@ -1,4 +1,6 @@
-"""The TikZ back end's own ways: arcs as curves, pens named where they change, labels at their centres."""
+"""The TikZ back end's own ways: arcs as curves, pens named where they change, labels at their
+centres.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +27,8 @@ def test_the_picture_has_the_size_of_the_scene() -> None:
     source = drawn()
     assert source.startswith("\\begin{tikzpicture}")
     assert (
-        "\\pgfpathrectangle{\\pgfpointorigin}{\\pgfqpoint{30mm}{20mm}}\\pgfusepath{use as bounding box}"
-        in source
+        "\\pgfpathrectangle{\\pgfpointorigin}{\\pgfqpoint{30mm}{20mm}}\\pgfusepath{use as bounding "
+        "box}" in source
     )
 
 

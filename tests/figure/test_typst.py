@@ -145,5 +145,7 @@ def unfiltered(kind: int, line: bytes, above: bytearray) -> bytearray:
 
 
 def blurred(image: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """The means of squares of four pixels a side, which say nothing of the last pixel of an edge."""
+    """The means of squares of four pixels a side, which say nothing of the last pixel of an
+    edge.
+    """
     return image.reshape(image.shape[0] // 4, 4, -1, 4).mean(axis=(1, 3))

@@ -1,4 +1,6 @@
-"""Arrows are told apart: known from unknown, one from another on the same line, a symbol from its neighbours'."""
+"""Arrows are told apart: known from unknown, one from another on the same line, a symbol from its
+neighbours'.
+"""
 
 from __future__ import annotations
 

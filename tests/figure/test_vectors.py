@@ -1,4 +1,6 @@
-"""Vectors on the mechanism: to one scale, at their points, beside the bars, with nothing else than letters."""
+"""Vectors on the mechanism: to one scale, at their points, beside the bars, with nothing else than
+letters.
+"""
 
 from __future__ import annotations
 

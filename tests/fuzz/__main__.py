@@ -2,8 +2,9 @@
 
     python -m tests.fuzz --cases 10000 --seed 1
 
-Prints a table of the doors and every fault with its seeds; the status is 1 if there is any. Without --seed the seed is
-new every time. A seed that failed belongs into `tests/fuzz/failed_seeds.py`, with the fault mended.
+Prints a table of the doors and every fault with its seeds; the status is 1 if there is any. Without
+--seed the seed is new every time. A seed that failed belongs into `tests/fuzz/failed_seeds.py`,
+with the fault mended.
 """
 
 from __future__ import annotations
@@ -60,7 +61,9 @@ def _all(seeds: range, jobs: int) -> Iterator[Outcome]:
 
 
 def _by_processes(batch: range, material: Path) -> list[Outcome]:
-    """The outcomes of a batch; where its process dies, that seed is at fault, and another one goes on after it."""
+    """The outcomes of a batch; where its process dies, that seed is at fault, and another one goes
+    on after it.
+    """
     outcomes: list[Outcome] = []
     while batch:
         found, ended = _by_process(batch, material)

@@ -12,7 +12,9 @@ from tests.fuzz.doors import Door
 
 
 def unaccounted(door: Door, folder: Path, said: str) -> list[str]:
-    """Students of the damaged file who are in no output and in no complaint; [] where the file is not plain CSV."""
+    """Students of the damaged file who are in no output and in no complaint; [] where the file is
+    not plain CSV.
+    """
     out = folder / "OUT"
     match door.command[0]:
         case "grade" if door.file == "answers.csv":
@@ -38,7 +40,9 @@ def _found(student: str, texts: list[str]) -> bool:
 
 
 def _students(file: Path) -> Iterator[str]:
-    """The cells under "student" of a plain table in UTF-8; nothing where it is not as plain as that."""
+    """The cells under "student" of a plain table in UTF-8; nothing where it is not as plain as
+    that.
+    """
     try:
         text = file.read_bytes().decode("utf-8-sig")
         rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))

@@ -1,4 +1,6 @@
-"""One case: a seed chooses a door and damages its file; the command may refuse or complain, and nothing else."""
+"""One case: a seed chooses a door and damages its file; the command may refuse or complain, and
+nothing else.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""The doors through which files come in: for each the file that is damaged, and the command that reads it."""
+"""The doors through which files come in: for each the file that is damaged, and the command that
+reads it.
+"""
 
 from __future__ import annotations
 

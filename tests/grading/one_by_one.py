@@ -1,4 +1,6 @@
-"""Marking as its rule is stated: each answer read and decided exactly; blocks are held against it."""
+"""Marking as its rule is stated: each answer read and decided exactly; blocks are held against
+it.
+"""
 
 from __future__ import annotations
 

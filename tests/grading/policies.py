@@ -1,4 +1,6 @@
-"""A class in memory, marked by a policy that is given as text: for tests of policies and what follows from them."""
+"""A class in memory, marked by a policy that is given as text: for tests of policies and what
+follows from them.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,9 @@ def told(marks: Marks, student: str, index: int = 0) -> tuple[str, Fraction, str
 
 
 def drawn_exam(folder: Path) -> Path:
-    """An exam folder whose papers have parameters: r = 1 m, 2 m ..., omega = 30 rpm, phi = 30 degrees."""
+    """An exam folder whose papers have parameters: r = 1 m, 2 m ..., omega = 30 rpm, phi = 30
+    degrees.
+    """
     papers = [paper(student) for student in STUDENTS]
     for number, each in enumerate(papers, 1):
         given = {

@@ -1,4 +1,6 @@
-"""A class of any size with own papers, whose students work, err, misread and copy as a test wants."""
+"""A class of any size with own papers, whose students work, err, misread and copy as a test
+wants.
+"""
 
 from __future__ import annotations
 
@@ -121,7 +123,9 @@ def keys(asks: tuple[Ask, ...], drawn: Numbers) -> dict[str, Key]:
 
 
 def honest_slips(sitting: SittingClass, seed: int) -> Typing:
-    """Students who err on their own: a number misread in every third question, some answers wrong by any factor."""
+    """Students who err on their own: a number misread in every third question, some answers wrong
+    by any factor.
+    """
 
     def wrong(place: int) -> dict[str, Fraction]:
         chance, given = Random(f"{seed} {place}"), {}

@@ -1,4 +1,5 @@
-"""Reading answers: what is written in any accepted way reads back as itself; what is not is refused at once.
+"""Reading answers: what is written in any accepted way reads back as itself; what is not is refused
+at once.
 
 The answers one by one stand in typed_answers.tsv.
 """
@@ -50,7 +51,9 @@ class Written:
 
 @st.composite
 def decimals(draw: st.DrawFn) -> Written:
-    """A decimal number not below zero with its digits grouped or not, and perhaps a power of ten."""
+    """A decimal number not below zero with its digits grouped or not, and perhaps a power of
+    ten.
+    """
     digits, places, mark = (
         draw(st.integers(0, 10**12)),
         draw(st.integers(0, 8)),
@@ -95,7 +98,9 @@ def dressed(draw: st.DrawFn, text: str, *, full_width: bool = True) -> str:
 
 @st.composite
 def signed(draw: st.DrawFn, text: str) -> tuple[str, int]:
-    """A typed size with a sign before it or a sense behind it, for an ask that counts counter-clockwise positive."""
+    """A typed size with a sign before it or a sense behind it, for an ask that counts
+    counter-clockwise positive.
+    """
     ways = [
         (text, 1),
         (f"+{text}", 1),
@@ -212,7 +217,8 @@ HOSTILE = [
     "9**9**9", "9**9**9**9", "10**(10**10)", "1e" + "9" * 150, "m" * 200, "5 " + "m" * 190, "5 " + "m/" * 95,
     "5 m^999999999", "5 m^9" * 40, "5 (((((((m)))))))", "5 " + "(" * 190, "cw " * 66, "a_" * 90 + "=5", "=" * 200,
     "\x00", "5\x00", "\ud800", "5\udfff", "\u202e12", "12\u200b34", "__import__('os').system('ls')", "{{7*7}}",
-    "${7*7}", "%s%n", "1;DROP TABLE", "=cmd|' /C calc'!A0", "\ufeff" * 500, "e" * 199, "." * 199, "-" * 100_000 + "a",
+    "${7*7}", "%s%n", "1;DROP TABLE", "=cmd|' /C "
+                                      "calc'!A0", "\ufeff" * 500, "e" * 199, "." * 199, "-" * 100_000 + "a",
     "\u3000" * 1_000_000 + "5", " \u200b" * 1_000_000 + "5",
 ]  # fmt: skip
 
@@ -228,7 +234,8 @@ def test_hostile_text_ends_at_once_in_a_reading(typed: str) -> None:
     ("+".join(["√2"] * 9), "more than 8 roots; write a decimal number"),
     ("(" * 9 + "√2" + ")" * 9, "brackets nested deeper than 8; write a decimal number"),
     ("π" * 25, "a formula of more than 24 parts; write a decimal number"),
-    ("(√2*1e99)*1e9", "has no finite value, or one beyond 1e99"), ("√3*1e-99/9", "a value below 1e-99"),
+    ("(√2*1e99)*1e9", "has no finite value, or one beyond "
+                      "1e99"), ("√3*1e-99/9", "a value below 1e-99"),
     ("2e99*2", "a value beyond 1e99 or below 1e-99"),
     ("5 rad/s ", "measures an angular velocity; a speed was expected"),
 ])  # fmt: skip

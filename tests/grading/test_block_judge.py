@@ -38,14 +38,17 @@ POLICIES = (
     "",
     "attempts = 'best'\ntolerance = { relative = '2 %' }",
     "attempts = 'first'\n[questions.q1]\nvoid = 'full'",
-    "tolerance = { figures = 2 }\ncredit = { mistakes = { wrong-pole = '1/2', coriolis-dropped = '1/2' } }",
+    "tolerance = { figures = 2 }\ncredit = { mistakes = { wrong-pole = '1/2', coriolis-dropped = "
+    "'1/2' } }",
     "credit = { wrong-unit = '1/3' }\n[questions.q1.asks.v_A]\npoints = 1.5\n"
     "accept = [{ value = '2*v_B', credit = '1/4' }, { value = 3 }]\n[questions.q2]\nvoid = 'drop'",
 )
 
 
 def key_of(ask: str, random: Random) -> dict[str, Any]:
-    """Values that are nice, irrational, tiny or large; mistakes that lie apart, agree, or stand on each other."""
+    """Values that are nice, irrational, tiny or large; mistakes that lie apart, agree, or stand on
+    each other.
+    """
     value = random.choice(
         [
             Fraction(random.randint(-60, 60), random.choice([1, 2, 5, 7, 8, 30])),
@@ -100,7 +103,9 @@ def typed(entry: dict[str, Any], random: Random) -> str:
 
 
 def write_class(folder: Path, random: Random, students: int) -> None:
-    """A random exam folder with answers.csv beside it; some students hand in twice, some not at all."""
+    """A random exam folder with answers.csv beside it; some students hand in twice, some not at
+    all.
+    """
     names = [f"{number:03}" for number in range(students)]
     papers = [
         {

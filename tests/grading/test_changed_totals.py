@@ -1,4 +1,6 @@
-"""A total that was changed by hand in grades.csv is not handed out as if it had been marked: rows are named."""
+"""A total that was changed by hand in grades.csv is not handed out as if it had been marked: rows
+are named.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,10 @@ import pytest
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
 
-MENDING = "expected the file as kinegrade grade wrote it - grade again; to change marks, grade by a --policy"
+MENDING = (
+    "expected the file as kinegrade grade wrote it - grade again; to change marks, grade by "
+    "a --policy"
+)
 COMMANDS = (
     "report EXAM MARKS -o OUT",
     "feedback EXAM MARKS -o OUT --format md",

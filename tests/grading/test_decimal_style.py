@@ -1,4 +1,6 @@
-"""What 1,234 and 1.234 mean in a file: declared, or shown by a student's other answers, or by all others that tell."""
+"""What 1,234 and 1.234 mean in a file: declared, or shown by a student's other answers, or by all
+others that tell.
+"""
 
 from __future__ import annotations
 
@@ -29,24 +31,34 @@ def reading(
 
 
 @pytest.mark.parametrize(("typed", "own", "others", "declared", "value", "said"), [
-    ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says otherwise"),
+    ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says "
+                                   "otherwise"),
     ("1.234", [], [], None, 1.234, ""),
-    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in the same student's other answers"),
-    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in the same student's other answers"),
-    ("1,234", ["0.5"], [], None, 1234, "the point is the decimal mark in this student's other answers"),
-    ("1,234", ["0.5"], [["12"]] * 9, None, 1234, "the point is the decimal mark in this student's other answers"),
-    ("1,234", ["2,345.6"], [["0,5"]] * 9, None, 1234, "this student groups digits by commas elsewhere"),
+    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in the same "
+                                                   "student's other answers"),
+    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in the same "
+                                               "student's other answers"),
+    ("1,234", ["0.5"], [], None, 1234, "the point is the decimal mark in this student's other "
+                                       "answers"),
+    ("1,234", ["0.5"], [["12"]] * 9, None, 1234, "the point is the decimal mark in this student's "
+                                                 "other answers"),
+    ("1,234", ["2,345.6"], [["0,5"]] * 9, None, 1234, "this student groups digits by commas "
+                                                      "elsewhere"),
     ("1,234", ["12"], [["0.5"], ["2.5"]], None, 1234,
      "the point is the decimal mark in the answers of 2 students, and nobody's the comma"),
-    ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,  # one of four tells: too little to group others' digits
-     "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, the point in those of "
-     "1 student"),
+    # One of four tells: too little to group others' digits
+    ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,
+     "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, "
+     "the point in those of 1 student"),
     ("1,234", ["0.5"], [["0,5"]], None, 1.234,
-     "a comma is the decimal mark, as the papers say; but this student's other answers have a decimal point"),
+     "a comma is the decimal mark, as the papers say; but this student's other answers have a "
+     "decimal point"),
     ("1.234", ["0,5"], [["0.5"]], None, 1.234, ""),
     ("1.234", ["0,5"], [["2,5"]], None, 1.234,
-     "a point is a decimal point, as the papers say; all other answers that tell have a decimal comma"),
-    ("1.234", ["2.345,6"], [["0.5"]] * 9, None, 1234, "this student groups digits by points elsewhere"),
+     "a point is a decimal point, as the papers say; all other answers that tell have a decimal "
+     "comma"),
+    ("1.234", ["2.345,6"], [["0.5"]] * 9, None, 1234, "this student groups digits by points "
+                                                      "elsewhere"),
     ("1,234", ["0,5"], [], "point", 1234, "the decimal mark was declared to be the point"),
     ("1.234", [], [["0.5"]], "comma", 1234, "the decimal mark was declared to be the comma"),
 ])  # fmt: skip
@@ -86,7 +98,8 @@ def test_a_minus_is_in_the_remark_about_its_number(typed: str, convention: str, 
 
 def test_commas_in_both_ways_are_unreadable() -> None:
     assert reading("1,234", ["1,234.5", "0,5"], []).reason == (
-        '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare the decimal mark'
+        '"1,234" can mean 1.234 or 1234: this student uses commas in both ways; ask, or declare '
+        "the decimal mark"
     )
 
 

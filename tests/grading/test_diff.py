@@ -1,4 +1,6 @@
-"""Two markings of one class held against each other, and earlier totals that stand: through real files."""
+"""Two markings of one class held against each other, and earlier totals that stand: through real
+files.
+"""
 
 from __future__ import annotations
 
@@ -12,8 +14,8 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
 from kinegrade.grading.comparison import HEADER, compare, comparison_csv, comparison_text
+from kinegrade.grading.kept_totals import never_lower
 from kinegrade.grading.marks_folder import Total, read_totals
-from kinegrade.grading.never_lower import never_lower
 from kinegrade.lms import moodle
 from tests.grading.policies import marked, policy_of, regraded
 from tests.small_class import kinegrade
@@ -235,7 +237,8 @@ def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
     )
     assert kept == ()
     assert str(marks.complaints[0]) == (
-        'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to be kept'
+        'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to '
+        "be kept"
     )
 
 
@@ -260,7 +263,8 @@ def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
         (
             "grades.csv",
             "student,name,total,out_of\n1,x,2\n",
-            "grades.csv:2: the line has 3 cells, the header 4 - the missing cells are taken as blank - grade again",
+            "grades.csv:2: the line has 3 cells, the header 4 - the missing cells are taken as "
+            "blank - grade again",
         ),
     ],
 )

@@ -230,7 +230,8 @@ def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
     [
         (
             None,
-            "cannot be read (No such file or directory) - expected an exam folder made by kinegrade generate",
+            "cannot be read (No such file or directory) - expected an exam folder made by "
+            "kinegrade generate",
         ),
         (b"\xff", "cannot be read (not UTF-8)"),
         (b"{", "broken JSON"),
@@ -321,7 +322,8 @@ def test_a_mistake_that_is_written_as_a_fraction_is_compared_too(
     [
         (
             "1.9",
-            "coriolis-dropped: leads to 1.9, difference 0, allowed 0.019; so do sense-reversed, wrong-pole",
+            "coriolis-dropped: leads to 1.9, difference 0, allowed 0.019; so do sense-reversed, "
+            "wrong-pole",
         ),
         ("1.92", "wrong-pole: leads to 1.905, difference 0.015, allowed 0.01905"),
         (

@@ -1,4 +1,6 @@
-"""Feedback sheets: what a student is told, in three kinds of file, and that nothing typed ever becomes markup."""
+"""Feedback sheets: what a student is told, in three kinds of file, and that nothing typed ever
+becomes markup.
+"""
 
 from __future__ import annotations
 
@@ -329,7 +331,8 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
         file.read_text(encoding="utf-8").replace("7,q1,v_B", "7,q1,v_Z"), encoding="utf-8"
     )
     message = (
-        r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the marks of '
+        r'key.jsonl: the paper of student "7" does not ask q1.v_Z, which was marked - expected the '
+        r"marks of "
         "this exam - name the exam folder by which they were made"
     )
     with pytest.raises(ExamError, match=message):
@@ -344,7 +347,8 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
         ("student,name\n", "no column question, ask, response"),
         (
             "HEAD\n7,q1\n",
-            r"marks.csv:2: 2 cells under 10 - expected the file as kinegrade grade wrote it - grade again",
+            r"marks.csv:2: 2 cells under 10 - expected the file as kinegrade grade wrote it - "
+            r"grade again",
         ),
         ("HEAD\n7,q1,a,1,1,m,right,much,4,\n", 'marks.csv:2: "much" stands where points should'),
         ("HEAD\n7,q1,a,1,1,m,right,1/0,4,\n", 'marks.csv:2: "1/0" stands where points should'),

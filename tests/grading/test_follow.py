@@ -26,7 +26,9 @@ AS_PRINTED = Ruling()
 def consequence(
     student: str, question: str, own: Mapping[str, Fraction], later: str
 ) -> Fraction | None:
-    """alpha = 2 omega^2, a_B = omega^2 + alpha + 12, phi = 175 omega: as long as they have something to follow from."""
+    """alpha = 2 omega^2, a_B = omega^2 + alpha + 12, phi = 175 omega: as long as they have
+    something to follow from.
+    """
     omega, alpha = own.get("omega_AB"), own.get("alpha_AB")
     if later == "a_B" and (omega or alpha):
         return (omega or 2) ** 2 + (alpha or 2 * (omega or 2) ** 2) + 12
@@ -99,9 +101,8 @@ def test_it_is_held_against_what_follows_by_the_rule_of_its_ask(
 
 def test_the_key_is_tried_first() -> None:
     assert followed(omega_AB="3", alpha_AB="8", a_B="24") == {}
-    assert (
-        followed(omega_AB="2.01", alpha_AB="8.2") == {}
-    )  # right, and so no follow-through from it
+    # Right, and so no follow-through from it
+    assert followed(omega_AB="2.01", alpha_AB="8.2") == {}
 
 
 @pytest.mark.parametrize("omega", ["", "abc", "3 m", "0", "-0", "2001", "0.0019", "1e40"])
@@ -130,19 +131,18 @@ def test_an_answer_follows_from_those_before_it_only() -> None:
 
 def test_an_error_is_charged_once_however_far_it_goes() -> None:
     found = followed(omega_AB="3", alpha_AB="18", a_B="39")
-    assert (
-        {ask: verdict.reason for ask, (verdict, _) in found.items()}
-        == {
-            "alpha_AB": "follows from the own q1.omega_AB = 3: 18, difference 0, allowed 0.18",
-            "a_B": "follows from the own q1.omega_AB = 3: 39, difference 0, allowed 0.39",  # as alpha_AB does
-        }
-    )
+    assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
+        "alpha_AB": "follows from the own q1.omega_AB = 3: 18, difference 0, allowed 0.18",
+        # As alpha_AB does
+        "a_B": "follows from the own q1.omega_AB = 3: 39, difference 0, allowed 0.39",
+    }
 
 
 def test_a_new_error_is_charged_and_followed_too() -> None:
     found = followed(omega_AB="3", alpha_AB="20", a_B="41")
     assert {ask: verdict.reason for ask, (verdict, _) in found.items()} == {
-        "a_B": "follows from the own q1.omega_AB = 3 and q1.alpha_AB = 20: 41, difference 0, allowed 0.41"
+        "a_B": "follows from the own q1.omega_AB = 3 and q1.alpha_AB = 20: 41, difference 0, "
+        "allowed 0.41"
     }
 
 
@@ -160,7 +160,8 @@ def test_somebody_may_go_on_from_one_own_answer_and_not_from_the_other() -> None
 
 
 def test_a_right_answer_in_between_stays_right() -> None:
-    # with phi = 10 omega + alpha, where alpha would follow from omega: but this student has alpha right
+    # with phi = 10 omega + alpha, where alpha would follow from omega: but this student has alpha
+    # right
     def by_both(
         student: str, question: str, own: Mapping[str, Fraction], later: str
     ) -> Fraction | None:
@@ -207,9 +208,8 @@ def test_the_best_credit_counts() -> None:
 def test_a_tolerance_of_the_policy_holds_for_what_follows_too() -> None:
     wide = Ruling(room=Room(relative=Fraction(1, 10)))
     assert list(followed(wide, omega_AB="3", alpha_AB="19.7")) == ["alpha_AB"]
-    assert (
-        followed(wide, omega_AB="2.2", alpha_AB="9.68") == {}
-    )  # omega is right now, and what follows does not count
+    # Omega is right now, and what follows does not count
+    assert followed(wide, omega_AB="2.2", alpha_AB="9.68") == {}
 
 
 def test_a_void_answer_stays_as_it_is() -> None:
@@ -231,7 +231,8 @@ def test_a_void_answer_stays_as_it_is() -> None:
         ("credit.follow-through = '50 %'", ("1/2", "1/2", "1/2")),
         ("credit.follow-through = 0", ("0", "0", "0")),
         (
-            "credit.follow-through = 0.5\n[questions.q1]\ncredit.follow-through = '1/4'\n[questions.q1.asks.v_B]\n"
+            "credit.follow-through = 0.5\n[questions.q1]\ncredit.follow-through = "
+            "'1/4'\n[questions.q1.asks.v_B]\n"
             "credit = { follow-through = 1 }",
             ("1", "1/4", "1/2"),
         ),
@@ -247,9 +248,9 @@ def test_what_stands_nearer_to_the_ask_goes_first(
 
 
 def test_no_credit_for_going_on_from_next_to_nothing() -> None:
-    # a_B = omega^2 + alpha + 12: with omega gone and alpha right, 20 is a forgotten omega^2, or one of 0.02^2
+    # a_B = omega^2 + alpha + 12: with omega gone and alpha right, 20 is a forgotten omega^2, or one
+    # of 0.02^2
     assert followed(omega_AB="0.02", alpha_AB="8", a_B="20") == {}
     assert list(followed(omega_AB="3", alpha_AB="8", a_B="29")) == ["a_B"]
-    assert list(followed(omega_AB="0.02", phi="3.5")) == [
-        "phi"
-    ]  # in proportion to it: nothing is forgotten
+    # In proportion to it: nothing is forgotten
+    assert list(followed(omega_AB="0.02", phi="3.5")) == ["phi"]

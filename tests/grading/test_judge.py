@@ -12,9 +12,8 @@ from kinegrade.grading.answers import read
 from kinegrade.grading.judge import judge
 from kinegrade.grading.key import Key
 
-ONE_PERCENT = Key(
-    Fraction("1.2"), Fraction("0.012")
-)  # floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
+# Floats put 1.212 outside: 1.212 - 1.2 > 0.01 * 1.2
+ONE_PERCENT = Key(Fraction("1.2"), Fraction("0.012"))
 ZERO = Key(Fraction(0), Fraction("0.002"))
 ROOT = Fraction("0.8660254037844386467637231707529361834714")  # half the root of 3, to 40 digits
 EXACT = Key(Fraction(1, 8), Fraction(0))

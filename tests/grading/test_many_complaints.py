@@ -1,4 +1,6 @@
-"""A large class's complaints stay readable: what holds for a whole file is said once, the terminal shows ten of a kind."""
+"""A large class's complaints stay readable: what holds for a whole file is said once, the terminal
+shows ten of a kind.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ def large(tmp_path: Path) -> Path:
 def graded(
     exam: Path, cell: str, *options: str, second: str = ""
 ) -> tuple[list[str], list[list[str]]]:
-    """What the terminal shows and the rows of complaints.csv, where everybody's first answers are those cells."""
+    """What the terminal shows and the rows of complaints.csv, where everybody's first answers are
+    those cells.
+    """
     folder = exam.parent
     lines = ["student;q1.v_B;q1.omega_AB;q2.a_B"]
     lines += [f"{number:04};{cell};{second};" for number in range(COUNT)]

@@ -198,7 +198,8 @@ def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path) ->
         ("3.04", "credit.mistakes = { transport-for-absolute = 1 }", ("wrong", 0)),
         (
             "3",
-            "credit.mistakes.transport-for-absolute = 1\n[questions.q1.credit.mistakes]\ntransport-for-absolute = 0.25",
+            "credit.mistakes.transport-for-absolute = "
+            "1\n[questions.q1.credit.mistakes]\ntransport-for-absolute = 0.25",
             ("mistake", 1),
         ),
     ],
@@ -327,7 +328,8 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     assert [
         problem.removeprefix(f"{tmp_path / 'policy.toml'}: ") for problem in caught.value.problems
     ] == [
-        'unknown key "tolerence": did you mean "tolerance"? (known here: attempts, credit, questions, tolerance)',
+        'unknown key "tolerence": did you mean "tolerance"? (known here: attempts, credit, '
+        "questions, tolerance)",
         "attempts: expected last or first or best, not 'lst'",
         'credit: unknown key "wrong_unit": did you mean "wrong-unit"? '
         "(known here: follow-through, mistakes, wrong-unit)",
@@ -344,13 +346,18 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
         f"questions.q1.asks.v_B.accept[1].credit: {SHARE}, not '1/0'",
         'questions.q1.asks.v_B.accept[1].value: "r*(", character 4: found the end, '
         "expected a number, a name or a bracket",
-        "questions.q1.asks.v_B.accept[2]: expected a table with some of: value, unit, credit, student",
-        'questions.q1.asks.v_B.accept[2].value: expected a number or an expression like "2*sqrt(3)"',
+        "questions.q1.asks.v_B.accept[2]: expected a table with some of: value, unit, credit, "
+        "student",
+        "questions.q1.asks.v_B.accept[2].value: expected a number or an expression like "
+        '"2*sqrt(3)"',
         'questions.q1.asks.v_B.accept[3].value: unknown name "r3": known here: omega_AB, v_B',
-        'questions.q1.asks.v_B.accept[3].unit: "rad" measures an angle; a speed was expected, in "m/s"',
+        'questions.q1.asks.v_B.accept[3].unit: "rad" measures an angle; a speed was expected, in '
+        '"m/s"',
         'questions.q1.asks.omega_AB.accept[1].student: no student "008": did you mean "007"?',
-        "questions.q1.asks.omega_AB.accept[1].student: expected a student's id in quotation marks, not '7'",
-        'questions.q1.asks.omega_AB.accept[1].unit: "x" stands after the number; the unit "rad/s" was expected',
+        "questions.q1.asks.omega_AB.accept[1].student: expected a student's id in quotation marks, "
+        "not '7'",
+        'questions.q1.asks.omega_AB.accept[1].unit: "x" stands after the number; the unit "rad/s" '
+        "was expected",
         "questions.q1.asks.omega_AB.accept[2].unit: expected a unit like \"rad/s\", not '3'",
         "questions.q2.asks: expected a table of each ask",
     ]
@@ -423,8 +430,9 @@ def test_numbers_drawn_are_needed_only_where_a_policy_names_them(exam_folder: Pa
     with pytest.raises(ExamError) as caught:
         regraded(exam_folder, "MARKS2", ACCEPTED.format("{ value = 'r' }"))
     assert str(caught.value) == (
-        f"{exam_folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the parameters of each question, "
-        "which the policy uses - restore the exam folder as it was generated, or write the accepted answers as numbers"
+        f"{exam_folder / 'key.jsonl'}: the numbers drawn cannot be read - expected the parameters "
+        "of each question, which the policy uses - restore the exam folder as it was generated, "
+        "or write the accepted answers as numbers"
     )
 
 
@@ -557,6 +565,7 @@ def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
     with pytest.raises(PolicyError) as caught:
         stated_policy(CLASS, Givens(tmp_path), {"wrong-unit": "2"})
     assert str(caught.value) == (
-        f'{tmp_path / "exam.json"}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
+        f'{tmp_path / "exam.json"}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 '
+        '%" or "1/2", '
         "not '2' - restore the exam folder as it was generated"
     )

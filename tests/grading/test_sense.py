@@ -49,11 +49,15 @@ def test_what_is_no_such_word_stays(typed: str) -> None:
 
 
 @pytest.mark.parametrize(("convention", "positive", "negative"), [
-    ("counter-clockwise positive", "ccw", "cw"), ("positive counter-clockwise about $O$", "ccw", "cw"),
-    ("ccw", "ccw", "cw"), ("positive clockwise about $O$", "cw", "ccw"), ("clockwise positive", "cw", "ccw"),
+    ("counter-clockwise "
+     "positive", "ccw", "cw"), ("positive counter-clockwise about $O$", "ccw", "cw"),
+    ("ccw", "ccw", "cw"), ("positive clockwise about "
+                           "$O$", "cw", "ccw"), ("clockwise positive", "cw", "ccw"),
     ("cw", "cw", "ccw"),
-    ("positive in the direction of $+x$", "right", "left"), ("positive in the direction of $-x$", "left", "right"),
-    ("positive in the direction of $+y$", "up", "down"), ("positive in the direction of $-y$", "down", "up"),
+    ("positive in the direction of "
+     "$+x$", "right", "left"), ("positive in the direction of $-x$", "left", "right"),
+    ("positive in the direction of "
+     "$+y$", "up", "down"), ("positive in the direction of $-y$", "down", "up"),
     ("+x", "right", "left"), ("-x", "left", "right"), ("+y", "up", "down"), ("-y", "down", "up"),
 ])  # fmt: skip
 def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negative: Sense) -> None:

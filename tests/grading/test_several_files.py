@@ -1,4 +1,6 @@
-"""Several files of answers are one class: versions' quizzes, parts that assistants typed; nobody's answer gets lost."""
+"""Several files of answers are one class: versions' quizzes, parts that assistants typed; nobody's
+answer gets lost.
+"""
 
 from __future__ import annotations
 

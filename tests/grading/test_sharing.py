@@ -1,4 +1,6 @@
-"""Answers that fit another paper: planted ones are found, honest classes show nothing, and nobody is accused."""
+"""Answers that fit another paper: planted ones are found, honest classes show nothing, and nobody
+is accused.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,9 @@ HALF = ("q1.v", "q1.a", "q2.v", "q3.omega", "q3.a", "q4.a")
 def planted(
     sitting: SittingClass, *sharers: tuple[int, int], columns: tuple[str, ...] = HALF
 ) -> list[Pair]:
-    """The pairs told where everybody errs honestly and the first of each pair writes what is right for the second."""
+    """The pairs told where everybody errs honestly and the first of each pair writes what is right
+    for the second.
+    """
     slips, copies = honest_slips(sitting, 7), dict(sharers)
     return list(
         sharing(
@@ -194,9 +198,11 @@ def test_marks_that_are_not_as_written_are_refused_with_all_faults_at_once() -> 
     with pytest.raises(ExamError) as caught:
         sharing(sitting.exam, [replace(first, read_as="=1"), replace(second, ask="x"), *others])
     assert caught.value.problems == (
-        'marks.csv: student "s0", q1.v: "=1" stands where a number should - expected the file as kinegrade grade wrote '
+        'marks.csv: student "s0", q1.v: "=1" stands where a number should - expected the file as '
+        "kinegrade grade wrote "
         "it - grade again",
-        'marks.csv: ask "q1.x" is not in the exam - expected marks made from this exam folder - name the folder by '
+        'marks.csv: ask "q1.x" is not in the exam - expected marks made from this exam folder - '
+        "name the folder by "
         "which they were made",
     )
 

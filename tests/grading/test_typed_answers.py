@@ -1,4 +1,6 @@
-"""The table of typed answers, typed_answers.tsv, which any instructor may review; values are checked by sympy."""
+"""The table of typed answers, typed_answers.tsv, which any instructor may review; values are
+checked by sympy.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,8 @@ from kinegrade.grading.number_text import DecimalStyle
 
 TABLE = Path(__file__).with_name("typed_answers.tsv")
 CONVENTIONS = {
-    "ccw": "counter-clockwise positive", "cw": "positive clockwise about $O$", "magnitude": "magnitude, not negative",
+    "ccw": "counter-clockwise "
+           "positive", "cw": "positive clockwise about $O$", "magnitude": "magnitude, not negative",
     "+x": "positive in the direction of $+x$", "+y": "positive in the direction of $+y$",
 }  # fmt: skip
 STYLES = {

@@ -1,4 +1,6 @@
-"""Spellings of units, what they are worth, and what is told of those that measure something else."""
+"""Spellings of units, what they are worth, and what is told of those that measure something
+else.
+"""
 
 from __future__ import annotations
 
@@ -42,9 +44,11 @@ def test_conversions_are_exact(typed: str, unit: str, factor: Fraction, pi: int)
 @pytest.mark.parametrize(("typed", "unit", "reason"), [
     ("m", "m/s", '"m" measures a length; a speed was expected, in "m/s"'),
     ("rad", "1", '"rad" measures an angle; a pure number was expected'),
-    ("1/s", "rad/s^2", '"1/s" measures a rate (1/s); an angular acceleration was expected, in "rad/s^2"'),
+    ("1/s", "rad/s^2", '"1/s" measures a rate (1/s); an angular acceleration was expected, in '
+                       '"rad/s^2"'),
     ("m rad/s", "m/s", '"m rad/s" measures m^1 s^-1 rad^1; a speed was expected, in "m/s"'),
-    ("kHz", "rad/s", '"kHz" counts turns or cycles, not radians; an angular velocity was expected, in "rad/s"'),
+    ("kHz", "rad/s", '"kHz" counts turns or cycles, not radians; an angular velocity was expected, '
+                     'in "rad/s"'),
     ("Hz", "furlong", '"Hz" counts turns or cycles, not radians; the unit "furlong" was expected'),
 ])  # fmt: skip
 def test_another_dimension_is_told(typed: str, unit: str, reason: str) -> None:

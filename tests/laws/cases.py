@@ -1,4 +1,6 @@
-"""Solved mechanisms to hold the laws against: every shipped template at drawn and at arbitrary values, random ones."""
+"""Solved mechanisms to hold the laws against: every shipped template at drawn and at arbitrary
+values, random ones.
+"""
 
 from __future__ import annotations
 
@@ -114,7 +116,9 @@ def arbitrary_values(draw: Any, template: Template) -> dict[str, str]:
 
 
 def first_fulfilling(template: Template, choose: Callable[[Parameter], str]) -> dict[str, str]:
-    """The first of several choices that fulfils the conditions; where one in five does, hypothesis would give up."""
+    """The first of several choices that fulfils the conditions; where one in five does, hypothesis
+    would give up.
+    """
     for _ in range(200):
         values = {name: choose(parameter) for name, parameter in template.parameters.items()}
         if fulfils(template, values):
@@ -143,7 +147,9 @@ def fulfils(template: Template, values: Mapping[str, str]) -> bool:
 
 @st.composite
 def template_cases(draw: Any) -> Case:
-    """A shipped template at drawn values, solved exactly, or at arbitrary values, solved by balls."""
+    """A shipped template at drawn values, solved exactly, or at arbitrary values, solved by
+    balls.
+    """
     template = shipped(draw(st.sampled_from(moving_templates())))
     values = draw(st.one_of(drawn_values(template), arbitrary_values(template)))
     solution = solve_template(template, values, ())
@@ -152,7 +158,9 @@ def template_cases(draw: Any) -> Case:
 
 @st.composite
 def grown_cases(draw: Any) -> Case:
-    """A random mechanism, solved exactly; those at dead points are left to the law that speaks of them."""
+    """A random mechanism, solved exactly; those at dead points are left to the law that speaks of
+    them.
+    """
     mechanism, field = draw(mechanisms()), Field()
     try:
         return Case(mechanism, field, solve(mechanism, field))

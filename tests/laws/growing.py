@@ -1,7 +1,8 @@
-"""Random mechanisms, grown from the ground: a driven body, then groups of bodies that add no freedom.
+"""Random mechanisms, grown from the ground: a driven body, then groups of bodies that add no
+freedom.
 
-All coordinates and radii are rational: arms have Pythagorean directions, so that wheels touch exactly. Every joint
-kind and every driver kind occurs.
+All coordinates and radii are rational: arms have Pythagorean directions, so that wheels touch
+exactly. Every joint kind and every driver kind occurs.
 """
 
 from __future__ import annotations
@@ -135,7 +136,9 @@ def length(vector: Vector) -> Any:
 
 
 def track(growth: Growth, centre: str, radius: Any) -> tuple[Line | Circle, bool]:
-    """A line or circle that a circle about `centre` touches, and whether one lies within the other."""
+    """A line or circle that a circle about `centre` touches, and whether one lies within the
+    other.
+    """
     kind = growth.draw(st.sampled_from(["line", "outside", "inside"]))
     if kind == "line":
         normal = growth.draw(DIRECTIONS)
@@ -233,7 +236,9 @@ def arc_slot(growth: Growth) -> None:
 
 
 def pushed_rocker(growth: Growth) -> None:
-    """A circle of a host touches a line or circle of a rocker, or a circle of the rocker one of the host."""
+    """A circle of a host touches a line or circle of a rocker, or a circle of the rocker one of the
+    host.
+    """
     host, centre = growth.host()
     pivot, radius = growth.point(), growth.draw(RADII)
     rocker = growth.body(pivot)

@@ -1,9 +1,11 @@
-"""An independent model of a mechanism: positions alone, at 64 digits, and motion by differences of positions.
+"""An independent model of a mechanism: positions alone, at 64 digits, and motion by differences of
+positions.
 
-Each body has three coordinates: how far it has moved and how far it has turned since the instant. Each joint and each
-driver is a condition on positions at the time t, written from what it says and from nothing that the package derives:
-a pin's points coincide, a wheel's arc equals the track's arc, a driven angle is v t + a t^2/2. The conditions are
-solved at t = +-h by Newton's method with the derivatives at t = 0, and central differences give the motion.
+Each body has three coordinates: how far it has moved and how far it has turned since the instant.
+Each joint and each driver is a condition on positions at the time t, written from what it says and
+from nothing that the package derives: a pin's points coincide, a wheel's arc equals the track's
+arc, a driven angle is v t + a t^2/2. The conditions are solved at t = +-h by Newton's method with
+the derivatives at t = 0, and central differences give the motion.
 """
 
 from __future__ import annotations
@@ -93,7 +95,9 @@ class Motion:
 
 
 class PositionModel:
-    """The conditions of one mechanism on the poses of its bodies; call inside `mp.workdps(DIGITS)`."""
+    """The conditions of one mechanism on the poses of its bodies; call inside
+    `mp.workdps(DIGITS)`.
+    """
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
@@ -122,7 +126,9 @@ class PositionModel:
         return pivot[0] + arm[0] + x, pivot[1] + arm[1] + y
 
     def seen(self, poses: dict[str, Pose], frame: str, now: Place) -> Place:
-        """Where a point that is at `now` stands on the body `frame`, in coordinates of its first position."""
+        """Where a point that is at `now` stands on the body `frame`, in coordinates of its first
+        position.
+        """
         if frame == GROUND:
             return now
         x, y, angle = poses[frame]
@@ -241,7 +247,9 @@ class PositionModel:
 
     @cached_property
     def regularity(self) -> float:
-        """The least over the greatest singular value: zero where the conditions leave a motion free."""
+        """The least over the greatest singular value: zero where the conditions leave a motion
+        free.
+        """
         if not self.count:
             return 1.0
         if not self.derivatives.size or self.derivatives.shape[0] < self.count:
@@ -295,6 +303,8 @@ def moving(mechanism: Mechanism) -> Motion:
 
 
 def regularity(mechanism: Mechanism) -> float:
-    """How far a mechanism is from a dead point or a loose body: 0 there, of the order of 0.01 to 1 elsewhere."""
+    """How far a mechanism is from a dead point or a loose body: 0 there, of the order of 0.01 to 1
+    elsewhere.
+    """
     with mp.workdps(DIGITS):
         return PositionModel(mechanism).regularity

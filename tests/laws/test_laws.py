@@ -1,4 +1,6 @@
-"""Laws of plane kinematics over all templates and over random mechanisms: one law, one test, its name the sentence."""
+"""Laws of plane kinematics over all templates and over random mechanisms: one law, one test, its
+name the sentence.
+"""
 
 from __future__ import annotations
 
@@ -211,7 +213,9 @@ def test_the_order_in_which_joints_and_bodies_are_named_changes_nothing(case: Ca
 def test_a_body_seen_from_another_moves_as_a_rigid_body_with_the_relative_rotation(
     case: Case,
 ) -> None:
-    """Were the Coriolis part wrong, the accelerations of two points would not differ by the relative rotation's."""
+    """Were the Coriolis part wrong, the accelerations of two points would not differ by the
+    relative rotation's.
+    """
     with case.context():
         for body, frame in (
             (body, frame) for body in case.mechanism.bodies for frame in case.turning()

@@ -1,4 +1,6 @@
-"""A class of four, marked: one handed in nothing. And how an export into a download is held against it."""
+"""A class of four, marked: one handed in nothing. And how an export into a download is held against
+it.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,9 @@ OUT_OF = {"q1": "7", "q2": "3"}
 
 
 def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> Path:
-    """MARKS with the files that an export reads; `students` renames ids, in the order of STUDENTS."""
+    """MARKS with the files that an export reads; `students` renames ids, in the order of
+    STUDENTS.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     renamed = students or {}
     grades, marks = [], []
@@ -90,7 +94,9 @@ def fresh(folder: Path, dialect: Dialect, options: ExportOptions | None = None) 
 def filled(
     folder: Path, dialect: Dialect, content: bytes | str, options: ExportOptions | None = None
 ) -> Filled:
-    """The class's grades filled into a download of these bytes; what is no grade or comment has to stay."""
+    """The class's grades filled into a download of these bytes; what is no grade or comment has to
+    stay.
+    """
     path = folder / "download.csv"
     path.write_bytes(content.encode() if isinstance(content, str) else content)
     result = fill_in(dialect, grades_of(folder), path, options or ExportOptions())
@@ -99,7 +105,9 @@ def filled(
 
 
 def changed(folder: Path) -> dict[tuple[int, str], str]:
-    """The cells that a filling changed, by line and header; every byte between changed cells is the same."""
+    """The cells that a filling changed, by line and header; every byte between changed cells is the
+    same.
+    """
     before, after = read_cells(folder / "download.csv"), read_cells(folder / "filled.csv")
     cells = [
         [

@@ -1,4 +1,6 @@
-"""A Moodle that draws from a pool: read from the file that `kinegrade quiz --variants` wrote, answered, downloaded."""
+"""A Moodle that draws from a pool: read from the file that `kinegrade quiz --variants` wrote,
+answered, downloaded.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,9 @@ def download(
     columns: Sequence[str] = ("Question", "Response", "Right answer"),
     decimal: str = ".",
 ) -> str:
-    """The responses report: students with what they were put and what they typed; with these columns."""
+    """The responses report: students with what they were put and what they typed; with these
+    columns.
+    """
     count = len(rows[0][1])
     header = [f"{name} {slot}" for slot in range(1, count + 1) for name in columns]
     lines = [(*IDENTITY, *STATES, *header)]

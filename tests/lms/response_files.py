@@ -47,7 +47,9 @@ def csv_text(*rows: Sequence[str]) -> str:
 def responses(
     folder: Path, content: str | bytes, source: str | None = None, **options: Any
 ) -> Responses:
-    """A download with that content, read for the exam in the folder, which is written where there is none."""
+    """A download with that content, read for the exam in the folder, which is written where there
+    is none.
+    """
     exam = folder / "EXAM"
     if not exam.exists():
         write_asks(folder)
@@ -62,7 +64,9 @@ def cells(read: Responses) -> list[tuple[str, ...]]:
 
 
 def told(read: Responses) -> list[tuple[int | None, str, str]]:
-    """Line, problem and what was done of each complaint, of those about the exam's students' rows last."""
+    """Line, problem and what was done of each complaint, of those about the exam's students' rows
+    last.
+    """
     complaints = [*read.table.complaints, *(each.complaint for each in read.answers.left_out)]
     return [(each.line, each.problem, each.done) for each in complaints]
 

@@ -1,4 +1,6 @@
-"""Absent is not zero: whoever grades.csv calls absent gets no grade in any system, and no zero in the spreadsheet."""
+"""Absent is not zero: whoever grades.csv calls absent gets no grade in any system, and no zero in
+the spreadsheet.
+"""
 
 from __future__ import annotations
 

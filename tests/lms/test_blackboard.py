@@ -1,4 +1,6 @@
-"""Blackboard: columns known by the id behind the bar, downloads separated by commas or tabs, in UTF-8 or UTF-16."""
+"""Blackboard: columns known by the id behind the bar, downloads separated by commas or tabs, in
+UTF-8 or UTF-16.
+"""
 
 from __future__ import annotations
 
@@ -79,7 +81,8 @@ def test_a_column_without_an_id_would_become_a_text_column_of_no_points(
 def test_a_column_that_nobody_named_is_asked_for(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
-        match="Blackboard: the column for the total is not named - expected its header, with the id that",
+        match="Blackboard: the column for the total is not named - expected its header, with the "
+        "id that",
     ):
         fresh(tmp_path, BLACKBOARD)
 

@@ -12,9 +12,13 @@ from kinegrade.lms.dialect import ExportOptions
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh
 
-LONG = "Kinematics quiz Points Grade <Numeric MaxPoints:10 Weight:1 Category:Lecture CategoryWeight:50>"
+LONG = (
+    "Kinematics quiz Points Grade <Numeric MaxPoints:10 Weight:1 Category:Lecture "
+    "CategoryWeight:50>"
+)
 DOWNLOAD = (
-    f"OrgDefinedId,Username,{LONG},Letter Grade Symbol,Adjusted Final Grade Numerator,End-of-Line Indicator\r\n"
+    f"OrgDefinedId,Username,{LONG},Letter Grade Symbol,Adjusted Final Grade Numerator,End-of-Line "
+    "Indicator\r\n"
     "#0012345,#wangwei,,A,1,#\r\n#0012346,#zoneil,3,,,#\r\n#0012347,#nobody,,,,#\r\n#12348,#x,,,,#\r\n"
 )
 

@@ -1,4 +1,6 @@
-"""Canvas: allowed header beginnings, no byte-order mark, nothing in its own ID column, no number misread."""
+"""Canvas: allowed header beginnings, no byte-order mark, nothing in its own ID column, no number
+misread.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,10 @@ from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_exam, write_marks
 from tests.small_class import kinegrade
 
-HEADER = "Student,ID,SIS User ID,SIS Login ID,Section,Notes (old),Kinematics quiz (1234),Final Score (77),Sum (9)\n"
+HEADER = (
+    "Student,ID,SIS User ID,SIS Login ID,Section,Notes (old),Kinematics quiz (1234),Final "
+    "Score (77),Sum (9)\n"
+)
 POSSIBLE = "    Points Possible,,,,,,10.00,(read only),(read only)\n"
 DOWNLOAD = (
     HEADER
@@ -84,7 +89,8 @@ def test_only_the_scores_of_matched_students_change(tmp_path: Path) -> None:
     }  # two decimals are kept there
     assert result.students == 2
     assert [str(each) for each in result.complaints] == [
-        f'download.csv:5: {QUIZ}: student "0012346" is excused there (EX) - left as it is; 4 would be the grade'
+        f'download.csv:5: {QUIZ}: student "0012346" is excused there (EX) - left as it is; 4 would '
+        "be the grade"
     ]
 
 
@@ -146,8 +152,8 @@ def test_another_encoding_than_utf_8_would_fail_there(tmp_path: Path) -> None:
 def test_a_thousand_with_a_comma_is_read_as_one(tmp_path: Path) -> None:
     result = filled(tmp_path, CANVAS, DOWNLOAD.replace("A,,3.00", 'A,"1,000",3.00'))
     assert (
-        'download.csv:4: Notes (old): Canvas reads "1,000" as 1.000 - left as it is; correct it before you import'
-        in map(str, result.complaints)
+        'download.csv:4: Notes (old): Canvas reads "1,000" as 1.000 - left as it is; correct it '
+        "before you import" in map(str, result.complaints)
     )
 
 
@@ -201,8 +207,8 @@ def test_addresses_that_nobody_knows_are_asked_for_once(tmp_path: Path, system: 
     result = kinegrade("export", marks, *options, "-o", out)
     assert (result.exit_code, out.exists()) == (2, False)
     assert result.stderr == (
-        "error: --by email: nobody's address is known - expected those of the roster - name the exam by --exam, or "
-        "choose another key\n"
+        "error: --by email: nobody's address is known - expected those of the roster - name the "
+        "exam by --exam, or choose another key\n"
     )
 
 

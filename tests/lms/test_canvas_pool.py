@@ -1,4 +1,6 @@
-"""A pool in Canvas from the file that `kinegrade quiz` wrote to the marks: every ask is drawn by itself."""
+"""A pool in Canvas from the file that `kinegrade quiz` wrote to the marks: every ask is drawn by
+itself.
+"""
 
 from __future__ import annotations
 

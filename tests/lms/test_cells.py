@@ -1,4 +1,6 @@
-"""Single cells of a file changed and nothing else, whatever its encoding, separator, quotation marks and line ends."""
+"""Single cells of a file changed and nothing else, whatever its encoding, separator, quotation
+marks and line ends.
+"""
 
 from __future__ import annotations
 
@@ -37,9 +39,8 @@ class Style:
 
     def written(self, lines: list[list[str]]) -> bytes:
         stream = io.StringIO()
-        quoting = (
-            csv.QUOTE_ALL if self.end == "\r" else self.quoting
-        )  # or the csv module leaves a line feed bare
+        # Or the csv module leaves a line feed bare
+        quoting = csv.QUOTE_ALL if self.end == "\r" else self.quoting
         csv.writer(
             stream, delimiter=self.separator, lineterminator=self.end, quoting=quoting
         ).writerows(lines)
@@ -127,7 +128,7 @@ def test_lines_are_counted_as_they_stand(tmp_path: Path) -> None:
         ),
         (
             b"a,b\n\xff\xfe\x81,2\n\x81\x8d,3\n",
-            "a.csv: its encoding cannot be told - expected UTF-8, UTF-16 or GB18030",
+            "a.csv: its encoding cannot be recognised - expected UTF-8, UTF-16 or GB18030",
         ),
     ],
 )

@@ -1,4 +1,6 @@
-"""No title runs as a formula when somebody opens an exported file in a spreadsheet; ids stay the keys that they are."""
+"""No title runs as a formula when somebody opens an exported file in a spreadsheet; ids stay the
+keys that they are.
+"""
 
 from __future__ import annotations
 

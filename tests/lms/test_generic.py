@@ -1,4 +1,6 @@
-"""The plain sheet: four columns in the exam's language, with a byte-order mark so that spreadsheets show its names."""
+"""The plain sheet: four columns in the exam's language, with a byte-order mark so that spreadsheets
+show its names.
+"""
 
 from __future__ import annotations
 

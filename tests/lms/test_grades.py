@@ -46,7 +46,8 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
         ),
         (
             '{"language": "en", "students": []}',
-            r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by which',
+            r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by '
+            r"which",
         ),
     ],
 )

@@ -1,4 +1,6 @@
-"""Whose row is whose: by keys as the system compares them; what is only likely is told and not done."""
+"""Whose row is whose: by keys as the system compares them; what is only likely is told and not
+done.
+"""
 
 from __future__ import annotations
 
@@ -56,7 +58,8 @@ def test_a_number_in_short_form_is_nobody_certain(tmp_path: Path) -> None:
     assert result.content.decode().splitlines()[1:] == ["2.021E+11,", "202100000003,9.6667"]
     for complaint in complaints[:2]:
         assert (
-            'line 2 has ID number "2.021E+11", a number that a spreadsheet has cut: download the file again and '
+            'line 2 has ID number "2.021E+11", a number that a spreadsheet has cut: download the '
+            "file again and "
             "leave it as it is"
         ) in complaint
     assert len(complaints) == 3
@@ -64,7 +67,8 @@ def test_a_number_in_short_form_is_nobody_certain(tmp_path: Path) -> None:
 
 def test_two_rows_of_one_student_are_both_left(tmp_path: Path) -> None:
     assert told(tmp_path, "0012345,\n0012345,\n0012348,\n") == [
-        '3: student "0012345" is found on lines 3 and 4 by ID number - none of these lines was changed'
+        '3: student "0012345" is found on lines 3 and 4 by ID number - none of these lines was '
+        "changed"
     ]
     assert set(changed(tmp_path)) == {(2, GRADE), (5, GRADE)}
 
@@ -73,10 +77,13 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
     with pytest.raises(TableError) as caught:
         told(tmp_path, "0012345,0012346,\n0012348,0012345,\n", "ID number,Username")
     assert caught.value.problems[1:] == (
-        'download.csv:2: student "0012345" is found on lines 2 and 3 by ID number or Username - none of these lines '
+        'download.csv:2: student "0012345" is found on lines 2 and 3 by ID number or Username - '
+        "none of these lines "
         "was changed",
-        'download.csv:2: is the row of students "0012345" and "0012346" alike - the line was not changed',
-        'download.csv:3: is the row of students "0012345" and "0012348" alike - the line was not changed',
+        'download.csv:2: is the row of students "0012345" and "0012346" alike - the line was not '
+        "changed",
+        'download.csv:3: is the row of students "0012345" and "0012348" alike - the line was not '
+        "changed",
     )
     told(tmp_path, "0012345,0012346,\n0012348,0012345,\n", "ID number,Username", by=("id",))
     assert changed(tmp_path) == {(2, GRADE): "8.25", (3, GRADE): "9.6667"}
@@ -85,7 +92,8 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
 def test_a_name_alone_matches_nobody(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
-        match="no column by which Moodle knows people - expected one that holds the ids of the marked class",
+        match="no column by which Moodle knows people - expected one that holds the ids of the "
+        "marked class",
     ):
         told(tmp_path, "王伟,\n", "Full name")
 

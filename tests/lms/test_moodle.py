@@ -1,4 +1,6 @@
-"""Moodle: exact ids, dot decimals, nothing that stops its all-or-nothing import; its downloads in three languages."""
+"""Moodle: exact ids, dot decimals, nothing that stops its all-or-nothing import; its downloads in
+three languages.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,8 @@ WORKSHEET = (
     "\ufeffIdentifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed,"
     "Last modified (submission),Last modified (grade),Feedback comments\r\n"
     '"Participant 12",王伟,w1@example.invalid,"Submitted",,10.00,Yes,"Friday, 1 May 2026","-",\r\n'
-    '"Participant 13","O\'Neil, Zoë",w2@example.invalid,"Submitted",3.00,10.00,Yes,-,-,"old, and ""long"""\r\n'
+    '"Participant 13","O\'Neil, Zoë",w2@example.invalid,"Submitted",3.00,10.00,Yes,-,-,"old, and '
+    '""long"""\r\n'
 )
 
 
@@ -105,7 +108,8 @@ def test_by_email_those_without_one_are_told(tmp_path: Path) -> None:
         "w1@example.invalid,王伟,8.25",
     ]
     assert [str(each) for each in made.complaints] == [
-        'exam.json: student "0012348" has no e-mail - not exported; give it in the roster, or match by id'
+        'exam.json: student "0012348" has no e-mail - not exported; give it in the roster, or '
+        "match by id"
     ]
 
 
@@ -136,7 +140,8 @@ def test_a_maximum_that_only_points_beside_per_cent_tell_is_not_overlooked(tmp_p
     with pytest.raises(TableError) as refusal:
         filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",)))
     assert refusal.value.problems == (
-        'download.csv: "Quiz: Kinematics quiz (Real)": counts 20 there, 10 in the exam - expected the same - add '
+        'download.csv: "Quiz: Kinematics quiz (Real)": counts 20 there, 10 in the exam - expected '
+        "the same - add "
         "--scale to scale the grades, or correct the item",
     )
     filled(tmp_path, MOODLE, of_twenty, ExportOptions(by=("id",), scale=True))
@@ -161,9 +166,11 @@ def test_ids_are_exact_texts_and_lost_zeros_are_only_suggested(tmp_path: Path) -
     result = filled(tmp_path, MOODLE, eaten, ExportOptions(by=("id",)))
     assert all(line != 5 for line, _ in changed(tmp_path))
     assert [str(each) for each in result.complaints] == [
-        'download.csv: no row for student "0012345" by ID number - not exported; line 5 has ID number "12345", '
+        'download.csv: no row for student "0012345" by ID number - not exported; line 5 has ID '
+        'number "12345", '
         "probably the same: correct one of the two and export again",
-        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not changed',
+        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not '
+        "changed",
     ]
 
 
@@ -201,7 +208,8 @@ def test_a_row_of_the_worksheet_that_moodle_would_pass_over_in_silence_is_told(
     result = filled(tmp_path, MOODLE, WORKSHEET.replace("3.00,10.00,Yes", "3.00,10.00,No"))
     assert {line for line, _ in changed(tmp_path)} == {2}
     assert str(result.complaints[-1]) == (
-        'download.csv:3: Grade: student "0012346" has "No" under "Grade can be changed" (3.00) - left as it is; 4 '
+        'download.csv:3: Grade: student "0012346" has "No" under "Grade can be changed" (3.00) - '
+        "left as it is; 4 "
         "would be the grade"
     )
 

@@ -1,4 +1,6 @@
-"""Moodle's gradebook download in any language: columns are found by what they hold, and no feedback is lost in silence."""
+"""Moodle's gradebook download in any language: columns are found by what they hold, and no feedback
+is lost in silence.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from click.testing import Result
 from tests.lms.marked_folder import write_exam, write_marks
 from tests.small_class import kinegrade
 
-# First and last name, id number, institution, department, address; title; points, per cent, feedback; time of export.
+# First and last name, id number, institution, department, address; title; points, per cent,
+# feedback; time of export.
 HEADERS = {
     "en": "First name|Last name|ID number|Institution|Department|Email address"
     "|Quiz: Kinematics|Real|Percentage|Feedback|Last downloaded from this course",
@@ -20,7 +23,8 @@ HEADERS = {
     "|Test: Kinematik|Punkte|Prozentsatz|Rückmeldung|Zuletzt aus diesem Kurs geladen",
     "es": "Nombre|Apellido(s)|Número de ID|Institución|Departamento|Dirección de correo"
     "|Examen: Cinemática|Real|Porcentaje|Retroalimentación|Última descarga de este curso",
-    "fr": "Prénom|Nom de famille|Numéro d’identification|Institution|Département|Adresse de courriel"
+    "fr": "Prénom|Nom de famille|Numéro d’identification|Institution|Département|Adresse de "
+    "courriel"
     "|Test : Cinématique|Brut|Pourcentage|Feedback|Dernier téléchargement depuis ce cours",
     "it": "Nome|Cognome|Codice identificativo|Istituzione|Dipartimento|Indirizzo email"
     "|Quiz: Cinematica|Punteggio|Percentuale|Commento|Ultimo scaricamento da questo corso",
@@ -33,7 +37,8 @@ HEADERS = {
     "ru": "Имя|Фамилия|Индивидуальный номер|Учреждение|Отдел|Адрес электронной почты"
     "|Тест: Кинематика|Значение|Проценты|Отзыв|Последнее скачивание с этого курса",
     "zh_cn": "名|姓|学号|机构|系别|电子邮件地址|测验：运动学|分数|百分比|反馈|上次下载",
-    "invented": "Vorpal|Snicker|Slithy 7|Gimble|Wabe|Mome rath|Tove: Jabberwock|Outgrabe|Mimsy|Borogove|Frumious",
+    "invented": "Vorpal|Snicker|Slithy 7|Gimble|Wabe|Mome rath|Tove: "
+    "Jabberwock|Outgrabe|Mimsy|Borogove|Frumious",
 }
 PEOPLE = {  # in the order of Moodle, not of the class
     "0012347": "w3@example.invalid",
@@ -124,8 +129,8 @@ def test_feedback_that_has_no_column_is_not_dropped_without_a_word(
     assert result.exit_code == 0
     assert columns(tmp_path, head[6])[1] == (GRADED[1],)
     assert (
-        "download.csv: has no column for feedback on the total, so the points by question are left out - download "
-        "the file with feedback to fill them in, or say --no-feedback\n"
+        "download.csv: has no column for feedback on the total, so the points by question are "
+        "left out - download the file with feedback to fill them in, or say --no-feedback\n"
     ) in result.stderr
     silent = exported(tmp_path, download(tmp_path, head, alike(("2.94",))), "--no-feedback")
     assert "left out" not in silent.stderr
@@ -189,7 +194,8 @@ def test_of_several_items_one_has_to_be_named_and_gets_its_own_feedback(tmp_path
     refused = exported(tmp_path, path)
     assert refused.exit_code == 2
     assert (
-        f'2 grade columns to fill in - expected one - name it by --column HEADER (grade columns here: "{head[6]}", '
+        "2 grade columns to fill in - expected one - name it by --column HEADER (grade columns "
+        f'here: "{head[6]}", '
         f'"{title} (Значение)")'
     ) in refused.stderr
     assert exported(tmp_path, path, "--column", f"{title} (Значение)").exit_code == 0

@@ -1,4 +1,6 @@
-"""What a policy accepts, and what the class report says, where questions came from a pool: by what was put."""
+"""What a policy accepts, and what the class report says, where questions came from a pool: by what
+was put.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,8 @@ template = "crank.toml"
 draw = { h = ["1/2"], r = [1], omega = [2, 3, 4, 5] }
 asks = { v_x = 1, v_y = 2 }
 """
-# of the right answer to the other ask of the same variant, which nobody was put, and of the numbers drawn for it
+# of the right answer to the other ask of the same variant, which nobody was put, and of the numbers
+# drawn for it
 CLOSE = "close, but outside the tolerance"  # a guess that holds for the key of what was put alone
 POLICY = """[questions.q1.asks.v_y]
 accept = [{ value = "v_y - 5*v_x" }, { value = "100*r*omega", credit = "1/2" }]
@@ -53,7 +56,9 @@ def speed(exam: Path, student: str) -> float:
 
 
 def answers(exam: Path, typed: dict[str, str]) -> str:
-    """Everybody is put the second ask of another variant than the first; `typed` are answers to it, by student."""
+    """Everybody is put the second ask of another variant than the first; `typed` are answers to it,
+    by student.
+    """
     first, second = groups(exam.parent / "pool.zip")
     found = {}
     for place, student in enumerate(STUDENTS):
@@ -103,7 +108,9 @@ def test_the_report_explains_losses_by_what_was_put(exam: Path, tmp_path: Path) 
 def test_numbers_of_several_variants_are_no_numbers_of_one_question(
     exam: Path, tmp_path: Path
 ) -> None:
-    """The report asks whether a drawn number made a question harder; here there were two of each."""
+    """The report asks whether a drawn number made a question harder; here there were two of
+    each.
+    """
     marks = graded(exam, tmp_path, {})
     papers = PaperRecords(exam, read_put(marks))
     found = papers.marked("S1", ["q1.v_x", "q1.v_y"])

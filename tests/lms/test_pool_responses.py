@@ -1,4 +1,6 @@
-"""Answers to questions that Moodle drew from a pool are marked by the key of what was drawn, or refused."""
+"""Answers to questions that Moodle drew from a pool are marked by the key of what was drawn, or
+refused.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ ALL = ("Question", "Response", "Right answer")
 
 @pytest.fixture(scope="module")
 def exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the class's exam, of which a pool of three variants was made: pool.xml beside it."""
+    """A copy of the class's exam, of which a pool of three variants was made: pool.xml beside
+    it.
+    """
     folder = tmp_path_factory.mktemp("pooled")
     exam = Path(shutil.copytree(small_class / "EXAM", folder / "EXAM"))
     assert quiz(exam, folder / "pool.xml", 3) in (0, 1)
@@ -37,7 +41,9 @@ def exam(small_class: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def quiz(exam: Path, file: Path, count: int) -> int:
-    """The exit status of writing a pool; 1 where the marks of half points are said to be doubled."""
+    """The exit status of writing a pool; 1 where the marks of half points are said to be
+    doubled.
+    """
     options = ("--to", "moodle-xml", "--variants", str(count), "-o", file)
     return kinegrade("quiz", exam, *options).exit_code
 
@@ -254,7 +260,9 @@ def test_what_follows_from_an_own_answer_is_worked_out_with_the_numbers_of_the_v
 
 
 def test_canvas_draws_every_ask_by_itself(exam: Path, tmp_path: Path) -> None:
-    """Its Student Analysis has a column for each variant of each ask, headed by the text of the question."""
+    """Its Student Analysis has a column for each variant of each ask, headed by the text of the
+    question.
+    """
     asks = list(dict.fromkeys(column for _, column in asks_of(exam)))
     donors = STUDENTS[:3]
     statements = {

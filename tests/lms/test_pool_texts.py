@@ -1,4 +1,6 @@
-"""A variant of a pool is known by the text of its question alone, as a system gives that back: without its mark-up."""
+"""A variant of a pool is known by the text of its question alone, as a system gives that back:
+without its mark-up.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,8 @@ WORDS = (
     ("曲柄 {{ r }} 以 {{ omega }} 转动，", "曲柄 {{ r }} {{ sense }}，{{ s }}；"),
     (
         "[parameters]",
-        '[text]\nsense = [{ if = "s > 0", en = "counter-clockwise with {{ omega }}", zh = "以 {{ omega }} 逆时针转动" }, '
+        '[text]\nsense = [{ if = "s > 0", en = "counter-clockwise with {{ omega }}", zh = "以 {{ '
+        'omega }} 逆时针转动" }, '
         '{ en = "clockwise with {{ omega }}", zh = "以 {{ omega }} 顺时针转动" }]\n\n'
         '[parameters]\ns = { unit = "1", draw = [1, -1], means = { en = "sense", zh = "转向" } }',
     ),

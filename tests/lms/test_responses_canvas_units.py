@@ -1,4 +1,6 @@
-"""A Canvas quiz that asks for another unit than the paper does is marked as its students answered it."""
+"""A Canvas quiz that asks for another unit than the paper does is marked as its students answered
+it.
+"""
 
 from __future__ import annotations
 

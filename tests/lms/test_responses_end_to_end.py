@@ -26,7 +26,9 @@ IDENTITY = ["姓", "名", "学号", "Email地址", "状态", "开始时间", "�
 
 
 def typed(exam: Path) -> tuple[dict[str, list[str]], list[str]]:
-    """By student what was typed into each answer box: right, wrong, blank, unreadable, with separators."""
+    """By student what was typed into each answer box: right, wrong, blank, unreadable, with
+    separators.
+    """
     asks = asks_of(exam)
     columns = list(dict.fromkeys(column for _, column in asks))
     whims = ("{:.6g}", "{:.6g}", "", "=1+1", "{:.3g}; no; part 2", "{:.6g}", "about {:.4g}", "-")
@@ -170,7 +172,9 @@ def test_the_blank_answer_sheet_of_the_exam_is_read(small_class: Path) -> None:
 
 
 def asked(exam: Path, whose: str, student: str) -> list[str]:
-    """A Moodle file of one row: a student who was put somebody's paper and gave its right answers, as it says."""
+    """A Moodle file of one row: a student who was put somebody's paper and gave its right answers,
+    as it says.
+    """
     values = [
         f"{float(ask['value']):.9g}".replace(".", ",")
         for (who, _), ask in asks_of(exam).items()
@@ -216,7 +220,8 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
     [
         (
             b"{}",
-            r"key.jsonl: is broken \(KeyError: 'student'\) - expected it as kinegrade generate wrote it",
+            r"key.jsonl: is broken \(KeyError: 'student'\) - expected it as kinegrade generate "
+            r"wrote it",
         ),
         (None, r"key.jsonl: cannot be read \(Is a directory\) - expected the key - check the file"),
     ],

@@ -128,7 +128,7 @@ def test_a_google_form_by_the_order_of_its_questions(tmp_path: Path) -> None:
         ("student", "q1.v_B", "q1.omega_AB", "q2.a_B"),
         ("0012345", "1 m/s", "2", "=3"),
     ]
-    assert 'students are told by "Student ID *" and "Email Address"' in read.assumed[1]
+    assert 'students are identified by "Student ID *" and "Email Address"' in read.assumed[1]
 
 
 def test_a_google_form_by_the_names_of_the_asks_in_any_order(tmp_path: Path) -> None:

@@ -1,4 +1,6 @@
-"""Responses of Moodle quizzes: the files Moodle itself wrote in three languages, and every shape they may have."""
+"""Responses of Moodle quizzes: the files Moodle itself wrote in three languages, and every shape
+they may have.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +55,9 @@ def cloze(*typed: str) -> str:
 
 
 def sample(folder: Path, language: str, kept: tuple[int, ...]) -> Path:
-    """A sample of which only these columns of each question are left, as if the others had not been ticked."""
+    """A sample of which only these columns of each question are left, as if the others had not been
+    ticked.
+    """
     with (SAMPLES / f"{language}-responses.csv").open(encoding="utf-8-sig", newline="") as file:
         rows = list(csv.reader(file))
     short = [
@@ -164,7 +168,8 @@ def test_an_attempt_in_progress_is_to_be_closed_in_moodle_first(tmp_path: Path) 
         (
             2,
             'the attempt was not handed in ("In progress"), and Moodle gives out nothing of it',
-            "not graded: close the attempt in Moodle first where it is in progress, then download again",
+            "not graded: close the attempt in Moodle first where it is in progress, then download "
+            "again",
         )
     ]
 
@@ -204,7 +209,7 @@ def test_parts_that_cannot_be_told_apart_are_told_and_not_guessed(tmp_path: Path
     assert told(read) == [
         (
             line,
-            "2 parts were expected, and which is which cannot be told",
+            "2 parts were expected, and which is which is unclear",
             "q1.v_B, q1.omega_AB count as blank; put them right by hand",
         )
         for line in (2, 3)
@@ -244,7 +249,8 @@ def test_another_quiz_is_refused_with_what_was_found(
         ),
         (
             HEADER,
-            "after the grade stands nothing - expected numbered columns like Response 1, Response 2",
+            "after the grade stands nothing - expected numbered columns like Response 1, Response "
+            "2",
         ),
         (("student", "q1.v_B"), "has no grades like Grade/10.00 - expected the quiz's responses"),
     ],

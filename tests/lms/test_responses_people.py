@@ -1,4 +1,6 @@
-"""Whose answers they are: found by id or address, told where nobody or more than one may be meant, never guessed."""
+"""Whose answers they are: found by id or address, told where nobody or more than one may be meant,
+never guessed.
+"""
 
 from __future__ import annotations
 
@@ -83,7 +85,10 @@ def test_a_file_without_any_student_of_the_exam_is_refused_and_not_a_class_of_ab
     tmp_path: Path,
 ) -> None:
     people = [("", f"4.1{number}E+05") for number in range(3)]
-    message = r'none of its 3 rows is of a student of the exam \("4.10E\+05" ...\) - expected ids like "0012345"'
+    message = (
+        r'none of its 3 rows is of a student of the exam \("4.10E\+05" ...\) - expected ids '
+        r'like "0012345"'
+    )
     with pytest.raises(TableError, match=message):
         responses(tmp_path, form(*people))
     assert len(told(responses(tmp_path, form(*people, ("", "S9"))))) == 3

@@ -1,4 +1,6 @@
-"""Sakai: columns by position, points in brackets, comments behind a star, a byte-order mark or names are garbled."""
+"""Sakai: columns by position, points in brackets, comments behind a star, a byte-order mark or
+names are garbled.
+"""
 
 from __future__ import annotations
 

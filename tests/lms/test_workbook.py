@@ -1,4 +1,6 @@
-"""The spreadsheet for people: ids and answers are texts, points are numbers, and nothing is a formula."""
+"""The spreadsheet for people: ids and answers are texts, points are numbers, and nothing is a
+formula.
+"""
 
 from __future__ import annotations
 

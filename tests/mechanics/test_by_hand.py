@@ -17,7 +17,9 @@ from kinegrade.mechanics.vector import Vector
 
 
 def slotted_rocker() -> Motion:
-    """The crank OA (0.3 m, straight up, 2 rad/s) drives a block in the slot of CA, pinned 0.7 m to the left of O."""
+    """The crank OA (0.3 m, straight up, 2 rad/s) drives a block in the slot of CA, pinned 0.7 m to
+    the left of O.
+    """
     points = {
         "O": Vector(fmpq(0), fmpq(0)),
         "A": Vector(fmpq(0), fmpq(3, 10)),

@@ -9,7 +9,8 @@ X, Y = (1, 0), (0, 1)
 
 
 def test_rotation_relative_to_another_body_adds() -> None:
-    # arm 2 with 3, forearm 1 with 4 relative to it: absolute 7: v_B = (0, 6 + 7); a_B = (-18 - 49, 2 + 2 + 5)
+    # arm 2 with 3, forearm 1 with 4 relative to it: absolute 7: v_B = (0, 6 + 7); a_B = (-18 - 49,
+    # 2 + 2 + 5)
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "A": (2, 0), "B": (3, 0)},
@@ -38,8 +39,9 @@ def test_rotation_seen_from_the_body_the_other_way_round() -> None:
 
 
 def test_component_of_a_guided_point_is_its_motion_along_the_guide() -> None:
-    # ladder 5: foot at (4, 0) driven with 3 away, head at (0, 3): v_head = -3*4/3 = -4; omega = 1 (pole at (4, 3))
-    # x^2 + y^2 = 25 with x'' = 0: y'' = -(x'^2 + y'^2)/y = -25/3 = -3*1^2 - 4 alpha: alpha = 4/3
+    # ladder 5: foot at (4, 0) driven with 3 away, head at (0, 3): v_head = -3*4/3 = -4; omega = 1
+    # (pole at (4, 3)) x^2 + y^2 = 25 with x'' = 0: y'' = -(x'^2 + y'^2)/y = -25/3 = -3*1^2 - 4
+    # alpha: alpha = 4/3
     p = Paper()
     motion = p.motion(
         {"A": (4, 0), "B": (0, 3)},
@@ -68,8 +70,8 @@ def test_components_of_a_free_particle_two_at_once() -> None:
 
 
 def test_component_relative_to_a_moving_body_has_coriolis_acceleration() -> None:
-    # a bead at distance 2 on a bar that turns with 3 (alpha 1) runs outwards with 4, 5: v = (4, 6), a = (5 - 18, 2 +
-    # 24)
+    # a bead at distance 2 on a bar that turns with 3 (alpha 1) runs outwards with 4, 5: v = (4, 6),
+    # a = (5 - 18, 2 + 24)
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "M": (2, 0)},

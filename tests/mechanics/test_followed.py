@@ -25,7 +25,9 @@ Read = Callable[[FollowedMotion], float]
 
 
 def slider_crank() -> Mechanism:
-    """OA of 1 m at 60 degrees turns with -1 rad/s; AB of sqrt(3) m at a right angle to it; B at (2, 0) on the level."""
+    """OA of 1 m at 60 degrees turns with -1 rad/s; AB of sqrt(3) m at a right angle to it; B at (2,
+    0) on the level.
+    """
     points = {"O": Vector(0.0, 0.0), "A": Vector(0.5, ROOT / 2), "B": Vector(2.0, 0.0)}
     joints = (Pin("O", (GROUND, "OA")), Pin("A", ("OA", "AB")), Slide("B", "AB", LEVEL, GROUND))
     return Mechanism(
@@ -37,7 +39,9 @@ def slider_crank() -> Mechanism:
 
 
 def slotted_rocker() -> Mechanism:
-    """OA of 0.3 m, straight up, turns with 2 rad/s; its block at A runs in the slot of CA, pinned 0.7 m to the left."""
+    """OA of 0.3 m, straight up, turns with 2 rad/s; its block at A runs in the slot of CA, pinned
+    0.7 m to the left.
+    """
     points = {"O": Vector(0.0, 0.0), "A": Vector(0.0, 0.3), "C": Vector(-0.7, 0.0)}
     joints = (Pin("O", (GROUND, "OA")), Pin("C", (GROUND, "CA")), Slide("A", "OA", SLOT, "CA"))
     return Mechanism(
@@ -76,15 +80,14 @@ def test_without_own_values_the_motion_is_the_right_one() -> None:
 
 
 def test_the_slider_goes_on_from_the_own_angular_velocity_of_the_rod() -> None:
-    # a_B = a_A + alpha x AB - omega^2 AB with AB = (3, -sqrt 3)/2 and a_A = -(1, sqrt 3)/2 gives, across the guide,
-    # alpha = (1 - omega^2)/sqrt 3, and along it a_B = -2 omega^2
+    # a_B = a_A + alpha x AB - omega^2 AB with AB = (3, -sqrt 3)/2 and a_A = -(1, sqrt 3)/2 gives,
+    # across the guide, alpha = (1 - omega^2)/sqrt 3, and along it a_B = -2 omega^2
     motion = follow(slider_crank(), OwnValue(when(lambda m: m.rates["omega AB"]), 0.5, "velocity"))
     assert motion.omega("AB") == pytest.approx(0.5)
     assert motion.alpha("AB") == pytest.approx(ROOT / 4)
     assert motion.acceleration("B", "AB") == pytest.approx((-0.5, 0))
-    assert motion.velocity("B", "AB") == pytest.approx(
-        (2 * ROOT / 3, 0)
-    )  # of the same step: as it was found
+    # Of the same step: as it was found
+    assert motion.velocity("B", "AB") == pytest.approx((2 * ROOT / 3, 0))
 
 
 def test_the_slider_goes_on_from_the_own_speed_of_the_crank_pin() -> None:
@@ -110,7 +113,8 @@ def test_two_own_values_of_which_one_follows_from_the_other() -> None:
 
 
 def test_the_rocker_goes_on_from_an_own_angular_velocity_and_an_own_coriolis_acceleration() -> None:
-    # across the slot, with CA = (0.7, 0.3): -1.2 * 0.7 = 0.58 alpha + 2 omega (v_r/CA) 0.58, v_r/CA = -0.42/0.58
+    # across the slot, with CA = (0.7, 0.3): -1.2 * 0.7 = 0.58 alpha + 2 omega (v_r/CA) 0.58, v_r/CA
+    # = -0.42/0.58
     turning = OwnValue(when(lambda m: m.rates["omega CA"]), 0.5, "velocity")
     assert follow(slotted_rocker(), turning).alpha("CA") == pytest.approx(-0.42 / 0.58)
     right = follow(slotted_rocker())
@@ -154,14 +158,12 @@ def test_an_own_acceleration_of_a_point_goes_on_to_what_hangs_on_it() -> None:
 @pytest.mark.parametrize(
     "own",
     [
-        OwnValue(
-            when(lambda m: abs(m.rates["omega AB"])), -0.5, "velocity"
-        ),  # no magnitude is negative
+        # No magnitude is negative
+        OwnValue(when(lambda m: abs(m.rates["omega AB"])), -0.5, "velocity"),
         OwnValue(when(lambda m: m.omega("AB") ** 2), 0.25, "velocity"),  # no straight way to it
         OwnValue(when(lambda m: m.rates["omega OA"]), 2.0, "velocity"),  # given
-        OwnValue(
-            when(lambda m: m.rates["slide B AB/ground"] + m.omega("AB")), 2.0, "velocity"
-        ),  # of two rates
+        # Of two rates
+        OwnValue(when(lambda m: m.rates["slide B AB/ground"] + m.omega("AB")), 2.0, "velocity"),
         OwnValue(lambda motion: None, 2.0, "velocity"),
     ],
 )

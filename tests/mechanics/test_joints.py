@@ -1,4 +1,6 @@
-"""Every joint kind on an example that can be worked out by hand: exact velocities and accelerations."""
+"""Every joint kind on an example that can be worked out by hand: exact velocities and
+accelerations.
+"""
 
 from __future__ import annotations
 
@@ -76,8 +78,9 @@ def test_pin_of_three_bodies_carries_one_motion_to_all() -> None:
 
 
 def test_slide_on_the_ground_slider_crank_with_the_crank_upright() -> None:
-    # crank 3 upright, omega 2: v_A = (-6, 0); rod 5 from (0, 3) to (4, 0): instantaneous translation: v_B = (-6, 0)
-    # a_A = (0, -12); a_B,y = 0 = -12 + 4 alpha: alpha = 3; a_B,x = 3 alpha = 9
+    # crank 3 upright, omega 2: v_A = (-6, 0); rod 5 from (0, 3) to (4, 0): instantaneous
+    # translation: v_B = (-6, 0) a_A = (0, -12); a_B,y = 0 = -12 + 4 alpha: alpha = 3; a_B,x = 3
+    # alpha = 9
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
@@ -96,9 +99,9 @@ def test_slide_on_the_ground_slider_crank_with_the_crank_upright() -> None:
 
 
 def test_slide_on_a_moving_body_the_quick_return_slot() -> None:
-    # crank 1 at A = (0, 1), pin of the rocker at C = (0, -1): v_A = (-2, 0) across the slot: omega_CA = 2/2 = 1, v_r =
-    # 0
-    # a_A = (0, -4): along the slot -4 = -1*2 + a_r: a_r = -2; across 0 = 2 alpha: alpha = 0
+    # crank 1 at A = (0, 1), pin of the rocker at C = (0, -1): v_A = (-2, 0) across the slot:
+    # omega_CA = 2/2 = 1, v_r = 0 a_A = (0, -4): along the slot -4 = -1*2 + a_r: a_r = -2; across 0
+    # = 2 alpha: alpha = 0
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "A": (0, 1), "C": (0, -1)},
@@ -118,7 +121,8 @@ def test_slide_on_a_moving_body_the_quick_return_slot() -> None:
 
 def test_slide_with_coriolis_acceleration() -> None:
     # v_A = (-2, 0): along CA -sqrt 2 = v_r, across it sqrt 2 = omega*CA: omega = 1
-    # a_A = (0, -4): across CA -2 sqrt 2 = alpha*CA + 2*1*(-sqrt 2): alpha = 0; along CA -2 sqrt 2 = -sqrt 2 + a_r
+    # a_A = (0, -4): across CA -2 sqrt 2 = alpha*CA + 2*1*(-sqrt 2): alpha = 0; along CA -2 sqrt 2 =
+    # -sqrt 2 + a_r
     p = Paper()
     motion = p.motion(
         {"O": (1, 0), "A": (1, 1), "C": (0, 0)},
@@ -138,7 +142,8 @@ def test_slide_with_coriolis_acceleration() -> None:
 
 
 def test_a_fixed_point_on_the_line_of_a_moving_body() -> None:
-    # A, straight above O, runs to the left with 2: omega = 2/1; the bar does not slide at O at this instant: alpha = 0
+    # A, straight above O, runs to the left with 2: omega = 2/1; the bar does not slide at O at this
+    # instant: alpha = 0
     p = Paper()
     motion = p.motion(
         {"A": (0, 1), "O": (0, 0)},
@@ -177,8 +182,8 @@ def test_sleeve_bar_through_a_swivelling_sleeve_at_45_degrees() -> None:
 
 
 def test_arc_a_crank_pin_in_a_circular_slot_is_a_hidden_connecting_rod() -> None:
-    # the hidden rod DP = (-2, 0) lies along the guide of BC: v_D = v_P = (-3, 0), so the rod does not turn;
-    # a_P = (0, -9) has no part along the rod: a_D = 0
+    # the hidden rod DP = (-2, 0) lies along the guide of BC: v_D = v_P = (-3, 0), so the rod does
+    # not turn; a_P = (0, -9) has no part along the rod: a_D = 0
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "P": (0, 1), "D": (2, 1)},
@@ -196,7 +201,8 @@ def test_arc_a_crank_pin_in_a_circular_slot_is_a_hidden_connecting_rod() -> None
 
 
 def test_contact_of_a_circle_and_a_line_flat_follower() -> None:
-    # centre C = (3, 4)/5 from O, radius 1, omega 5: v_C = (-4, 3): the follower rises with 3; a_C,y = -25*4/5 = -20
+    # centre C = (3, 4)/5 from O, radius 1, omega 5: v_C = (-4, 3): the follower rises with 3; a_C,y
+    # = -25*4/5 = -20
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "C": ("3/5", "4/5"), "B": (0, "9/5")},
@@ -214,9 +220,9 @@ def test_contact_of_a_circle_and_a_line_flat_follower() -> None:
 
 
 def test_contact_of_two_circles_outside_is_a_rod_between_the_centres() -> None:
-    # cam centre C = (1, 0), radius 1; roller of the follower D = (1, 3), radius 2, moving along y: v_C = (0, 2): v_D =
-    # (0, 2)
-    # CD does not turn, as v_D,x = v_C,x = 0; a_C = (-4, 0) has no part along CD: a_D = 0
+    # cam centre C = (1, 0), radius 1; roller of the follower D = (1, 3), radius 2, moving along y:
+    # v_C = (0, 2): v_D = (0, 2) CD does not turn, as v_D,x = v_C,x = 0; a_C = (-4, 0) has no part
+    # along CD: a_D = 0
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "C": (1, 0), "D": (1, 3)},
@@ -250,7 +256,8 @@ def test_contact_of_two_circles_inside_is_a_rod_of_the_difference_of_radii() -> 
 
 
 def test_roll_on_a_line_the_rolling_wheel() -> None:
-    # r = 2, v_C = 6: omega = -3; top: 12; contact: v = 0, a = v^2/r = 18 upwards; a_C = 4: alpha = -2
+    # r = 2, v_C = 6: omega = -3; top: 12; contact: v = 0, a = v^2/r = 18 upwards; a_C = 4: alpha =
+    # -2
     p = Paper()
     motion = p.motion(
         {"C": (0, 2), "T": (0, 4), "F": (0, 0)},
@@ -267,7 +274,8 @@ def test_roll_on_a_line_the_rolling_wheel() -> None:
 
 
 def test_roll_on_a_moving_bar_between_two_racks() -> None:
-    # racks with 5 and 1 to the right, wheel of radius 1 between them: v_C = 3, omega = (1 - 5)/2 = -2
+    # racks with 5 and 1 to the right, wheel of radius 1 between them: v_C = 3, omega = (1 - 5)/2 =
+    # -2
     p = Paper()
     motion = p.motion(
         {"C": (0, 1), "U": (0, 2), "L": (0, 0)},
@@ -287,8 +295,8 @@ def test_roll_on_a_moving_bar_between_two_racks() -> None:
 
 
 def test_roll_outside_a_fixed_circle() -> None:
-    # arm 3 with 2 rad/s, planet radius 1 on a sun of 2: omega = 2*3/1 = 6, v of the far point = 2*6 = 12; alpha =
-    # 3*arm's
+    # arm 3 with 2 rad/s, planet radius 1 on a sun of 2: omega = 2*3/1 = 6, v of the far point = 2*6
+    # = 12; alpha = 3*arm's
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "A": (3, 0), "B": (4, 0), "D": (2, 0)},
@@ -308,7 +316,8 @@ def test_roll_outside_a_fixed_circle() -> None:
 
 
 def test_roll_inside_a_fixed_ring() -> None:
-    # Cardan's circles: planet half as large as the ring: omega = -omega_arm, and a rim point runs along a diameter
+    # Cardan's circles: planet half as large as the ring: omega = -omega_arm, and a rim point runs
+    # along a diameter
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "A": (1, 0), "B": (1, 1), "C": (0, 0)},
@@ -326,8 +335,8 @@ def test_roll_inside_a_fixed_ring() -> None:
 
 
 def test_a_ring_rolling_around_a_fixed_circle_within_it() -> None:
-    # ring radius 3 about a fixed circle of radius 2: centre on an arm of 1: contact on the far side of O: at (-2, 0)
-    # v_C = (0, 1) = omega*(1 + 2): omega = 1/3
+    # ring radius 3 about a fixed circle of radius 2: centre on an arm of 1: contact on the far side
+    # of O: at (-2, 0) v_C = (0, 1) = omega*(1 + 2): omega = 1/3
     p = Paper()
     motion = p.motion(
         {"O": (0, 0), "C": (1, 0), "F": (-2, 0)},
@@ -425,7 +434,8 @@ def test_parallel_to_a_moving_body() -> None:
 
 
 def test_a_wheel_guided_twice_along_one_line_is_no_contradiction() -> None:
-    # its centre in a guide that is written from right to left, and the wheel on its track: the same condition twice
+    # its centre in a guide that is written from right to left, and the wheel on its track: the same
+    # condition twice
     p = Paper()
     motion = p.motion(
         {"C": (0, 2)},

@@ -108,7 +108,8 @@ def test_driven_slider_starts_at_the_driven_point() -> None:
 
 
 def test_two_equations_together_only_where_nothing_smaller_works() -> None:
-    # a triad: a plate ABC on three rockers, the middle one driven: neither rocker alone can be found
+    # a triad: a plate ABC on three rockers, the middle one driven: neither rocker alone can be
+    # found
     p = Paper()
     motion = p.motion(
         {"A": (0, 2), "B": (4, 2), "C": (2, 4), "D": (0, 0), "E": (5, 0), "F": (4, 5), "G": (6, 4)},

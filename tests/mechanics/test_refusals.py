@@ -63,7 +63,8 @@ def written(
         (
             CRANK,
             [],
-            "body AB can still turn, body OA can still turn (2 degrees of freedom left): add a joint or a driver",
+            "body AB can still turn, body OA can still turn (2 degrees of freedom left): add a "
+            "joint or a driver",
         ),
         (
             CRANK[:1],
@@ -73,14 +74,14 @@ def written(
         (
             [*CRANK, Slide("B", "AB", P.line(0, 0, Y), GROUND)],
             [P.turns("OA", 1)],
-            "B of AB on the line of ground: B does not lie on that line: check the construction of B",
+            "B of AB on the line of ground: B does not lie on that line: check the construction of "
+            "B",
         ),
         (
             [*CRANK, Parallel("AB", GROUND), Pin("B", ("AB", GROUND))],
             [P.turns("OA", 1)],
-            "the pin A of OA and AB and AB does not turn relative to ground and the given rotation of OA"
-            " contradict each other: "
-            "leave one out or make their values agree",
+            "the pin A of OA and AB and AB does not turn relative to ground and the given "
+            "rotation of OA contradict each other: leave one out or make their values agree",
         ),
         (
             CRANK,
@@ -102,7 +103,8 @@ def written(
         (
             [*CRANK, Slide("B", "AB", P.line(0, 0, X), GROUND)],
             [P.moves("B", "AB", X, 0)],
-            "dead point: A, B and O are in line at these values: choose other values or another driver",
+            "dead point: A, B and O are in line at these values: choose other values or another "
+            "driver",
         ),
     ],
 )
@@ -140,7 +142,9 @@ DYAD = [
 
 
 def test_a_dead_point_says_what_is_in_line_and_asks_for_no_joint() -> None:
-    """The four-bar is complete; only where its coupler and its rocker are in line they may turn either way."""
+    """The four-bar is complete; only where its coupler and its rocker are in line they may turn
+    either way.
+    """
     assert problem(written(DYAD, [P.turns("OC", 0)], points=DYAD_POINTS, bodies=DYAD_BODIES)) == (
         "dead point: C, D and O6 are in line at these values: choose other values or another driver"
     )
@@ -180,7 +184,8 @@ def test_solve_names_the_dead_point_of_a_trammel() -> None:
         (
             [Pin("O", ("OAB", GROUND))],
             [],
-            'the pin O of OAB and ground: no body "OAB": did you mean "OA"? (known here: AB, OA, ground)',
+            'the pin O of OAB and ground: no body "OAB": did you mean "OA"? (known here: AB, OA, '
+            "ground)",
         ),
         (
             [Pin("Q", ("OA", GROUND))],
@@ -249,7 +254,8 @@ def test_bodies_need_points_that_exist() -> None:
         ),
         (
             Roll("OA", P.circle("A", 2), GROUND, P.circle("A", 2), inside=True),
-            "the rolling of OA on ground: a circle within a circle of the same radius: one must be smaller",
+            "the rolling of OA on ground: a circle within a circle of the same radius: one must be "
+            "smaller",
         ),
         (
             Mesh("OA", P.circle("O", 1), "AB", P.circle("A", 1), GROUND),
@@ -265,7 +271,8 @@ def test_bodies_need_points_that_exist() -> None:
         ),
         (
             Slide("A", "OA", P.line(0, 0, (0, 0)), GROUND),
-            "A of OA on the line of ground: the line has no direction: give it two different points, or an angle",
+            "A of OA on the line of ground: the line has no direction: give it two different "
+            "points, or an angle",
         ),
         (
             Roll("OA", P.circle("A", 1), GROUND, P.line(0, 1, (0, 0))),
@@ -312,7 +319,8 @@ def test_joints_that_do_not_fit_the_configuration(joint: Any, message: str) -> N
         (
             [],
             [P.turns("M", 1)],
-            "the given rotation of M: M is a particle, which neither turns nor carries a line or circle",
+            "the given rotation of M: M is a particle, which neither turns nor carries a line or "
+            "circle",
         ),
         ([Slide("A", "OA", P.line(0, 0, X), "M")], [], "A of OA on the line of M: M is a particle"),
         ([Parallel("M", GROUND)], [], "M not turning relative to ground: M is a particle"),
@@ -424,7 +432,8 @@ BUILD = Constructions(P.field, {"A": (place := P.vector(0, 1))})
         ),
         (
             lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "right"),
-            "right does not tell the two common points apart: name another side, one of right, left, upper, lower",
+            "right does not tell the two common points apart: name another side, one of right, "
+            "left, upper, lower",
         ),
         (
             lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "clockwise"),

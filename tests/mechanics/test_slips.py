@@ -1,4 +1,6 @@
-"""Every slip on an example that can be worked out by hand, one after the other exactly and all together in arrays."""
+"""Every slip on an example that can be worked out by hand, one after the other exactly and all
+together in arrays.
+"""
 
 from __future__ import annotations
 
@@ -39,7 +41,9 @@ def slot() -> tuple[Paper, Mechanism]:
 
 
 def crank_and_rod() -> tuple[Paper, Mechanism]:
-    """A crank of 3 upright with 2, a rod of 5 to a slider at (4, 0): v_A = v_B = (-6, 0), a_A = (0, -12), a_B = 9."""
+    """A crank of 3 upright with 2, a rod of 5 to a slider at (4, 0): v_A = v_B = (-6, 0), a_A = (0,
+    -12), a_B = 9.
+    """
     p = Paper()
     return p, p.mechanism(
         {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
@@ -54,7 +58,9 @@ def crank_and_rod() -> tuple[Paper, Mechanism]:
 
 
 def planet() -> tuple[Paper, Mechanism]:
-    """A planet of radius 1 on a fixed circle of radius 2, its arm of 3 turns with 2: omega = 6, v_C = 12."""
+    """A planet of radius 1 on a fixed circle of radius 2, its arm of 3 turns with 2: omega = 6, v_C
+    = 12.
+    """
     p = Paper()
     return p, p.mechanism(
         {"O": (0, 0), "A": (3, 0), "C": (4, 0)},
@@ -237,9 +243,9 @@ def test_a_relative_turning_for_an_absolute_one_and_the_other_way_about() -> Non
 def test_stirred_velocities_show_what_a_term_is_for() -> None:
     p, mechanism = crank_and_rod()  # the rod does not turn: its normal term is zero
     plan = solve(mechanism, p.field).plan
-    for stirred, differs in ((False, False), (True, True)):
+    for perturbed, differs in ((False, False), (True, True)):
         right, wrong = (
-            mistaken(mechanism, p.field, plan, Slips(relative_normal=share), stirred=stirred)
+            mistaken(mechanism, p.field, plan, Slips(relative_normal=share), perturbed=perturbed)
             for share in (1, 0)
         )
         assert (right.alpha("AB") != wrong.alpha("AB")) is differs

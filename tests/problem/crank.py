@@ -1,4 +1,6 @@
-"""The smallest template there is, whose answers are seen at a glance: v_x = -omega h, v_y = omega sqrt(r^2 - h^2)."""
+"""The smallest template there is, whose answers are seen at a glance: v_x = -omega h, v_y = omega
+sqrt(r^2 - h^2).
+"""
 
 from __future__ import annotations
 
@@ -51,5 +53,7 @@ def crank_text(*changes: tuple[str, str]) -> str:
 
 
 def crank(*changes: tuple[str, str], kept: bool = False) -> Template:
-    """The template with some passages replaced; `kept` as an exam keeps it, without a look at dimensions."""
+    """The template with some passages replaced; `kept` as an exam keeps it, without a look at
+    dimensions.
+    """
     return read_template("crank", crank_text(*changes), kept=kept)

@@ -1,4 +1,6 @@
-"""`kinegrade check` finds a wrong digit or sign in a published result, and says when nothing proves a template."""
+"""`kinegrade check` finds a wrong digit or sign in a published result, and says when nothing proves
+a template.
+"""
 
 from __future__ import annotations
 
@@ -115,10 +117,11 @@ def test_the_report_says_what_was_found() -> None:
     assert re.fullmatch(r"  distinct instances: about 2; [\d.]+ ms each", lines[3])
     assert lines[4:] == [
         "  v_x                  -1 .. -1         m/s     negative 100%, different 1",
-        "  fault: about 2 distinct instances: at least 500 are needed for a class: widen the domains",
+        "  fault: about 2 distinct instances: at least 500 are needed for a class: widen the "
+        "domains",
         "  fault: v_x has the same answer in all instances: a student guesses it",
-        "  fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of radius 1 "
-        "does not reach the line y = 3: add a condition or narrow the domains",
+        "  fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of "
+        "radius 1 does not reach the line y = 3: add a condition or narrow the domains",
     ]
 
 
@@ -164,7 +167,10 @@ WIDE = (
 
 def on_request(quantity: str, unit: str, flags: str = "") -> tuple[str, str]:
     """A further ask without points."""
-    line = f'w = {{ quantity = "{quantity}", unit = "{unit}", {flags}means = {{ en = "w", zh = "w 量" }} }}'
+    line = (
+        f'w = {{ quantity = "{quantity}", unit = "{unit}", {flags}means = {{ en = "w", zh = "w '
+        f'量" }} }}'
+    )
     return "\n[asks]\n", f"\n[asks]\n{line}\n"
 
 

@@ -1,4 +1,6 @@
-"""What makes no sense in a template is found before any numbers are put in, by `check` and by whatever reads it."""
+"""What makes no sense in a template is found before any numbers are put in, by `check` and by
+whatever reads it.
+"""
 
 from __future__ import annotations
 
@@ -248,7 +250,9 @@ def test_a_named_length_of_two_dimensions_is_refused_once() -> None:
 
 
 def test_numbers_of_the_source_may_stand_for_values_with_units() -> None:
-    """A source that states h = 1/2 m prints its result without h; a literal alone takes any dimension."""
+    """A source that states h = 1/2 m prints its result without h; a literal alone takes any
+    dimension.
+    """
     crank(
         ('[0, "1/2", 3]', '["1/2"]'),
         (PUBLISHED, 'given = { h = "1/2" }\ngives = { v_x = "-omega/2" }'),

@@ -1,4 +1,6 @@
-"""Draws are addressed: whoever is drawn, and whatever else the exam holds, an address gives the same value for ever."""
+"""Draws are addressed: whoever is drawn, and whatever else the exam holds, an address gives the
+same value for ever.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,8 @@ from tests.problem.crank import crank
 
 STUDENTS = ("007", "0012", "12", "Ω-王")
 
-# The promise for ten years: secret "spring", question "q1", first attempts. These lines are never edited.
+# The promise for ten years: secret "spring", question "q1", first attempts. These lines are never
+# edited.
 PROMISED = {
     "007": {"r": "4", "h": "11", "omega": "29"},
     "0012": {"r": "2", "h": "16", "omega": "27"},

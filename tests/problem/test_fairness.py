@@ -1,4 +1,6 @@
-"""Marks are fair: a sample of what `python -m benchmarks.fairness` shows for 1,000 papers of every template."""
+"""Marks are fair: a sample of what `python -m benchmarks.fairness` shows for 1,000 papers of every
+template.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,9 @@ def test_honest_work_gets_full_marks_known_mistakes_get_none_and_are_named(name:
 
 
 def test_the_simulation_notices_unfair_marks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An honest student who types a hundredth and a half more, and a mistake that the key does not know."""
+    """An honest student who types a hundredth and a half more, and a mistake that the key does not
+    know.
+    """
     (simulated,) = classes(load_template("slider-crank"), 2)
     way, answers = next(iter(honest_students(simulated)))
     off = [

@@ -1,4 +1,6 @@
-"""Follow-through, for every template: the plan run on from own answers gives what the same errors lead to."""
+"""Follow-through, for every template: the plan run on from own answers gives what the same errors
+lead to.
+"""
 
 from __future__ import annotations
 
@@ -107,7 +109,9 @@ def rates_asked_for(follower: Follower) -> dict[str, str]:
 
 
 def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> Answers | None:
-    """The answers through which alone a mistake in the velocities goes on: asks of all the rates that it changes."""
+    """The answers through which alone a mistake in the velocities goes on: asks of all the rates
+    that it changes.
+    """
     floats, asked, right = Floats(), rates_asked_for(follower), follower.right_motion
     shares = {name: float(floats.number(share)) for name, share in mistake.shares.items()}
     with floats.context():
@@ -137,7 +141,9 @@ def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> A
 
 
 def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
-    """The Coriolis accelerations through which alone a mistake in them goes on: all that the relations hold."""
+    """The Coriolis accelerations through which alone a mistake in them goes on: all that the
+    relations hold.
+    """
     relations = follower.still.frames.relations
     terms = {
         (term.point, term.frame)
@@ -156,7 +162,9 @@ def led_by_coriolis(follower: Follower, leads: Answers) -> Answers | None:
 
 
 def compared(follower: Follower) -> Iterator[tuple[str, str, float | None, float, float]]:
-    """Mistake, later ask, what follows from the mistaken earlier answers, what the mistake leads to, what is right."""
+    """Mistake, later ask, what follows from the mistaken earlier answers, what the mistake leads
+    to, what is right.
+    """
     all_leads = Mistakes(
         follower.template, follower.template.asks, follower.values, follower.plan
     ).leads
@@ -216,7 +224,9 @@ def test_what_follows_from_a_mistaken_answer_is_what_the_mistake_leads_to() -> N
 
 
 def crank(**earlier: float) -> Mapping[str, float | None]:
-    """What follows in a slider-crank at 60 degrees with AB at a right angle to OA: omega_AB = 1/3, a_B = -2/9."""
+    """What follows in a slider-crank at 60 degrees with AB at a right angle to OA: omega_AB = 1/3,
+    a_B = -2/9.
+    """
     template = load_template("slider-crank")
     values = solve_template(template, {}).assembly.values
     given = {name: values[name] for name in template.parameters}

@@ -1,4 +1,6 @@
-"""A joint or an input that was added in one place alone is refused by name, and never taken for another one."""
+"""A joint or an input that was added in one place alone is refused by name, and never taken for
+another one.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +13,9 @@ from click.testing import CliRunner
 
 from kinegrade.cli import main
 from kinegrade.exact.floats import Floats
-from kinegrade.figure.alike import subject
 from kinegrade.figure.paper import to_paper
 from kinegrade.figure.rims import rims
+from kinegrade.figure.similar_mechanisms import subject
 from kinegrade.mechanics.configuration import require_assembled
 from kinegrade.mechanics.frames import build, describe, guided
 from kinegrade.mechanics.joints import GROUND
@@ -75,7 +77,11 @@ def test_no_answers_come_of_a_sentence_that_only_the_list_of_joints_knows(
 def test_no_answers_come_of_a_sentence_that_only_the_list_of_inputs_knows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(sentences.DRIVERS, "spin", re.compile(r"(?P<body>\w+) spins"))  # type: ignore[misc]
+    monkeypatch.setitem(
+        sentences.DRIVERS,
+        "spin",
+        re.compile(r"(?P<body>\w+) spins"),
+    )  # type: ignore[misc]
     assert "'spin'" in solved(crank_text(*SPINS), tmp_path)
 
 

@@ -106,7 +106,8 @@ def test_all_faults_come_at_once() -> None:
         ("circles = [{ body = 'OA', centre = 'O' }]", "figure.circles[1]: 'through' is missing"),
         (
             "circles = [{ body = 'OA', centre = 'O', through = 'O' }]",
-            "figure.circles[1]: a circle about 'O' through itself; name another point for 'through'",
+            "figure.circles[1]: a circle about 'O' through itself; name another point for "
+            "'through'",
         ),
         ("lines = ['O', 'B']", 'figure.lines[1]: expected two points; write lines = [["O", "B"]]'),
         ("lines = [['O', 'O']]", "figure.lines[1]: expected two points"),

@@ -7,7 +7,10 @@ from pathlib import Path
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, kinegrade, write_class
 
-WRONG = '\n[asks]\nw = { quantity = "x(acceleration(A))", unit = "m/s", means = { en = "w", zh = "w 量" } }\n'
+WRONG = (
+    '\n[asks]\nw = { quantity = "x(acceleration(A))", unit = "m/s", means = { en = "w", zh = '
+    '"w 量" } }\n'
+)
 
 
 def test_an_exam_whose_template_later_rules_refuse_is_still_exported(tmp_path: Path) -> None:

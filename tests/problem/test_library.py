@@ -1,4 +1,6 @@
-"""Templates are found by name among the shipped ones, and by path anywhere; what cannot be read says why."""
+"""Templates are found by name among the shipped ones, and by path anywhere; what cannot be read
+says why.
+"""
 
 from __future__ import annotations
 

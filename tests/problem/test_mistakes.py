@@ -1,4 +1,6 @@
-"""What known mistakes lead to is known, told apart from the truth in every draw, and told in both languages."""
+"""What known mistakes lead to is known, told apart from the truth in every draw, and told in both
+languages.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +17,8 @@ import kinegrade
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.mechanics.doubles import in_doubles
 from kinegrade.problem.checking import check
+from kinegrade.problem.draw_screening import DrawScreening, columns
 from kinegrade.problem.drawing import Deck, Refused
-from kinegrade.problem.foresight import Foresight, columns
 from kinegrade.problem.library import load_template
 from kinegrade.problem.mistake_kinds import (
     IDENTIFIERS,
@@ -44,7 +46,8 @@ from tests.problem.crank import crank, crank_text
 
 TURNING = crank_text(  # a crank in millimetres that turns at an angle
     (
-        'h     = { unit = "m", draw = [0, "1/2", 3], means = { en = "height of A", zh = "A 的高度" } }',
+        'h     = { unit = "m", draw = [0, "1/2", 3], means = { en = "height of A", zh = "A 的高度" } '
+        "}",
         'h     = { unit = "deg", draw = [30, 45, 60], means = { en = "angle", zh = "角" } }',
     ),
     ('r     = { unit = "m", draw = [1, 2]', 'r     = { unit = "mm", draw = [100, 200]'),
@@ -282,15 +285,14 @@ def test_looking_ahead_changes_no_draw() -> None:
 
 def test_a_question_without_any_solvable_draw_is_left_to_other_reasons() -> None:
     deck = Deck(crank(), ("v_x",), "spring", "q1", {"h": ("3",)})
-    assert deck.sight == Foresight(None)
+    assert deck.sight == DrawScreening(None)
     deck.sight.look([{"r": "2", "h": "3", "omega": "2"}])
     assert deck.sight.seen == {("2", "3", "2"): False}
 
 
 def test_terms_that_vanish_identically_are_told() -> None:
-    template = load_template(
-        "parallelogram-with-sliding-rod"
-    )  # its coupler translates, whatever is drawn
+    # Its coupler translates, whatever is drawn
+    template = load_template("parallelogram-with-sliding-rod")
     separation = Deck(template, template.asked(), "spring", "q1").sight.separation
     assert separation is not None
     told = separation.inseparable()

@@ -64,7 +64,8 @@ AB = "A B"
 def with_asks(text: str, *, kept: bool = False, **asks: str) -> Template:
     """A template that asks for the given quantities, each in the unit after the bar."""
     lines = [
-        f'{name} = {{ quantity = "{ask.split("|")[0]}", unit = "{ask.split("|")[1]}", sign = "signed", '
+        f'{name} = {{ quantity = "{ask.split("|")[0]}", unit = "{ask.split("|")[1]}", sign = '
+        '"signed", '
         f"points = 1, vanishes = true, means = {TEXTS} }}"
         for name, ask in asks.items()
     ]
@@ -72,7 +73,9 @@ def with_asks(text: str, *, kept: bool = False, **asks: str) -> Template:
 
 
 def test_the_pole_of_a_rod_in_a_guide_tube_moves_on_a_circle_about_the_pivot_of_the_crank() -> None:
-    """AO = AB = r: the pole is the point of the crank's circle opposite B (textbook problem 3-10C)."""
+    """AO = AB = r: the pole is the point of the crank's circle opposite B (textbook problem
+    3-10C).
+    """
     template = with_asks(
         TUBE,
         rho="radius(circle_of_poles(BC, theta))|m",

@@ -1,4 +1,6 @@
-"""The published results of every template hold exactly, and answers agree with independently computed ones."""
+"""The published results of every template hold exactly, and answers agree with independently
+computed ones.
+"""
 
 from __future__ import annotations
 
@@ -46,7 +48,9 @@ def instances(template: Template, published: Published) -> list[Solution]:
 
 
 def difference(solution: Solution, name: str, published: Published) -> Any:
-    """What the engine gives minus what the source gives, in one exact field; angles as a direction, (1, 0) for none."""
+    """What the engine gives minus what the source gives, in one exact field; angles as a direction,
+    (1, 0) for none.
+    """
     field, ask = solution.arithmetic.fork(), solution.template.asks[name]
     quoted = {
         "pi": field.turns(1),
@@ -77,9 +81,8 @@ def test_published_results_hold_with_zero_difference_in_the_field(name: str, ind
         for ask in published.gives:
             answer = solution[ask]
             assert answer.is_exact
-            if "180*" in str(
-                answer.exact
-            ):  # an arctangent in degrees: its value over pi has no field
+            # An arctangent in degrees: its value over pi has no field
+            if "180*" in str(answer.exact):
                 degrees = evaluate(
                     published.gives[ask],
                     {

@@ -1,4 +1,6 @@
-"""Templates from strangers: every fault is told with its place, all at once, in one line each; nothing is executed."""
+"""Templates from strangers: every fault is told with its place, all at once, in one line each;
+nothing is executed.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +64,9 @@ def faults(*changes: tuple[str, str], name: str = "crank") -> list[str]:
 
 
 def solving(*changes: tuple[str, str], **values: str) -> str:
-    """What solving the changed template refuses, read as an exam keeps it: without a look at dimensions."""
+    """What solving the changed template refuses, read as an exam keeps it: without a look at
+    dimensions.
+    """
     text = CRANK
     for old, new in changes:
         assert text.count(old) >= 1, old
@@ -531,11 +535,13 @@ def test_any_text_in_any_place_is_refused_in_one_line_or_solved(text: str, place
         ),
         (
             ('"pin O: ground OA"', '"pin O: ground OA", "A of OA slides on line(O, right)"'),
-            "crank: A of OA slides on line(O, right): line cannot be made of what stands in its brackets",
+            "crank: A of OA slides on line(O, right): line cannot be made of what stands in its "
+            "brackets",
         ),
         (
             ('"pin O: ground OA"', '"pin O: ground OA", "A of OA slides on line(r, 0)"'),
-            "crank: A of OA slides on line(r, 0): line cannot be made of what stands in its brackets",
+            "crank: A of OA slides on line(r, 0): line cannot be made of what stands in its "
+            "brackets",
         ),
         (
             ('"pin O: ground OA"', '"pin O: ground OA", "circle(O, A) of OA touches line(A, 0)"'),
@@ -594,7 +600,10 @@ def test_any_text_in_any_place_is_refused_in_one_line_or_solved(text: str, place
 def test_what_shows_only_at_an_instance_is_told_with_its_place(
     change: tuple[str, str], message: str
 ) -> None:
-    more = '[asks]\nturned = { quantity = "omega(OA)", unit = "deg", means = { en = "turned", zh = "转" } }'
+    more = (
+        '[asks]\nturned = { quantity = "omega(OA)", unit = "deg", means = { en = "turned", zh = '
+        '"转" } }'
+    )
     more = more if "deg" in change[0] else "[asks]"
     assert message in solving(
         ('M = "polar(O, half, phi)"', 'M = "polar(O, half, phi)"\nP = "(1, 1)"'),

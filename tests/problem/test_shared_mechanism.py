@@ -1,4 +1,6 @@
-"""Templates that share a mechanism: own tables lie over the shared ones, and a fault names the file it stands in."""
+"""Templates that share a mechanism: own tables lie over the shared ones, and a fault names the file
+it stands in.
+"""
 
 from __future__ import annotations
 
@@ -206,10 +208,14 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
     assert found[0] == "crank.toml: unknown table or key 'famly': did you mean \"family\"?"
     assert found[1:7] == [
         "mechanisms/arm.toml: bodies: expected a table",
-        "mechanisms/arm.toml: mechanism: a mechanism cannot build on a further one: write all its tables in this file",
-        f"mechanisms/arm.toml: 'asks' cannot be shared: leave it to the templates: known here: {listed}",
-        f"mechanisms/arm.toml: 'tags' cannot be shared: leave it to the templates: known here: {listed}",
-        f"mechanisms/arm.toml: 'other' cannot be shared: leave it to the templates: known here: {listed}",
+        "mechanisms/arm.toml: mechanism: a mechanism cannot build on a further one: write all its "
+        "tables in this file",
+        "mechanisms/arm.toml: 'asks' cannot be shared: leave it to the templates: known here: "
+        f"{listed}",
+        "mechanisms/arm.toml: 'tags' cannot be shared: leave it to the templates: known here: "
+        f"{listed}",
+        "mechanisms/arm.toml: 'other' cannot be shared: leave it to the templates: known here: "
+        f"{listed}",
         "crank.toml: bodies is missing: every template needs it",
     ]
 
@@ -219,7 +225,8 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
 )
 def test_a_mechanism_is_called_by_a_plain_name(name: str) -> None:
     assert faults((('mechanism = "arm"', f"mechanism = {name}"),)) == [
-        "crank.toml: mechanism: expected a file's name in mechanisms/ without .toml: small letters, digits, hyphens"
+        "crank.toml: mechanism: expected a file's name in mechanisms/ without .toml: small "
+        "letters, digits, hyphens"
     ]
 
 
@@ -229,7 +236,8 @@ def test_a_mechanism_that_cannot_be_had_says_why(tmp_path: Path) -> None:
     )
     assert refusals(file) == [
         "crank.toml: source is missing: every template needs it",
-        'crank.toml: mechanism: no mechanism "arm" in mechanisms/ beside the template: did you mean "arms"? '
+        'crank.toml: mechanism: no mechanism "arm" in mechanisms/ beside the template: did you '
+        'mean "arms"? '
         "(known here: arms)",
     ]
     shared = tmp_path / "mechanisms" / "arm.toml"

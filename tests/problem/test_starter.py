@@ -1,4 +1,6 @@
-"""`kinegrade new` gives a template that is finished: every table is there, explained, and `check` accepts it."""
+"""`kinegrade new` gives a template that is finished: every table is there, explained, and `check`
+accepts it.
+"""
 
 from __future__ import annotations
 
@@ -70,7 +72,7 @@ def test_a_name_is_small_letters_digits_and_hyphens(
 def test_a_template_is_called_by_the_name_of_its_file(file: str, tmp_path: Path) -> None:
     path = tmp_path / file
     assert refusal("my-first", "-o", path) == (
-        f"error: {path}: a template is called by the name of its file: expected a path that ends in my-first.toml: "
-        "change the path or the name"
+        f"error: {path}: a template is called by the name of its file: expected a path that ends "
+        "in my-first.toml: change the path or the name"
     )
     assert not path.exists()

@@ -99,7 +99,8 @@ def test_a_passage_that_is_no_name_is_refused_in_a_text_as_well() -> None:
             ("{{ omega }};", "{{ speed }} {{ speed.value }} {{ omega }};"),
         )
     assert caught.value.problems == (
-        "crank.toml: text.speed[0].en: {{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in",
+        "crank.toml: text.speed[0].en: {{ 7*7 }}: only {{ name }} and {{ name.value }} are filled "
+        "in",
         "crank.toml: statement.en: {{ speed.value }}: a text has no value: write {{ speed }}",
         "crank.toml: text.speed[0].zh: {{ speed }}: no such parameter: known here: h, omega, r",
     )
@@ -109,9 +110,11 @@ def test_all_faults_of_both_languages_come_at_once() -> None:
     with pytest.raises(TemplateError) as caught:
         crank((ENGLISH, "en = '''{{ R }} {{ r }} {{ self }}'''"), ("{{ h.value }}。", "{{ H }}。"))
     assert caught.value.problems == (
-        'crank.toml: statement.en: {{ R }}: no such parameter: did you mean "r"? (known here: h, omega, r)',
+        'crank.toml: statement.en: {{ R }}: no such parameter: did you mean "r"? (known here: h, '
+        "omega, r)",
         "crank.toml: statement.en: {{ self }}: no such parameter: known here: h, omega, r",
-        'crank.toml: statement.zh: {{ H }}: no such parameter: did you mean "h"? (known here: h, omega, r)',
+        'crank.toml: statement.zh: {{ H }}: no such parameter: did you mean "h"? (known here: h, '
+        "omega, r)",
     )
 
 
@@ -121,7 +124,8 @@ def test_a_parameter_that_a_student_is_not_given_is_reported_for_each_language()
         check_statements(template)
     assert caught.value.problems == (
         "crank.toml: statement.en: the parameter h is not given to the student: write {{ h }}",
-        "crank.toml: statement.en: the parameter omega is not given to the student: write {{ omega }}",
+        "crank.toml: statement.en: the parameter omega is not given to the student: write {{ omega "
+        "}}",
         "crank.toml: statement.zh: the parameter h is not given to the student: write {{ h }}",
     )
 

@@ -1,4 +1,6 @@
-"""What is right: the widest of the bank's rules; next to zero the mechanism's own scale gives room."""
+"""What is right: the widest of the bank's rules; next to zero the mechanism's own scale gives
+room.
+"""
 
 from __future__ import annotations
 
@@ -89,9 +91,8 @@ def test_an_answer_next_to_zero_gets_room_from_the_mechanisms_scale(
     value: float, absolute: str
 ) -> None:
     template = crank()
-    motion = solve_template(
-        template, {"r": "5", "h": "3", "omega": "2"}
-    ).doubles  # the fastest point has 10 m/s
+    # The fastest point has 10 m/s
+    motion = solve_template(template, {"r": "5", "h": "3", "omega": "2"}).doubles
     rule = effective(ONE_PER_CENT, value, template.asks["v_x"].unit, motion)
     assert rule == tolerance("1/100", absolute)
 

@@ -1,4 +1,6 @@
-"""A statement may say something else at other values: which wording applies is data, and decided exactly."""
+"""A statement may say something else at other values: which wording applies is data, and decided
+exactly.
+"""
 
 from __future__ import annotations
 

@@ -14,7 +14,9 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
 def chains(blocks: Iterable[Block]) -> Iterator[tuple[str, list[str]]]:
-    """(left side, parts) of every equation; lines that begin with the mark of alignment go on the line before."""
+    """(left side, parts) of every equation; lines that begin with the mark of alignment go on the
+    line before.
+    """
     texts: list[str] = []
     for block in blocks:
         for line in block.lines if isinstance(block, Display) else ():
@@ -46,7 +48,9 @@ def largest(part: str) -> float:
 
 
 def disagreements(blocks: Iterable[Block]) -> tuple[int, list[str]]:
-    """How many parts were compared with the end of their equation, and those that differ by more than rounding."""
+    """How many parts were compared with the end of their equation, and those that differ by more
+    than rounding.
+    """
     count, wrong = 0, []
     for left, parts in chains(blocks):
         values = [(part, value) for part in parts if (value := part_value(part)) is not None]

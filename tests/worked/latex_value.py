@@ -1,4 +1,6 @@
-"""The value of a LaTeX formula, read by the rules of print alone: a second opinion on what a formula says."""
+"""The value of a LaTeX formula, read by the rules of print alone: a second opinion on what a
+formula says.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ class Unreadable(Exception):
 
 
 def value_of(latex: str, values: Mapping[str, float]) -> float:
-    """The value of a formula; `values` gives those of the symbols like `v_{3}`. Raises Unreadable."""
+    """The value of a formula; `values` gives those of the symbols like `v_{3}`. Raises
+    Unreadable.
+    """
     bars = latex.replace(r"\left|", "<").replace(r"\right|", ">")
     reader = Reader(
         [
@@ -39,7 +43,9 @@ def value_of(latex: str, values: Mapping[str, float]) -> float:
 
 
 class Reader:
-    """Sums of products of powers; a function takes the factors that follow it without a mark in between."""
+    """Sums of products of powers; a function takes the factors that follow it without a mark in
+    between.
+    """
 
     def __init__(self, tokens: list[str], values: Mapping[str, float]) -> None:
         self.tokens, self.values = tokens, values

@@ -1,4 +1,6 @@
-"""A worked solution as plain text, one line for each thing told, for golden files and for looking at."""
+"""A worked solution as plain text, one line for each thing told, for golden files and for looking
+at.
+"""
 
 from __future__ import annotations
 
@@ -19,12 +21,18 @@ def lines(blocks: Iterable[Block]) -> Iterator[str]:
                 yield from (f"    {equation}" for equation in equations)
             case TermTable(terms):
                 for term in terms:
-                    yield f"    [{term.sign or ' '}] {term.symbol} | {term.magnitude} | {term.direction}"
+                    yield (
+                        f"    [{term.sign or ' '}] {term.symbol} | {term.magnitude} | "
+                        f"{term.direction}"
+                    )
             case Pictures(pictures):
                 yield from (f"    [picture: {picture.caption}]" for picture in pictures)
             case Results(results):
                 for result in results:
-                    yield f"    {result.symbol} = {result.exact} = {result.decimal} {result.unit} ({result.sense})"
+                    yield (
+                        f"    {result.symbol} = {result.exact} = {result.decimal} {result.unit} "
+                        f"({result.sense})"
+                    )
 
 
 def mathematics(blocks: Iterable[Block]) -> Iterator[str]:

@@ -104,7 +104,9 @@ def both_values(tree: Expression, start: float = 0.3, step: float = 0.617) -> tu
 
 
 def flat(tree: Expression) -> Expression:
-    """x(A) as A, y(A) as A + 1 in the places of coordinates, which the second opinion does not know."""
+    """x(A) as A, y(A) as A + 1 in the places of coordinates, which the second opinion does not
+    know.
+    """
     if isinstance(tree, Operation):
         return Operation(tree.sign, flat(tree.left), flat(tree.right))
     if isinstance(tree, Call):

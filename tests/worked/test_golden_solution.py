@@ -1,4 +1,6 @@
-"""Worked solutions as text, read by a person once and held since; `pytest --regenerate-golden` writes them anew."""
+"""Worked solutions as text, read by a person once and held since; `pytest --regenerate-golden`
+writes them anew.
+"""
 
 from __future__ import annotations
 

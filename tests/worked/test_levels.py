@@ -1,11 +1,13 @@
-"""Whether a vector of the motion is a velocity or an acceleration, which decides the unit of its components."""
+"""Whether a vector of the motion is a velocity or an acceleration, which decides the unit of its
+components.
+"""
 
 from __future__ import annotations
 
 import pytest
 
 from kinegrade.expression import read
-from kinegrade.worked.facts import level_of
+from kinegrade.worked.asked_vectors import level_of
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,6 @@
-"""Positions are told from the constructions, with numbers that agree, and the answers of poses end as in the key."""
+"""Positions are told from the constructions, with numbers that agree, and the answers of poses end
+as in the key.
+"""
 
 from __future__ import annotations
 
@@ -144,17 +146,21 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     blocks = positions(solution, ["B"], "en")
     assert sentences(blocks) == [
         "$O$ is the origin of the coordinates.",
-        r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted counter-clockwise from the "
+        r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted "
+        r"counter-clockwise from the "
         "$x$ axis:",
-        r"$B$ is the right one of the points in which the $x$ axis meets the circle about $A$ of radius $k\,r$:",
+        r"$B$ is the right one of the points in which the $x$ axis meets the circle about $A$ of "
+        r"radius $k\,r$:",
     ]
     assert lines(blocks) == [
-        r"x_{A} &= r \cos\varphi = 0.2 \cos 30^\circ = \frac{\sqrt{3}}{10}\,\mathrm{m} \approx 0.1732\,\mathrm{m}",
+        r"x_{A} &= r \cos\varphi = 0.2 \cos 30^\circ = \frac{\sqrt{3}}{10}\,\mathrm{m} \approx "
+        r"0.1732\,\mathrm{m}",
         r"y_{A} &= r \sin\varphi = 0.2 \sin 30^\circ = 0.1\,\mathrm{m}",
         r"(x_{B} - x_{A})^{2} + y_{A}^{2} &= (k\,r)^{2}",
         "y_{B} &= 0",
-        r"x_{B} &= x_{A} + \sqrt{(k\,r)^{2} - y_{A}^{2}} = 0.1732 + \sqrt{(2 \cdot 0.2)^{2} - 0.1^{2}}"
-        r" = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
+        r"x_{B} &= x_{A} + \sqrt{(k\,r)^{2} - y_{A}^{2}} = 0.1732 + \sqrt{(2 \cdot 0.2)^{2} - "
+        r"0.1^{2}} = \left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx "
+        r"0.5605\,\mathrm{m}",
     ]
     assert sentences(positions(solution, ["A"], "zh"))[-1] == (
         r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$："
@@ -192,8 +198,8 @@ def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_t
         r"\angle(x, \overrightarrow{OA}) &= \varphi = 30^\circ",
         r"AB &= k\,r = 2 \cdot 0.2 = 0.4\,\mathrm{m}",
         r"\angle(x, \overrightarrow{AB}) &\approx -14.48^\circ",
-        r"OB &= \left|x_{B}\right| = \left|0.5605\right| = "
-        r"\left(\frac{\sqrt{3}}{10} + \frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
+        r"OB &= \left|x_{B}\right| = \left|0.5605\right| = \left(\frac{\sqrt{3}}{10} + "
+        r"\frac{\sqrt{15}}{10}\right)\,\mathrm{m} \approx 0.5605\,\mathrm{m}",
         r"\angle(x, \overrightarrow{OB}) &= 0",
         "AA &= 0",
     ]
@@ -246,8 +252,8 @@ def test_lengths_are_those_of_the_construction_and_directions_are_counted_from_t
 def test_every_construction_is_told_with_numbers_that_agree(construction: str, told: str) -> None:
     text = (
         HEAD
-        + f'C = "{construction}"\n[asks]\nx_C = {{ quantity = "x(C)", unit = "m", sign = "+x", points = 1, '
-        f"means = {TEXTS} }}"
+        + f'C = "{construction}"\n[asks]\nx_C = {{ quantity = "x(C)", unit = "m", sign = "+x", '
+        f"points = 1, means = {TEXTS} }}"
     )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
@@ -323,8 +329,8 @@ def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
 ) -> None:
     text = (
         HEAD
-        + '[asks]\nq = { quantity = "angle((1, 0), B - A)", unit = "deg", sign = "ccw", points = 1, '
-        f"vanishes = true, means = {TEXTS} }}"
+        + '[asks]\nq = { quantity = "angle((1, 0), B - A)", unit = "deg", sign = "ccw", points = '
+        f"1, vanishes = true, means = {TEXTS} }}"
     )
     solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
     assert told in sentences(pose_answer(solution, "q", "en"))[-1]

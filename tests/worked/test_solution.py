@@ -1,4 +1,6 @@
-"""Worked solutions: their equations hold, their projections determine what they say, their last lines are the key."""
+"""Worked solutions: their equations hold, their projections determine what they say, their last
+lines are the key.
+"""
 
 from __future__ import annotations
 
@@ -23,13 +25,13 @@ from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import METHODS, Method
-from kinegrade.worked.case import Case
-from kinegrade.worked.deduced import Stage, along_direction
+from kinegrade.worked.deductions import Stage, along_direction
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Results
 from kinegrade.worked.methods import coupler_of
-from kinegrade.worked.needs import steps_needed
+from kinegrade.worked.needed_rates import steps_needed
 from kinegrade.worked.projection import Projection, Share, deductions
 from kinegrade.worked.solution import all_needs, worked_solution
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.steps import stage_of
 from kinegrade.worked.wording import scalars_of
 from tests.laws.cases import moving_templates
@@ -53,7 +55,9 @@ def drawn(name: str) -> tuple[Solution, ...]:
 
 @cache
 def stages(name: str, place: int) -> tuple[Told, ...]:
-    """Every step that the answers of one drawn instance need, with its scalar relations and what it gives."""
+    """Every step that the answers of one drawn instance need, with its scalar relations and what it
+    gives.
+    """
     return tuple(stages_of(drawn(name)[place]))
 
 
@@ -87,7 +91,9 @@ def kept(
 
 
 def every_telling(name: str) -> Iterator[tuple[Block, ...]]:
-    """The solutions of a template: two instances, both languages, and each method where it makes a difference."""
+    """The solutions of a template: two instances, both languages, and each method where it makes a
+    difference.
+    """
     yield from (kept(name, place) for place in range(len(drawn(name))))
     yield kept(name, language="zh")
     if any(coupler_of(stage) for stage, _, _ in stages(name, 0)):
@@ -138,7 +144,9 @@ def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> No
 
 @pytest.mark.parametrize("name", template_names())
 def test_nothing_superfluous_is_printed(name: str) -> None:
-    """No product with zero, no sign before a bracketed negative number alone, no number said to be itself."""
+    """No product with zero, no sign before a bracketed negative number alone, no number said to be
+    itself.
+    """
     for blocks in every_telling(name):
         for line in (
             line for block in blocks if isinstance(block, Display) for line in block.lines
@@ -302,7 +310,9 @@ def test_senses_in_words_agree_with_signs(name: str) -> None:
 
 
 def test_certified_values_are_told_like_exact_ones() -> None:
-    """An angle of 37 degrees leaves every small field: what vanishes then vanishes to within rounding only."""
+    """An angle of 37 degrees leaves every small field: what vanishes then vanishes to within
+    rounding only.
+    """
     template = load_template("extended-rod-driving-rocker")
     *_, last = told(solve_template(template, {"phi": "37", "delta": "53"}))
     assert isinstance(last, Results)
@@ -326,9 +336,8 @@ def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
 
 
 def test_the_sense_in_which_a_driver_counts_is_kept() -> None:
-    lines = lines_of(
-        "rolling-wheel-pin-slotted-rocker"
-    )  # the wheel is driven to the left, which counts positive
+    # The wheel is driven to the left, which counts positive
+    lines = lines_of("rolling-wheel-pin-slotted-rocker")
     assert r"v_{O} &= R\,\omega_{1}" in lines
     assert r"\omega_{1} &= \frac{0.2}{0.5}" in lines
 
@@ -349,7 +358,8 @@ def test_a_known_vector_told_negative_stands_between_bars() -> None:
         ),
         (
             "guided-rack-and-gear",
-            r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, $\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+",
+            r"Here $\boldsymbol{v}_{\mathrm{a}}=0$, "
+            r"$\boldsymbol{v}_{\mathrm{e}}=\boldsymbol{v}_{A}+",
         ),
         ("planetary-gear-external-rim-velocities", "rolling without slipping on a fixed circle"),
     ],

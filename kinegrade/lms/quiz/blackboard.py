@@ -1,7 +1,8 @@
-"""Quizzes as the text files that Blackboard uploads: a line for every ask, number and tolerance, no figures.
+"""Quizzes as the text files that Blackboard uploads: a line for every ask, number and tolerance, no
+figures.
 
-Blackboard takes up to 250 questions at a time. A target that ends in `.zip` holds a file for every paper, or one for
-every ask with all its variants; any other target is one such file.
+Blackboard takes up to 250 questions at a time. A target that ends in `.zip` holds a file for every
+paper, or one for every ask with all its variants; any other target is one such file.
 """
 
 from __future__ import annotations
@@ -20,22 +21,23 @@ from kinegrade.lms.quiz.remarks import Remarks
 
 MOST = 250  # questions in one upload to Ultra; Original takes 500
 NO_FIGURES = (
-    "blackboard: its text upload carries no figures - they were left out; the statements are complete "
-    "without them - hand out the printed papers with it"
+    "blackboard: its text upload carries no figures - they were left out; the statements are "
+    "complete without them - hand out the printed papers with it"
 )
 POINTS = "blackboard: points do not travel - set them there: {}"
 LEFT_OUT = (
-    "blackboard: its numerical questions know nothing but the right number - comments on known mistakes and "
-    "solutions were left out - give them with kinegrade feedback"
+    "blackboard: its numerical questions know nothing but the right number - comments on known "
+    "mistakes and solutions were left out - give them with kinegrade feedback"
 )
 TOO_MANY = (
-    "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - write to a "
-    "name that ends in .zip, which gives every paper its own file"
+    "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - "
+    "write to a name that ends in .zip, which gives every paper its own file"
 )
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the file, with `force` over an existing plain file; what an instructor should know about it, a line each.
+    """Writes the file, with `force` over an existing plain file; what an instructor should know
+    about it, a line each.
 
     Raises ExportError with everything that cannot be said, OutputError; then `target` is as it was.
     """
@@ -118,7 +120,9 @@ class _Writer:
 
 
 def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:
-    """Writes lines in files that Blackboard takes, counting on from those before; how many there are now."""
+    """Writes lines in files that Blackboard takes, counting on from those before; how many there
+    are now.
+    """
     for start in range(0, len(lines), MOST):
         before += 1
         suffix = f"-{before}" if before > 1 else ""

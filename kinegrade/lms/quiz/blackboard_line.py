@@ -1,4 +1,6 @@
-"""One ask as a line of the text that Blackboard uploads: `NUM`, the whole question, the right number, the tolerance."""
+"""One ask as a line of the text that Blackboard uploads: `NUM`, the whole question, the right
+number, the tolerance.
+"""
 
 from __future__ import annotations
 
@@ -18,19 +20,22 @@ from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import BLACKBOARD, rules
 
 MIDDLE = (
-    "blackboard: {} is not in the middle of what is right - the middle stands there as the answer, so that the "
+    "blackboard: {} is not in the middle of what is right - the middle stands there as the answer, "
+    "so that the "
     "tolerance is exactly the exam's - tell the students the answer from the key"
 )
 TURNS = (
-    "blackboard: {} is an angle, and Blackboard knows one right number - it is asked for within half a turn "
-    "of zero - look at answers near half a turn by hand"
+    "blackboard: {} is an angle, and Blackboard knows one right number - it is asked for within "
+    "half a turn of zero - look at answers near half a turn by hand"
 )
 
 
 def question_line(
     question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool
 ) -> str:
-    """The line, without its end; `on_paper`: the figure is in the students' hands. Raises TypesetError."""
+    """The line, without its end; `on_paper`: the figure is in the students' hands. Raises
+    TypesetError.
+    """
     where, column = question.question, f"{question.question}.{ask.identifier}"
     figure = WORDS[language].figure_on_paper if on_paper and question.figure is not None else ""
     turns = WORDS[language].half_turn if ask.period is not None else ""
@@ -54,7 +59,8 @@ def _asked(ask: QuizAsk, language: Language, where: str) -> str:
     colon, note = PLACES[language]
     sign = note.format(plain_prose(ask.sign, where, inline=True)) if ask.sign else ""
     unit = {"1": "", "deg": "°"}.get(ask.unit, f" {unit_text(ask.unit)}")
-    return f"{plain_prose(ask.meaning, where, inline=True)}{sign}{colon}{plain_math(ask.symbol, where)} = ?{unit}"
+    meaning = plain_prose(ask.meaning, where, inline=True)
+    return f"{meaning}{sign}{colon}{plain_math(ask.symbol, where)} = ?{unit}"
 
 
 def _number(interval: RightInterval) -> tuple[str, ...]:

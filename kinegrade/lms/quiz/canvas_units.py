@@ -1,4 +1,6 @@
-"""The units in which Canvas is asked: the same for a whole class, fine enough for the four decimals that it keeps."""
+"""The units in which Canvas is asked: the same for a whole class, fine enough for the four decimals
+that it keeps.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ class ClassUnits:
     factors: Mapping[Place, int]
 
     def fitted(self, question: str, ask: QuizAsk) -> QuizAsk | None:
-        """The ask in the class's unit; None where four decimals do not keep its right answer right in any."""
+        """The ask in the class's unit; None where four decimals do not keep its right answer right
+        in any.
+        """
         own = fitting_factor(ask.unit, _right(ask))
         if own is None:
             return None

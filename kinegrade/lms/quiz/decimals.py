@@ -1,4 +1,6 @@
-"""Numbers as learning management systems read them in any language: a decimal point, no thousands, no power of ten."""
+"""Numbers as learning management systems read them in any language: a decimal point, no thousands,
+no power of ten.
+"""
 
 from __future__ import annotations
 
@@ -22,8 +24,10 @@ def decimal_text(number: Fraction, rounding: Rounding = "nearest", digits: int =
     "down" is to minus infinity.
 
 
-    >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3)), decimal_text(Fraction(1, 3), "up")
-    ('-2.5', '0.33333333333333333', '0.33333333333333334')
+    >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3))
+    ('-2.5', '0.33333333333333333')
+    >>> decimal_text(Fraction(1, 3), "up")
+    '0.33333333333333334'
     """
     quotient = _quotient(number, rounding, digits)
     return f"{quotient:f}" if quotient else "0"

@@ -1,4 +1,5 @@
-"""The texts of a quiz as HTML, for every writer of this package: prose, math, units, plain text, figures, asks.
+"""The texts of a quiz as HTML, for every writer of this package: prose, math, units, plain text,
+figures, asks.
 
 Those of prose and math are of `kinegrade.exam.quiz_prose`, which writes the worked solutions too.
 """
@@ -36,9 +37,11 @@ def figure_html(figure: QuizFigure, source: str) -> str:
 
 
 def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
-    r"""A paragraph that asks for one number: what it is, its sense, and where to write it, with the unit.
+    r"""A paragraph that asks for one number: what it is, its sense, and where to write it, with the
+    unit.
 
-    `field` is HTML of the box; where the system puts the box elsewhere, a question mark stands in its place.
+    `field` is HTML of the box; where the system puts the box elsewhere, a question mark stands in
+    its place.
     """
     where = f"ask {ask.identifier}"
     colon, note = PLACES[language]

@@ -1,4 +1,6 @@
-"""What is right, as a quiz file can say it: one closed interval, or one for each turn of an angle."""
+"""What is right, as a quiz file can say it: one closed interval, or one for each turn of an
+angle.
+"""
 
 from __future__ import annotations
 
@@ -38,7 +40,9 @@ class RightInterval:
 
     @property
     def low_text(self) -> str:
-        """The lower bound; what must be rounded is rounded outwards, so that nothing right becomes wrong."""
+        """The lower bound; what must be rounded is rounded outwards, so that nothing right becomes
+        wrong.
+        """
         return decimal_text(self.low, "down")
 
     @property
@@ -54,14 +58,17 @@ class RightInterval:
 
 
 def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
-    """The interval of the key first; of an angle also those whole turns away, as `turned` has them."""
+    """The interval of the key first; of an angle also those whole turns away, as `turned` has
+    them.
+    """
     return turned(RightInterval(ask.value, ask.low, ask.high), ask.period)
 
 
 def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInterval, ...]:
     """The interval first, then those whole turns away with a part within TURNS turns of zero.
 
-    Without a period it stands alone. A turn more or less than an angle within one turn of zero is there.
+    Without a period it stands alone. A turn more or less than an angle within one turn of zero is
+    there.
     """
     if period is None:
         return (interval,)

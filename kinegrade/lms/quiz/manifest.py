@@ -10,7 +10,9 @@ from kinegrade.lms.quiz.xml_text import Xml
 
 
 class Manifest:
-    """The list of a package's resources between `head` and `foot`; a context, because it holds a temporary file."""
+    """The list of a package's resources between `head` and `foot`; a context, because it holds a
+    temporary file.
+    """
 
     def __init__(self, head: str, foot: str) -> None:
         self._foot = foot

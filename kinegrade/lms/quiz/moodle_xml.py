@@ -26,36 +26,38 @@ from kinegrade.lms.quiz.moodle_xml_questions import (
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n'
 FOOT = "</quiz>\n"
 MILLION = 10**6
-USUAL_LIMIT = 2  # MB that a site takes in one upload, unless it says otherwise; also far below what stops the import
+# MB that a site takes in one upload, unless it says otherwise; also far below what stops the import
+USUAL_LIMIT = 2
 LARGE = (
-    "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add --split 2 if yours "
-    "refuses it"
+    "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add "
+    "--split 2 if yours refuses it"
 )
 PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
 TOO_LARGE = (
-    "quiz: paper {} takes {} MB of Moodle XML alone - expected to fit into a file of {} MB - ask for larger files with "
-    "--split"
+    "quiz: paper {} takes {} MB of Moodle XML alone - expected to fit into a file of {} MB - ask "
+    "for larger files with --split"
 )
 SCALED = (
-    "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the maximum grade of "
-    "the quiz sets that right"
+    "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the "
+    "maximum grade of the quiz sets that right"
 )
 POOLS = (
-    "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are worth - set the mark of "
-    "each there: {}"
+    "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are worth "
+    "- set the mark of each there: {}"
 )
 NO_ROUTE = (
-    "moodle-xml: the questions of a Moodle quiz are the same for everybody, so there is no way to put every student's "
-    "own paper - these categories serve to look at papers one by one - put a pool with --variants 20, or set the exam "
-    "with versions in the bank, a quiz for each"
+    "moodle-xml: the questions of a Moodle quiz are the same for everybody, so there is no way "
+    "to put every student's own paper - these categories serve to look at papers one by one - "
+    "put a pool with --variants 20, or set the exam with versions in the bank, a quiz for each"
 )
 
 
 def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False) -> list[str]:
-    """Write the questions of a quiz, with `force` over an existing plain file, and give what a person should know.
+    """Write the questions of a quiz, with `force` over an existing plain file, and give what a
+    person should know.
 
-    Raises ExportError for a quiz without papers and for credits that Moodle has no share for, TypesetError for texts
-    that cannot be shown, OutputError; then `target` is as it was.
+    Raises ExportError for a quiz without papers and for credits that Moodle has no share for,
+    TypesetError for texts that cannot be shown, OutputError; then `target` is as it was.
     """
     with (
         output_file(target, force=force) as partial,
@@ -73,9 +75,11 @@ def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False
 def write_parts(
     quiz: Quiz, target: Path, megabytes: Fraction, *, form: Form = "cloze", force: bool = False
 ) -> list[str]:
-    """The same as a folder of files quiz-1.xml, quiz-2.xml ... of at most so many million bytes, each complete.
+    """The same as a folder of files quiz-1.xml, quiz-2.xml ... of at most so many million bytes,
+    each complete.
 
-    With `force` a folder of such files is replaced. Raises ExportError also for a paper that takes more alone.
+    With `force` a folder of such files is replaced. Raises ExportError also for a paper that takes
+    more alone.
     """
     with output_folder(target, marker=PARTS[0], contents=PARTS, force=force) as folder:
         questions = _Questions(quiz, form)

@@ -1,11 +1,13 @@
-"""The answers of a numerical question for Moodle: numbers with how far from them counts, and what share it earns.
+"""The answers of a numerical question for Moodle: numbers with how far from them counts, and what
+share it earns.
 
-Moodle takes the first that fits, so what is right stands first, and what several mistakes lead to before what one
-does. It knows symmetric intervals only, closed at both ends; an interval that is not symmetric about the right number
-is given twice, as the part that is, so that Moodle shows the right number, and whole, about its middle.
+Moodle takes the first that fits, so what is right stands first, and what several mistakes lead to
+before what one does. It knows symmetric intervals only, closed at both ends; an interval that is
+not symmetric about the right number is given twice, as the part that is, so that Moodle shows the
+right number, and whole, about its middle.
 
-Moodle keeps fourteen significant digits of every number. Those written here have no more, and the room is rounded up
-so that nothing right is lost at either end.
+Moodle keeps fourteen significant digits of every number. Those written here have no more, and the
+room is rounded up so that nothing right is lost at either end.
 """
 
 from __future__ import annotations
@@ -54,14 +56,16 @@ SHARES = tuple(
 _GUARDS = str.maketrans({"}": r"\}", "#": r"\#", "~": "&#126;", "{": "&#123;", "\\": "&#92;"})
 NEAR = Fraction(1, 10**5)  # per cent: how near to one of its shares Moodle wants a share to be
 KEPT_DIGITS = 14
-# Moodle makes a box of a Cloze question as wide as its longest number, which would tell the length of the right one.
-# This one is longer than any that Moodle keeps, and nobody types it.
+# Moodle makes a box of a Cloze question as wide as its longest number, which would tell the length
+# of the right one. This one is longer than any that Moodle keeps, and nobody types it.
 WIDEST = "%0%-1.2345678901234E+300:0"
 
 
 @dataclass(frozen=True)
 class MoodleAnswer:
-    """Right to `share` per cent within `room` of `value`, both ends included; `feedback` is HTML."""
+    """Right to `share` per cent within `room` of `value`, both ends included; `feedback` is
+    HTML.
+    """
 
     value: Fraction
     room: Fraction
@@ -70,17 +74,21 @@ class MoodleAnswer:
 
 
 def moodle_answers(ask: QuizAsk) -> tuple[MoodleAnswer, ...]:
-    """The answers of an ask in the order in which Moodle tries them. Raises ExportError for a share it has not."""
+    """The answers of an ask in the order in which Moodle tries them. Raises ExportError for a share
+    it has not.
+    """
     return (*_right(ask), *_wrong(ask))
 
 
 def cloze_field(ask: QuizAsk, mark: int) -> str:
-    """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that has decimals there."""
+    """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that
+    has decimals there.
+    """
     answers = moodle_answers(ask)
     if any(answer.share.denominator != 1 for answer in answers):
         raise ExportError(
-            f"ask {ask.identifier}: a share of the points that is no whole per cent - expected one in "
-            "Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
+            f"ask {ask.identifier}: a share of the points that is no whole per cent - expected "
+            "one in Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
         )
     return f"{{{mark}:NUMERICAL:{'~'.join((*map(_alternative, answers), WIDEST))}}}"
 
@@ -100,7 +108,9 @@ def _right(ask: QuizAsk) -> Iterator[MoodleAnswer]:
 
 
 def _wrong(ask: QuizAsk) -> Iterator[MoodleAnswer]:
-    """What known mistakes lead to, with the sentences of all that lead there and the best of their shares."""
+    """What known mistakes lead to, with the sentences of all that lead there and the best of their
+    shares.
+    """
     for wrong in wrong_numbers(ask):
         sentences = dict.fromkeys(plain_html(mistake.sentence) for mistake in wrong.mistakes)
         share = _share(wrong.credit)
@@ -124,7 +134,8 @@ def _share(credit: Fraction) -> Fraction:
         if abs(100 * credit - share) <= NEAR:
             return share
     raise ExportError(
-        f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such share - "
+        f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such "
+        "share - "
         f"expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one"
     )
 

@@ -1,10 +1,12 @@
-r"""The questions of a paper as Moodle's XML has them: categories, names, texts, figures, boxes, answers.
+r"""The questions of a paper as Moodle's XML has them: categories, names, texts, figures, boxes,
+answers.
 
-A mechanism is one Cloze question with a box for every ask, or a numerical question for each. There is a category for
-each paper, or for each question of the bank where variants are pooled, and for each ask of it where every ask is a
-question: a random question then draws variants of one thing. Marks in Cloze questions are whole numbers; where points
-are not, all marks of the quiz are the same multiple of them. Figures are embedded, formulas stand between `\(` and
-`\)`. `idnumber`s are the same whenever the same exam is written, so that what is there already can be told.
+A mechanism is one Cloze question with a box for every ask, or a numerical question for each. There
+is a category for each paper, or for each question of the bank where variants are pooled, and for
+each ask of it where every ask is a question: a random question then draws variants of one thing.
+Marks in Cloze questions are whole numbers; where points are not, all marks of the quiz are the same
+multiple of them. Figures are embedded, formulas stand between `\(` and `\)`. `idnumber`s are the
+same whenever the same exam is written, so that what is there already can be told.
 """
 
 from __future__ import annotations
@@ -52,7 +54,8 @@ def sheet_of(
 ) -> Sheet:
     """What holds for a quiz with that first paper; points are the same on all papers.
 
-    The exam's identifier keeps exams of one title apart, whose questions one random question would draw else.
+    The exam's identifier keeps exams of one title apart, whose questions one random question would
+    draw else.
     """
     match form:
         case "cloze":
@@ -76,7 +79,9 @@ def paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
 
 
 def pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Fraction]]:
-    """What every pool of a question counts: its name as in the categories' names, and the mark of one variant."""
+    """What every pool of a question counts: its name as in the categories' names, and the mark of
+    one variant.
+    """
     match sheet.form:
         case "cloze":
             yield question.question, question.points * sheet.scale
@@ -103,7 +108,9 @@ def _level(name: str) -> str:
 def _questions(
     question: QuizQuestion, paper: QuizPaper, sheet: Sheet, *, pooled: bool
 ) -> Iterator[str]:
-    """The question of a mechanism, or one for each of its asks; pools stand in categories of their own."""
+    """The question of a mechanism, or one for each of its asks; pools stand in categories of their
+    own.
+    """
     pool = f"{question.question} {_plain_title(question)}"
     name = f"{paper.code} {pool}"
     tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
@@ -165,7 +172,8 @@ def _head(name: str, text: str, question: QuizQuestion) -> str:
     return (
         f"<name><text>{_cut(name)}</text></name>\n"
         f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
-        f'<generalfeedback format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
+        "<generalfeedback "
+        f'format="html"><text>{_data(question.solution)}</text></generalfeedback>\n'
         "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n"
     )
 
@@ -173,7 +181,8 @@ def _head(name: str, text: str, question: QuizQuestion) -> str:
 def _element(kind: Form, head: str, identifier: str, tags: Sequence[str], answers: str = "") -> str:
     marked = "".join(f"<tag><text>{plain_html(tag)}</text></tag>" for tag in tags)
     return (
-        f'<question type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
+        "<question "
+        f'type="{kind}">\n{head}<idnumber>{plain_html(identifier[-LONGEST_IDENTIFIER:])}</idnumber>\n'
         f"{answers}<tags>{marked}</tags>\n</question>\n"
     )
 
@@ -186,7 +195,10 @@ def _statement(question: QuizQuestion) -> str:
 def _file(question: QuizQuestion) -> str:
     if question.figure is None:
         return ""
-    return f'<file name="{FIGURE}" path="/" encoding="base64">{b64encode(question.figure.svg).decode()}</file>'
+    return (
+        f'<file name="{FIGURE}" path="/" '
+        f'encoding="base64">{b64encode(question.figure.svg).decode()}</file>'
+    )
 
 
 def _answer(answer: MoodleAnswer) -> str:

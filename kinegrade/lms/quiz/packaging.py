@@ -1,6 +1,8 @@
-"""Packages as learning management systems take them: zip files whose bytes depend on nothing but what is in them.
+"""Packages as learning management systems take them: zip files whose bytes depend on nothing but
+what is in them.
 
-Entries go to disk one by one; in memory stays only the zip's own directory, some hundred bytes for each.
+Entries go to disk one by one; in memory stays only the zip's own directory, some hundred bytes for
+each.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ _UNFIT = re.compile(r"[^A-Za-z0-9_-]+", re.ASCII)
 
 
 def stable_name(identifier: str) -> str:
-    """An identifier that XML, file systems and URLs take: itself where it is one, else made of it, always the same.
+    """An identifier that XML, file systems and URLs take: itself where it is one, else made of it,
+    always the same.
 
     >>> stable_name("exam1-q1.v_B"), stable_name("../a b")
     ('exam1-q1.v_B', 'i_a_b-2c2c791a06')
@@ -57,7 +60,9 @@ class Package:
             entry.write(content)
 
     def copy(self, name: str, stream: IO[bytes]) -> None:
-        """Writes an entry from the beginning of a stream, piece by piece. Raises ExportError as `add` does."""
+        """Writes an entry from the beginning of a stream, piece by piece. Raises ExportError as
+        `add` does.
+        """
         stream.seek(0)
         with self._entry(name) as entry:
             shutil.copyfileobj(stream, entry)

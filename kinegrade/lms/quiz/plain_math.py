@@ -1,4 +1,6 @@
-r"""Formulas as plain text, for titles and for systems that show no math: `\omega_{AB}` becomes ω_AB."""
+r"""Formulas as plain text, for titles and for systems that show no math: `\omega_{AB}` becomes
+ω_AB.
+"""
 
 from __future__ import annotations
 

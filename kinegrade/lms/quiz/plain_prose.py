@@ -26,7 +26,8 @@ def one_plain_line(text: str) -> str:
 
 @lru_cache(maxsize=256)
 def plain_prose(markdown: str, where: str = "text", *, inline: bool = False) -> str:
-    """Markdown with `$...$` math in one line; `inline`: it is one line already. Raises TypesetError.
+    """Markdown with `$...$` math in one line; `inline`: it is one line already. Raises
+    TypesetError.
 
     >>> plain_prose("The **crank** $OA$ turns.\\n\\nFind $v_B$.")
     'The crank OA turns. Find v_B.'

@@ -1,7 +1,9 @@
-"""Quizzes as QTI 1.2 packages for Canvas, Classic and New Quizzes: a numerical question for every ask.
+"""Quizzes as QTI 1.2 packages for Canvas, Classic and New Quizzes: a numerical question for every
+ask.
 
-Canvas knows no question of several numbers, so every ask has its own with the statement and the figure. A paper is an
-assessment; pooled questions are one assessment that draws, for every ask, one of the variants.
+Canvas knows no question of several numbers, so every ask has its own with the statement and the
+figure. A paper is an assessment; pooled questions are one assessment that draws, for every ask, one
+of the variants.
 """
 
 from __future__ import annotations
@@ -34,23 +36,26 @@ HEAD = (
 )
 FOOT = "</section>\n</assessment>\n</questestinterop>\n"
 FOR_ONE = (
-    "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign each quiz to its "
-    "students, and to nobody else, before you publish it"
+    "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign "
+    "each quiz to its students, and to nobody else, before you publish it"
 )
 DRAWN_APART = (
-    "qti12: Canvas draws every question by itself - the asks of one mechanism may come with different "
+    "qti12: Canvas draws every question by itself - the asks of one mechanism may come with "
+    "different "
     "numbers, each complete in itself - write papers instead of variants to keep them together"
 )
 UNEVEN = (
-    "{}: is worth {} points, and the first variant {} - expected the same for all variants of an ask - "
-    "mend the points in the bank"
+    "{}: is worth {} points, and the first variant {} - expected the same for all variants of an "
+    "ask - fix the points in the bank"
 )
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the package, with `force` over an existing plain file; what an instructor should know about it, a line each.
+    """Writes the package, with `force` over an existing plain file; what an instructor should know
+    about it, a line each.
 
-    Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it was.
+    Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it
+    was.
     """
     with (
         package(target, force=force) as parts,

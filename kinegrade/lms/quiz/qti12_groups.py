@@ -1,4 +1,6 @@
-"""Pooled questions of QTI 1.2: for every ask a group of variants, kept on disk until all papers have been seen."""
+"""Pooled questions of QTI 1.2: for every ask a group of variants, kept on disk until all papers
+have been seen.
+"""
 
 from __future__ import annotations
 
@@ -14,14 +16,17 @@ from kinegrade.lms.quiz.packaging import stable_name
 from kinegrade.lms.quiz.qti12_item import NumericalItem, item_element
 
 HEAD = (
-    "<section ident={} title={}>\n<selection_ordering><selection><selection_number>1</selection_number>"
+    "<section ident={} "
+    "title={}>\n<selection_ordering><selection><selection_number>1</selection_number>"
     "<selection_extension><points_per_item>{}</points_per_item></selection_extension></selection></selection_ordering>\n"
 )
 FOOT = "</section>\n"
 
 
 class Groups:
-    """Variants by question and ask, in the order in which these were first met; a context, for its temporary files."""
+    """Variants by question and ask, in the order in which these were first met; a context, for its
+    temporary files.
+    """
 
     def __init__(self, identifier: str) -> None:
         self._identifier = identifier  # of the pool

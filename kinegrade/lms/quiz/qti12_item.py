@@ -1,4 +1,6 @@
-"""A numerical question of QTI 1.2 as Canvas writes it itself, which Classic and New Quizzes both read."""
+"""A numerical question of QTI 1.2 as Canvas writes it itself, which Classic and New Quizzes both
+read.
+"""
 
 from __future__ import annotations
 
@@ -92,7 +94,9 @@ def _conditions(item: NumericalItem) -> Iterator[Xml]:
 
 
 def _condition(interval: RightInterval) -> Iterator[Xml]:
-    """An answer with its margin where that is even; Canvas and New Quizzes would take different ones of two."""
+    """An answer with its margin where that is even; Canvas and New Quizzes would take different
+    ones of two.
+    """
     if interval.symmetric:
         exact = element("varequal", interval.value_text, respident=RESPONSE)
         bounds = _bounds(_hair_lower(interval), interval.high_text)
@@ -111,8 +115,8 @@ def _bounds(low: str, high: str) -> tuple[Xml, Xml]:
 def _hair_lower(interval: RightInterval) -> str:
     """The lower bound a hair below where it is; Classic Quizzes take the margin from the upper one.
 
-    New Quizzes take the margin as the answer less the lower bound, in doubles, which loses every third right answer
-    at an edge. An exact answer has no margin, and nothing to lose.
+    New Quizzes take the margin as the answer less the lower bound, in doubles, which loses every
+    third right answer at an edge. An exact answer has no margin, and nothing to lose.
     """
     if interval.low == interval.high:
         return interval.low_text

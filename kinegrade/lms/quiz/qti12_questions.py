@@ -1,6 +1,8 @@
-"""From a question with several asks to numerical questions that Canvas keeps: one for each, complete in itself.
+"""From a question with several asks to numerical questions that Canvas keeps: one for each,
+complete in itself.
 
-Each ends in its column of the answer sheet, like [q1.v_B], by which `kinegrade grade --from canvas` knows it again.
+Each ends in its column of the answer sheet, like [q1.v_B], by which `kinegrade grade --from canvas`
+knows it again.
 """
 
 from __future__ import annotations
@@ -25,26 +27,31 @@ from kinegrade.lms.quiz.typing_words import CANVAS
 
 FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
 NO_BANDS = (
-    "qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - "
-    "give them with kinegrade grade, from the students' responses"
+    "qti12: Canvas gives a number all points or none - credit and comments for known mistakes "
+    "were left out - give them with kinegrade grade, from the students' responses"
 )
 CHANGED = (
-    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, of the whole class, because that is too "
-    "coarse for some answers"
+    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, of the whole "
+    "class, because that is too coarse for some answers"
 )
 TOO_FINE = (
-    "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas keeps - expected an "
-    'answer that is - set the exam with lms = "canvas" in the bank, which refuses such draws, or allow more'
+    "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas "
+    "keeps - expected an "
+    'answer that is - set the exam with lms = "canvas" in the bank, which refuses such draws, or '
+    "allow more"
 )
 EDGES = (
-    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the edge of what is right may be "
+    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the edge of "
+    "what is right may be "
     "marked the other way there - mark with kinegrade grade, from the students' responses"
 )
 
 
 @dataclass(frozen=True)
 class Asking:
-    """What holds for all questions of a quiz: their language, the class's units, and where remarks go."""
+    """What holds for all questions of a quiz: their language, the class's units, and where remarks
+    go.
+    """
 
     language: Language
     units: ClassUnits
@@ -54,7 +61,9 @@ class Asking:
 def numerical_items(
     question: QuizQuestion, asking: Asking, *, solution_with_each: bool
 ) -> list[tuple[QuizAsk, NumericalItem]]:
-    """The question's asks, each with its item; what cannot be said is left out and stands in the remarks."""
+    """The question's asks, each with its item; what cannot be said is left out and stands in the
+    remarks.
+    """
     try:
         text = question_html(question, FILES + picture_name(question), CANVAS, asking.language)
         found = [(ask, _item(question, ask, text, asking)) for ask in question.asks]
@@ -85,7 +94,8 @@ def _item(question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking) -> Nu
     _remark(f"{question.question}.{ask.identifier}", ask, now, remarks)
     asked = ask_html(now, language) + warnings_html(now, ask, WORDS[language])
     column = plain_html(f"[{question.question}.{ask.identifier}]")
-    title = f"{plain_prose(question.title, question.question, inline=True)}{PLACES[language][0]}{symbol}"
+    heading = plain_prose(question.title, question.question, inline=True)
+    title = f"{heading}{PLACES[language][0]}{symbol}"
     return NumericalItem(
         stable_name(f"{question.identifier}-{ask.identifier}"),
         title,

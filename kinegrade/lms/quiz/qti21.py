@@ -1,4 +1,6 @@
-"""Quizzes as QTI 2.1 packages: one item for every mechanism, one test for every paper or one that draws variants."""
+"""Quizzes as QTI 2.1 packages: one item for every mechanism, one test for every paper or one that
+draws variants.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ HEAD = (
 )
 FOOT = "</resources>\n</manifest>\n"
 MATH = (
-    r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as typed - "
+    r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as "
+    r"typed - "
     "look at one question there before the exam"
 )
 CANVAS = (
@@ -32,9 +35,11 @@ CANVAS = (
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the package, with `force` over an existing plain file; what an instructor should know about it, a line each.
+    """Writes the package, with `force` over an existing plain file; what an instructor should know
+    about it, a line each.
 
-    Raises ExportError with every text that cannot be shown, OutputError; then `target` is as it was.
+    Raises ExportError with every text that cannot be shown, OutputError; then `target` is as it
+    was.
     """
     with package(target, force=force) as parts, Manifest(HEAD, FOOT) as manifest:
         return _Writer(quiz, parts, manifest).write()

@@ -1,4 +1,6 @@
-"""A question as an assessment item of QTI 2.1: a box for every ask, tolerance and credit as the exam has them."""
+"""A question as an assessment item of QTI 2.1: a box for every ask, tolerance and credit as the
+exam has them.
+"""
 
 from __future__ import annotations
 

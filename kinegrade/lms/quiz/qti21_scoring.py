@@ -1,4 +1,6 @@
-"""What a QTI 2.1 item does with the answers: points for each ask, feedback for known mistakes, the total."""
+"""What a QTI 2.1 item does with the answers: points for each ask, feedback for known mistakes, the
+total.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,9 @@ def mistake_name(place: int, mistake: int) -> str:
 
 
 def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
-    """Responses with the right numbers, then the outcomes: feedback, points of each ask, total and what it can be."""
+    """Responses with the right numbers, then the outcomes: feedback, points of each ask, total and
+    what it can be.
+    """
     for place, ask in enumerate(asks, start=1):
         right = element("correctResponse", element("value", decimal_text(ask.value)))
         yield element(

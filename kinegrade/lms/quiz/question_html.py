@@ -12,7 +12,9 @@ from kinegrade.lms.quiz.typing_words import Typing, rules
 
 
 def question_html(question: QuizQuestion, picture: str, typing: Typing, language: Language) -> str:
-    """The statement, its figure, which stands at the address `picture`, and the rules. Raises TypesetError."""
+    """The statement, its figure, which stands at the address `picture`, and the rules. Raises
+    TypesetError.
+    """
     figure = figure_html(question.figure, picture) if question.figure is not None else ""
     return (
         prose_html(question.statement, question.question)
@@ -33,7 +35,9 @@ def _rules_html(text: str) -> str:
 
 
 def warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
-    """What to mind: a unit that is not that of the paper, turns that may be added; "" where there is nothing."""
+    """What to mind: a unit that is not that of the paper, turns that may be added; "" where there
+    is nothing.
+    """
     lines = []
     if asked.unit != on_paper.unit:
         lines.append(words.changed_unit.format(unit_html(asked.unit), unit_html(on_paper.unit)))

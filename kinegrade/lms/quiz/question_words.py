@@ -1,4 +1,6 @@
-"""What has to be said beside a question where a system cannot do all that the exam does; plain text and HTML alike."""
+"""What has to be said beside a question where a system cannot do all that the exam does; plain text
+and HTML alike.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ class QuestionWords:
 ENGLISH = QuestionWords(
     tag="en",
     changed_unit="Mind the unit: {} here, not {}.",
-    any_turns="Whole turns may be added or taken off, as long as the angle stays within two turns of zero.",
+    any_turns="Whole turns may be added or taken off, as long as the angle stays within two turns "
+    "of zero.",
     half_turn="Give the angle within half a turn of zero (−180° to 180°).",
     figure_on_paper="(The figure is on your paper.)",
 )

@@ -1,4 +1,6 @@
-"""What a person must know about a quiz file that was written, and what keeps one from being written."""
+"""What a person must know about a quiz file that was written, and what keeps one from being
+written.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,9 @@ MOST_SHOWN = 40
 
 
 class Remarks:
-    """Complaints and faults, each said once however many papers it is about, in the order they were met."""
+    """Complaints and faults, each said once however many papers it is about, in the order they were
+    met.
+    """
 
     def __init__(self) -> None:
         self._complaints: dict[str, None] = {}

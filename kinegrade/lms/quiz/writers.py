@@ -1,7 +1,8 @@
-"""Every form a quiz can be written in, by name: one function each, from a quiz and a file's path to remarks.
+"""Every form a quiz can be written in, by name: one function each, from a quiz and a file's path to
+remarks.
 
-A writer takes papers one after the other, writes the file whole or not at all, and gives what an instructor should
-know, a line each. A new system is a function more, and its name here.
+A writer takes papers one after the other, writes the file whole or not at all, and gives what an
+instructor should know, a line each. A new system is a function more, and its name here.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
-"""What wrong numbers show: the known mistakes that lead to them, all of them where several lead to one number.
+"""What wrong numbers show: the known mistakes that lead to them, all of them where several lead to
+one number.
 
-A system that takes the first of its answers that fits would name one mistake alone where two lead close to each
-other. So every set of mistakes that lead to some number together stands here with what they have in common.
+A system that takes the first of its answers that fits would name one mistake alone where two lead
+close to each other. So every set of mistakes that lead to some number together stands here with
+what they have in common.
 """
 
 from __future__ import annotations
@@ -17,7 +19,9 @@ from kinegrade.lms.quiz.intervals import RightInterval, turned
 
 @dataclass(frozen=True)
 class WrongNumbers:
-    """Mistakes that lead to the same numbers, and these: one interval, or one for each turn of an angle."""
+    """Mistakes that lead to the same numbers, and these: one interval, or one for each turn of an
+    angle.
+    """
 
     mistakes: tuple[QuizMistake, ...]
     intervals: tuple[RightInterval, ...]
@@ -40,7 +44,8 @@ class _Lead:
 
 
 def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
-    """The sets of mistakes that some number shows; the first set whose intervals hold a number names all that lead to it.
+    """The sets of mistakes that some number shows; the first set whose intervals hold a number
+    names all that lead to it.
 
     What two sets have in common belongs to a larger one, and larger ones come first.
     """
@@ -79,7 +84,9 @@ def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
 
 
 def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
-    """Every set of leads that hold some number together: an end of an interval, or one between two ends."""
+    """Every set of leads that hold some number together: an end of an interval, or one between two
+    ends.
+    """
     if len(cluster) == 1:
         return [tuple(cluster)]
     ends = sorted({end for lead in cluster for end in (lead.interval.low, lead.interval.high)})

@@ -1,4 +1,6 @@
-"""XML written piece by piece: texts are escaped, what is XML already is not, and no tree is kept."""
+"""XML written piece by piece: texts are escaped, what is XML already is not, and no tree is
+kept.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,8 @@ class Xml(str):
 
 
 def element(tag: str, *children: str, **attributes: str) -> Xml:
-    """An element of texts and elements; a trailing underscore of an attribute's name is not part of it.
+    """An element of texts and elements; a trailing underscore of an attribute's name is not part of
+    it.
 
     >>> print(element("p", "a < b", element("br"), class_='"x"'))
     <p class="&quot;x&quot;">a &lt; b<br/></p>

@@ -1,1 +1,3 @@
-"""Answers as learning management systems, forms and spreadsheets give them out, made into the exam's answer sheet."""
+"""Answers as learning management systems, forms and spreadsheets give them out, made into the
+exam's answer sheet.
+"""

@@ -1,7 +1,8 @@
-"""From a download to a table of the shape of EXAM/answers.csv, which grading reads as it reads any other.
+"""From a download to a table of the shape of EXAM/answers.csv, which grading reads as it reads any
+other.
 
-Every cell is what was typed; every row that is not taken over is reported with all that stands in it. Where questions
-came from a pool, `pooled` says whose line of the key each of them is.
+Every cell is what was typed; every row that is not taken over is reported with all that stands in
+it. Where questions came from a pool, `pooled` says whose line of the key each of them is.
 """
 
 from __future__ import annotations
@@ -40,7 +41,9 @@ POOLED = ("moodle", "canvas")  # what draws questions from pools
 
 @dataclass(frozen=True, slots=True)
 class Responses:
-    """The answer sheet made of a download, the name of its source, and in words what was assumed, a line each."""
+    """The answer sheet made of a download, the name of its source, and in words what was assumed, a
+    line each.
+    """
 
     answers: AnswerFile
     source: str
@@ -73,12 +76,13 @@ def read_responses(
     own_papers: bool = False,
     name: str = "",
 ) -> Responses:
-    """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected where None.
+    """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected
+    where None.
 
-    Of a student's several attempts each is a row, in the order of time; `attempts` says whether unfinished ones are
-    taken over too. `encoding` is what a CSV file is read in if it is not UTF-8. Where a pool was made of the exam,
-    responses of a quiz are recognised by it, unless they are to `own_papers`. `name` stands for the file's name in
-    messages. Raises TableError, ExamError.
+    Of a student's several attempts each is a row, in the order of time; `attempts` says whether
+    unfinished ones are taken over too. `encoding` is what a CSV file is read in if it is not UTF-8.
+    Where a pool was made of the exam, responses of a quiz are recognised by it, unless they are to
+    `own_papers`. `name` stands for the file's name in messages. Raises TableError, ExamError.
     """
     asks = read_exam_asks(exam_folder)
     table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
@@ -90,8 +94,8 @@ def read_responses(
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(
-            f"{table.file}: no column tells whose answers these are - expected the ids or the e-mail "
-            "addresses of the exam's students - download the file with them"
+            f"{table.file}: no column tells whose answers these are - expected the ids or the "
+            "e-mail addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
     _refuse_another_class(table, everybody, columns, found, asks.students)
@@ -113,15 +117,19 @@ def _refuse_another_class(
         return
     shown = trimmed(rows[0].cell(columns.indices[0]))
     raise TableError(
-        f'{table.file}: none of its {len(found)} rows is of a student of the exam ("{shortened(shown)}" ...) - '
-        f'expected ids like "{shortened(students[0].student)}", or e-mail addresses of the roster - '
+        f"{table.file}: none of its {len(found)} rows is of a student of the exam "
+        f'("{shortened(shown)}" ...) - '
+        f'expected ids like "{shortened(students[0].student)}", or e-mail addresses of the roster '
+        "- "
         "name the file of this class, or correct the ids"
     )
 
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """A download as it was read; `found` are the students of the rows, then those of the rows that are not taken."""
+    """A download as it was read; `found` are the students of the rows, then those of the rows that
+    are not taken.
+    """
 
     table: Table
     typed: TypedRows
@@ -130,7 +138,9 @@ class _Read:
 
 
 def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile:
-    """The answer sheet. Raises TableError where it is not certain to which questions the answers are."""
+    """The answer sheet. Raises TableError where it is not certain to which questions the answers
+    are.
+    """
     table, typed = read.table, read.typed
     pairs: Pairs = list(zip(typed.rows, read.found, strict=False))
     put: Mapping[int, Sources] = {}
@@ -153,14 +163,17 @@ def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile
 def _known(source: str, path: Path) -> str:
     if source not in DIALECTS:
         raise TableError(
-            f'{path.name}: "{source}" is no system known here - expected one of {", ".join(DIALECTS)} '
+            f'{path.name}: "{source}" is no system known here - expected one of '
+            f"{', '.join(DIALECTS)} "
             "- name one of them, or none"
         )
     return source
 
 
 def _about_answers(table: Table, typed: TypedRows, columns: Columns) -> Iterator[Complaint]:
-    """The table's complaints without those about cells that are not read, such as times of completion."""
+    """The table's complaints without those about cells that are not read, such as times of
+    completion.
+    """
     read = {table.header[place] for place in {*typed.sources, *columns.indices}}
     return (each for each in table.complaints if not each.column or each.column in read)
 
@@ -209,7 +222,7 @@ def _assumed(
     if table.encoding not in ("UTF-8", "XLSX"):
         yield f"{table.file}: read as {table.encoding}"
     if name != "sheet":
-        yield f"{table.file}: students are told by {' and '.join(_titles(table, columns))}"
+        yield f"{table.file}: students are identified by {' and '.join(_titles(table, columns))}"
     if typed.assumed:
         yield f"{table.file}: {typed.assumed}"
 

@@ -1,4 +1,6 @@
-"""Which question of a download is which ask: by the ask's name in the question's title, else by their order."""
+"""Which question of a download is which ask: by the ask's name in the question's title, else by
+their order.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ _MOST_DERIVED = 2
 def asks_by_name(
     header: Sequence[str], places: Sequence[int], asks: ExamAsks
 ) -> Mapping[str, tuple[int, ...]]:
-    """The columns whose titles hold an ask's name, alone or in brackets: q1.v_B, or v_B where only one ask has it."""
+    """The columns whose titles hold an ask's name, alone or in brackets: q1.v_B, or v_B where only
+    one ask has it.
+    """
     names = _names(asks)
     found: dict[str, list[int]] = defaultdict(list)
     for place in places:
@@ -39,7 +43,9 @@ def _names(asks: ExamAsks) -> Mapping[str, str]:
 
 
 def _named(title: str, names: Mapping[str, str]) -> set[str]:
-    """The asks a title names: as they are spelt, else without regard to case where that means one of them."""
+    """The asks a title names: as they are spelt, else without regard to case where that means one
+    of them.
+    """
     exact = {column for name, column in names.items() if _holds(title, name)}
     if exact:
         return exact
@@ -55,14 +61,16 @@ def _holds(title: str, name: str) -> bool:
 
 
 def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapping[str, int]:
-    """The column of each ask among those that hold answers; asks without one are left out where others are named.
+    """The column of each ask among those that hold answers; asks without one are left out where
+    others are named.
 
-    Raises TableError where titles name no ask and there are not as many columns as asks, or an ask has two.
+    Raises TableError where titles name no ask and there are not as many columns as asks, or an ask
+    has two.
     """
     named = asks_by_name(table.header, places, asks)
     twice = [
-        f"{table.file}: {column} is named by the columns {', '.join(_shown(table, found))} - expected one column "
-        f"for each ask - {_ADVICE}"
+        f"{table.file}: {column} is named by the columns {', '.join(_shown(table, found))} - "
+        f"expected one column for each ask - {_ADVICE}"
         for column, found in named.items()
         if len(found) > 1
     ]
@@ -73,8 +81,8 @@ def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapp
     if len(places) != len(asks.columns):
         shown = ": " + ", ".join(_shown(table, places[:6])) if places else ""
         raise TableError(
-            f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has {asks.summary} "
-            f"- {_ADVICE}"
+            f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has "
+            f"{asks.summary} - {_ADVICE}"
         )
     return dict(zip(asks.columns, places, strict=True))
 
@@ -84,7 +92,9 @@ def _shown(table: Table, places: Sequence[int]) -> list[str]:
 
 
 def without_derived(header: Sequence[str], places: Sequence[int]) -> tuple[int, ...]:
-    """The columns that are questions, not the points or the feedback of one before: "Points - Q", "Q [Score]"."""
+    """The columns that are questions, not the points or the feedback of one before: "Points - Q",
+    "Q [Score]".
+    """
     return tuple(
         place
         for place in places

@@ -1,7 +1,8 @@
-"""In which unit a question of a Canvas quiz was asked, where that is another one than on paper: its text says so.
+"""In which unit a question of a Canvas quiz was asked, where that is another one than on paper: its
+text says so.
 
-The quiz says "Mind the unit: mm/s here, not m/s."; a download carries the text without its tags, so that exponents
-stand on the line, as in mm/s2.
+The quiz says "Mind the unit: mm/s here, not m/s."; a download carries the text without its tags, so
+that exponents stand on the line, as in mm/s2.
 """
 
 from __future__ import annotations
@@ -42,7 +43,8 @@ def in_unit(typed: str, unit: str) -> str:
 def on_the_line(unit: str) -> str:
     """A unit as `unit_html` of the quiz shows it, without its tags.
 
-    It is written here as well because that one takes a second to import, and every marking would wait for it.
+    It is written here as well because that one takes a second to import, and every marking would
+    wait for it.
 
     >>> on_the_line("m/s^2")
     'm/s2'

@@ -1,8 +1,10 @@
-"""Canvas's Student Analysis of a classic quiz: two columns for each question, "12345: its text" and then its points.
+"""Canvas's Student Analysis of a classic quiz: two columns for each question, "12345: its text" and
+then its points.
 
-The header of the points is their number and repeats, so everything goes by position. Other headers are translated,
-and which of them are there depends on the rights of whoever downloaded the file. A question whose text says that it asks
-for another unit than the paper does is read in that unit; the student that Canvas invents for trials is passed over.
+The header of the points is their number and repeats, so everything goes by position. Other headers
+are translated, and which of them are there depends on the rights of whoever downloaded the file. A
+question whose text says that it asks for another unit than the paper does is read in that unit; the
+student that Canvas invents for trials is passed over.
 """
 
 from __future__ import annotations
@@ -28,7 +30,9 @@ _MOMENT = re.compile(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC")
 
 @dataclass(frozen=True, slots=True)
 class _Source:
-    """A column of responses, and the unit that its question asks for where that is not the paper's."""
+    """A column of responses, and the unit that its question asks for where that is not the
+    paper's.
+    """
 
     place: int
     unit: str
@@ -40,15 +44,17 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
-    """The responses, attempts in the order of their submission. Canvas lists none that is not submitted.
+    """The responses, attempts in the order of their submission. Canvas lists none that is not
+    submitted.
 
-    A question of which every student has another one from a pool is found by the ask's name in its text. Raises
-    TableError where questions and asks do not agree.
+    A question of which every student has another one from a pool is found by the ask's name in its
+    text. Raises TableError where questions and asks do not agree.
     """
     questions = _questions(table.header)
     if not questions:
         raise TableError(
-            f'{table.file}: has no columns like "12345: text" followed by points - expected {TITLE} '
+            f'{table.file}: has no columns like "12345: text" followed by points - expected '
+            f"{TITLE} "
             "- download that of a classic quiz"
         )
     columns = _columns(table, questions, asks)
@@ -133,7 +139,9 @@ def _response(row: Row, sources: Sequence[_Source]) -> str:
 def _is_test_student(
     row: Row, people: Sequence[int], named: Mapping[Kind, Sequence[int]], known: People
 ) -> bool:
-    """Whether a row is of the student that Canvas invents for trying a course out, and of nobody in the class."""
+    """Whether a row is of the student that Canvas invents for trying a course out, and of nobody in
+    the class.
+    """
     if trimmed(row.cell(0)) not in TEST_STUDENTS:
         return False
     cells = [row.cell(place) for place in named["id"] or people]
@@ -158,5 +166,7 @@ def _moment(row: Row, people: Sequence[int]) -> str:
 
 
 def _named(header: Sequence[str], people: Sequence[int]) -> Mapping[Kind, Sequence[int]]:
-    """The student's id of the institution goes before Canvas's own number, which may be somebody else's id."""
+    """The student's id of the institution goes before Canvas's own number, which may be somebody
+    else's id.
+    """
     return {"id": [place for place in people if header_key(header[place]) == "sis_id"]}

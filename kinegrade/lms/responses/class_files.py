@@ -1,4 +1,6 @@
-"""All files of a class, one after the other: what `kinegrade grade EXAM a.csv b.csv` reads before anything is marked."""
+"""All files of a class, one after the other: what `kinegrade grade EXAM a.csv b.csv` reads before
+anything is marked.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +16,10 @@ from kinegrade.lms.responses.typed_rows import Attempts
 
 @dataclass(frozen=True, slots=True)
 class ReadingWishes:
-    """How files are read: what they were downloaded from, detected where None; which attempts count; the encoding of
-    CSV files that are not UTF-8; whether answers are to everybody's own paper although a pool was made."""
+    """How files are read: what they were downloaded from, detected where None; which attempts
+    count; the encoding of CSV files that are not UTF-8; whether answers are to everybody's own
+    paper although a pool was made.
+    """
 
     source: str | None = None
     attempts: Attempts = "finished"

@@ -1,6 +1,8 @@
-"""Several answers in one cell, as Moodle writes those of a Cloze question: "part 1: 1.2; part 2: -5", in any language.
+"""Several answers in one cell, as Moodle writes those of a Cloze question: "part 1: 1.2; part 2:
+-5", in any language.
 
-The words are found in the cells themselves, because they are in the language of whoever downloaded the file.
+The words are found in the cells themselves, because they are in the language of whoever downloaded
+the file.
 """
 
 from __future__ import annotations

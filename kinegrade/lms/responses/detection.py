@@ -14,7 +14,9 @@ from kinegrade.tables import Table
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How a system writes responses: what they are called, by what they are known, how they are read."""
+    """How a system writes responses: what they are called, by what they are known, how they are
+    read.
+    """
 
     title: str
     recognises: Callable[[Sequence[str]], bool]
@@ -39,7 +41,7 @@ def detected(table: Table) -> str:
     if name is None:
         shown = ", ".join(one_line(cell[:60]) for cell in table.header[:6])
         raise TableError(
-            f"{table.file}: its columns ({shown} ...) are those of no system known here - expected one of "
-            f"{', '.join(DIALECTS)} - say which it is, if it is one of them"
+            f"{table.file}: its columns ({shown} ...) are those of no system known here - "
+            f"expected one of {', '.join(DIALECTS)} - say which it is, if it is one of them"
         )
     return name

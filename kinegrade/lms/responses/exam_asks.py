@@ -1,4 +1,6 @@
-"""What an exam asks and whom, as far as responses have to be assigned: read from exam.json alone."""
+"""What an exam asks and whom, as far as responses have to be assigned: read from exam.json
+alone.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ class Person:
 
 @dataclass(frozen=True)
 class ExamAsks:
-    """The answer columns of each question in the exam's order, like q1.v_B, with their units, and the students."""
+    """The answer columns of each question in the exam's order, like q1.v_B, with their units, and
+    the students.
+    """
 
     questions: Mapping[str, tuple[str, ...]]
     students: tuple[Person, ...]
@@ -63,8 +67,8 @@ def read_exam_asks(folder: Path) -> ExamAsks:
         }
     except OSError as fault:
         raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by kinegrade "
-            "generate - check the name"
+            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by "
+            "kinegrade generate - check the name"
         ) from fault
     except BROKEN as fault:
         raise ExamError(

@@ -1,4 +1,6 @@
-"""What all forms have in common: a column for each question, one of which asks for the id where nobody signs in."""
+"""What all forms have in common: a column for each question, one of which asks for the id where
+nobody signs in.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,8 @@ _COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
 def form_rows(
     table: Table, asks: ExamAsks, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
 ) -> TypedRows:
-    """The responses of a form of which these columns are questions; `known` are other columns that say who it is.
+    """The responses of a form of which these columns are questions; `known` are other columns that
+    say who it is.
 
     Raises TableError where questions and asks do not agree.
     """

@@ -1,4 +1,6 @@
-"""Responses of a Google form: a timestamp, the address where it is collected, a quiz's score, then questions."""
+"""Responses of a Google form: a timestamp, the address where it is collected, a quiz's score, then
+questions.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,8 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
-    """The responses in the order of the file. The first column is the timestamp in whatever language.
+    """The responses in the order of the file. The first column is the timestamp in whatever
+    language.
 
     Raises TableError where questions and asks do not agree.
     """

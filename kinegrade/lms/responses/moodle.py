@@ -1,7 +1,7 @@
 """The responses of a Moodle quiz (Results > Responses > download), in any language of its headers.
 
-Several asks of one mechanism stand in one cell as parts of a Cloze question, or each in a question of its own. Slots
-follow the order of the exam. A row of dashes is somebody without an attempt.
+Several asks of one mechanism stand in one cell as parts of a Cloze question, or each in a question
+of its own. Slots follow the order of the exam. A row of dashes is somebody without an attempt.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ _NAMES = 2  # the first two columns, which nobody is found by
 
 @dataclass(frozen=True, slots=True)
 class _Slot:
-    """A question of the quiz: where response, right answer and text stand, which asks it has, which words part them."""
+    """A question of the quiz: where response, right answer and text stand, which asks it has, which
+    words part them.
+    """
 
     column: int
     right_answer: int | None
@@ -48,7 +50,9 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
-    """The responses of finished attempts, or of all. Raises TableError where questions and asks do not agree."""
+    """The responses of finished attempts, or of all. Raises TableError where questions and asks do
+    not agree.
+    """
     columns = moodle_columns(table)
     slots = _slots(table, columns, asks)
     rows, complaints, not_taken = [], [], []
@@ -93,7 +97,8 @@ def _not_taken(
     column = table.header[columns.grade]
     empty = all(_response(row, question) in ("", NOTHING) for question in columns.questions)
     if empty and before[-1] == NOTHING:
-        # status, beginning, end and duration stand before the grade; all are dashes where nobody has begun
+        # status, beginning, end and duration stand before the grade; all are dashes where nobody
+        # has begun
         if all(cell == NOTHING for cell in before[-_STATE_COLUMNS:]):
             return NotTaken(
                 row, column, "no attempt, or one without answers", "not graded", attempted=False
@@ -102,7 +107,10 @@ def _not_taken(
             f' ("{shortened(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
         )
         problem = f"the attempt was not handed in{state}, and Moodle gives out nothing of it"
-        done = "not graded: close the attempt in Moodle first where it is in progress, then download again"
+        done = (
+            "not graded: close the attempt in Moodle first where it is in progress, then "
+            "download again"
+        )
         return NotTaken(row, column, problem, done, attempted=True)
     if attempts == "finished":
         problem = "the attempt has no grade: it is not finished"
@@ -140,13 +148,15 @@ def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot,
 def _disagreement(table: Table, counts: Sequence[int], asks: ExamAsks) -> TableError:
     shown = ", ".join(map(str, counts))
     return TableError(
-        f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has {asks.summary} "
-        "- download the responses of the quiz that was made of this exam"
+        f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has "
+        f"{asks.summary} - download the responses of the quiz that was made of this exam"
     )
 
 
 def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, int | None]:
-    """By which words a column is parted and into how many; the number is None where nobody answered."""
+    """By which words a column is parted and into how many; the number is None where nobody
+    answered.
+    """
     for index in (question.right_answer, question.response):
         cells = [] if index is None else _filled(table, index)
         if cells:
@@ -191,7 +201,7 @@ def _responses(
             typed = ("",) * len(slot.asks)
         elif typed is None:
             typed = ("",) * len(slot.asks)
-            problem = f"{len(slot.asks)} parts were expected, and which is which cannot be told"
+            problem = f"{len(slot.asks)} parts were expected, and which is which is unclear"
             faults.append(
                 Complaint(
                     table.file,

@@ -1,7 +1,9 @@
-"""Which column of Moodle's quiz responses is what: found by shape and order, because the names are in any language.
+"""Which column of Moodle's quiz responses is what: found by shape and order, because the names are
+in any language.
 
-After the column of the grade, which ends in "/10.00", come one to three columns for each question - its text, the
-response, the right answer - as the person who downloaded the file ticked them, numbered alike.
+After the column of the grade, which ends in "/10.00", come one to three columns for each question -
+its text, the response, the right answer - as the person who downloaded the file ticked them,
+numbered alike.
 """
 
 from __future__ import annotations
@@ -34,7 +36,9 @@ _ADVICE = "download the quiz's responses report as CSV, with its column of respo
 
 @dataclass(frozen=True, slots=True)
 class QuestionColumns:
-    """Where a question's response stands, and its right answer and its text where these were downloaded."""
+    """Where a question's response stands, and its right answer and its text where these were
+    downloaded.
+    """
 
     response: int
     right_answer: int | None
@@ -80,7 +84,9 @@ def columns_per_question(names: Sequence[str]) -> int | None:
 
 
 def moodle_columns(table: Table) -> MoodleColumns:
-    """The columns of a report of responses. Raises TableError for another report, or one without responses."""
+    """The columns of a report of responses. Raises TableError for another report, or one without
+    responses.
+    """
     grades = grade_columns(table.header)
     if len(grades) != 1:
         problem = (
@@ -95,8 +101,8 @@ def moodle_columns(table: Table) -> MoodleColumns:
     if width is None:
         shown = ", ".join(one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
         raise TableError(
-            f"{table.file}: after the grade stands {shown} - expected numbered columns like Response 1, "
-            f"Response 2 - {_ADVICE}"
+            f"{table.file}: after the grade stands {shown} - expected numbered columns like "
+            f"Response 1, Response 2 - {_ADVICE}"
         )
     starts = range(first, len(table.header), width)
     response = _response(table, names[:width], starts)
@@ -115,7 +121,9 @@ def moodle_columns(table: Table) -> MoodleColumns:
 
 
 def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
-    """Which of a question's columns is the response; the text comes before it, the right answer after."""
+    """Which of a question's columns is the response; the text comes before it, the right answer
+    after.
+    """
     stems = [_stem(name) for name in names]
     missing = (len(names) == 1 and stems[0] in _RIGHT_ANSWER | _QUESTION) or (
         len(names) == 2 and stems[0] in _QUESTION and stems[1] in _RIGHT_ANSWER

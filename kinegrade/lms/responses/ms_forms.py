@@ -1,4 +1,5 @@
-"""Responses of a Microsoft form: ID, start and completion time, Email, Name, then the questions, each with its points.
+"""Responses of a Microsoft form: ID, start and completion time, Email, Name, then the questions,
+each with its points.
 
 The ID is the number of the response, nobody's. Email is "anonymous" where people need not sign in.
 """
@@ -24,7 +25,8 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
-    """The responses in the order of the file. The first five columns are those of the form in whatever language.
+    """The responses in the order of the file. The first five columns are those of the form in
+    whatever language.
 
     Raises TableError where questions and asks do not agree.
     """

@@ -1,7 +1,8 @@
-"""Whether a student was put the questions of the own paper: by the right answers that a download tells.
+"""Whether a student was put the questions of the own paper: by the right answers that a download
+tells.
 
-A quiz may hold variants that everybody draws from, or somebody else's paper. Marked by the student's own key such
-answers would all be wrong, so they are told instead.
+A quiz may hold variants that everybody draws from, or somebody else's paper. Marked by the
+student's own key such answers would all be wrong, so they are told instead.
 """
 
 from __future__ import annotations
@@ -22,7 +23,9 @@ _NEXT_TO_NOTHING = 1e-6
 
 
 def right_answers(folder: Path) -> Mapping[str, Mapping[str, float]]:
-    """The right answers by student and column; none where the folder has no key.jsonl. Raises ExamError."""
+    """The right answers by student and column; none where the folder has no key.jsonl. Raises
+    ExamError.
+    """
     path = folder / "key.jsonl"
     try:
         with path.open(encoding="utf-8") as lines:
@@ -49,9 +52,11 @@ def _values(paper: Mapping[str, Any]) -> Mapping[str, float]:
 
 
 def difference(columns: Sequence[str], told: Sequence[str], own: Mapping[str, float]) -> str:
-    """How the right answers told by a download differ from those of the own paper; "" where they do not.
+    """How the right answers told by a download differ from those of the own paper; "" where they do
+    not.
 
-    What is told may have a decimal comma and a unit; texts that begin with no number are not compared.
+    What is told may have a decimal comma and a unit; texts that begin with no number are not
+    compared.
 
     >>> difference(["q1.v_B"], ["-1,5 m/s"], {"q1.v_B": 2.5})
     'the right answer to q1.v_B is -1,5 m/s there and 2.5 on the own paper'
@@ -59,7 +64,10 @@ def difference(columns: Sequence[str], told: Sequence[str], own: Mapping[str, fl
     for column, text in zip(columns, told, strict=False):
         value = value_of(text)
         if value is not None and column in own and not agree(value, own[column]):
-            return f"the right answer to {column} is {text} there and {own[column]:.6g} on the own paper"
+            return (
+                f"the right answer to {column} is {text} there and {own[column]:.6g} on the own "
+                "paper"
+            )
     return ""
 
 

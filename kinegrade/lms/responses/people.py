@@ -1,4 +1,6 @@
-"""Whose responses these are: students found by id or e-mail address, never by name, and nobody guessed."""
+"""Whose responses these are: students found by id or e-mail address, never by name, and nobody
+guessed.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,9 @@ class People:
         return _only(self._by_email.get(header_key(cell))) if "@" in cell else None
 
     def likely(self, cell: str) -> str | None:
-        """The one student whose id differs from a cell, or from the login in its address, by zeros or case alone."""
+        """The one student whose id differs from a cell, or from the login in its address, by zeros
+        or case alone.
+        """
         return _only(self._ids.near(cell.partition("@")[0]))
 
     def columns(
@@ -68,7 +72,9 @@ class People:
         candidates: Sequence[int],
         named: Mapping[Kind, Sequence[int]] | None = None,
     ) -> Columns:
-        """Which of the candidates hold ids and addresses: those whose names say so, else those with most known ones."""
+        """Which of the candidates hold ids and addresses: those whose names say so, else those with
+        most known ones.
+        """
         named = named or {}
         return Columns(
             self._best(rows, named.get("id") or (), candidates, self.by_id),
@@ -82,7 +88,9 @@ class People:
         candidates: Sequence[int],
         find: Callable[[str], str | None],
     ) -> int | None:
-        """The column that knows most students, the first of equals; one that is named even if it knows nobody."""
+        """The column that knows most students, the first of equals; one that is named even if it
+        knows nobody.
+        """
         known = {
             index: (
                 _count(rows, index, find),
@@ -96,7 +104,9 @@ class People:
     def find_all(
         self, rows: Sequence[Row], header: Sequence[str], columns: Columns
     ) -> tuple[Found, ...]:
-        """The students of all rows; an id that differs by zeros or case is theirs where that is certain."""
+        """The students of all rows; an id that differs by zeros or case is theirs where that is
+        certain.
+        """
         found = [self.find(row, header, columns) for row in rows]
         place = columns.identifier
         if place is None:
@@ -119,7 +129,9 @@ class People:
         )
 
     def _said(self, cell: str, found: Found) -> Found:
-        """The same, with the id as it stands in the file where it is that student's in another form."""
+        """The same, with the id as it stands in the file where it is that student's in another
+        form.
+        """
         if found.student is None or trimmed(cell) == trimmed(found.student):
             return found
         meant = self._ids.exact(cell) or _only(self._ids.near(cell))

@@ -1,7 +1,9 @@
-"""Which paper's questions a student was put: everybody's own, or those that a system drew from a pool.
+"""Which paper's questions a student was put: everybody's own, or those that a system drew from a
+pool.
 
-A question is recognised by the right answers that a download has, by its text with its numbers, or by both. Answers to
-a question that is not recognised would be marked by the wrong key, so the whole file is refused.
+A question is recognised by the right answers that a download has, by its text with its numbers, or
+by both. Answers to a question that is not recognised would be marked by the wrong key, so the whole
+file is refused.
 """
 
 from __future__ import annotations
@@ -25,7 +27,8 @@ Pairs = Sequence[tuple[TypedRow, Found]]
 _SAME = 1e-6  # relative: right answers are written with all their digits
 _BLANK = ("", "-")
 _ADVICE = (
-    "in Moodle (Results > Responses) tick the question text and the right answer, show the report and "
+    "in Moodle (Results > Responses) tick the question text and the right answer, show the report "
+    "and "
     "download that, in Canvas the Student Analysis; if nobody answered a pool, add --own-papers"
 )
 
@@ -42,7 +45,8 @@ def pool_of(folder: Path) -> Variants | None:
 def own_papers_only(
     file: str, typed: TypedRows, pairs: Pairs, folder: Path
 ) -> list[tuple[TypedRow, Found]]:
-    """Each row with its student, or with none where other questions were put than those of the student's paper.
+    """Each row with its student, or with none where other questions were put than those of the
+    student's paper.
 
     Raises TableError where that is so of most of the students.
     """
@@ -58,10 +62,11 @@ def own_papers_only(
     known = sum(who.student is not None for _, who in pairs)
     if len(others) > 1 and 2 * len(others) > known:
         raise TableError(
-            f"{file}: {len(others)} of {known} students were put other papers than their own ({others[0]}) "
-            "- expected everybody's own paper - if they answered a pool, leave out --own-papers, or, where an "
-            "earlier version made the pool, write it again by kinegrade quiz --variants with as many variants "
-            "as it has, which makes no other one, and grade again"
+            f"{file}: {len(others)} of {known} students were put other papers than their own "
+            f"({others[0]}) - expected everybody's own paper - if they answered a pool, leave out "
+            "--own-papers, or, where an earlier version made the pool, write it again by "
+            "kinegrade quiz --variants with as many variants as it has, which makes no other "
+            "one, and grade again"
         )
     return checked
 
@@ -69,12 +74,14 @@ def own_papers_only(
 def put_to(
     file: str, typed: TypedRows, pairs: Pairs, variants: Variants, folder: Path
 ) -> Mapping[int, Sources]:
-    """By line whose line of the key each question of a student is. Raises TableError where that cannot be known."""
+    """By line whose line of the key each question of a student is. Raises TableError where that
+    cannot be known.
+    """
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
         raise TableError(
-            f"{file}: the exam has a pool of {variants.count} variants ({folder / POOL}), and nothing here "
-            "says who was put which - expected the texts of the questions or the right answers - "
-            f"{_ADVICE}"
+            f"{file}: the exam has a pool of {variants.count} variants ({folder / POOL}), and "
+            "nothing here says who was put which - expected the texts of the questions or the "
+            f"right answers - {_ADVICE}"
         )
     finder = _Finder(typed, variants)
     found: dict[int, Sources] = {}
@@ -86,9 +93,9 @@ def put_to(
             unknown += [f"line {each.row.line}, {fault}" for fault in faults]
     if unknown:
         raise TableError(
-            f"{file}: {len(unknown)} answered questions are not certainly one variant of the pool of "
-            f"{variants.count} ({unknown[0]}) - expected each to be known by its text and right answers - "
-            f"{_ADVICE}"
+            f"{file}: {len(unknown)} answered questions are not certainly one variant of the pool "
+            f"of {variants.count} ({unknown[0]}) - expected each to be known by its text and "
+            f"right answers - {_ADVICE}"
         )
     return found
 
@@ -99,7 +106,9 @@ class _Finder:
     variants: Variants
 
     def sources(self, each: TypedRow) -> tuple[Sources, list[str]]:
-        """Whose lines of the key a row's questions are, for every column; and what is not recognised."""
+        """Whose lines of the key a row's questions are, for every column; and what is not
+        recognised.
+        """
         found = [""] * len(self.typed.columns)
         faults = []
         for drawn in self._drawn():
@@ -131,11 +140,14 @@ class _Finder:
         if not told:
             return by_text
         likely = [variant for variant in variants if _is_right(variant, told)]
-        # a text that is no variant's may have been corrected there; one of another variant contradicts
+        # a text that is no variant's may have been corrected there; one of another variant
+        # contradicts
         return [variant for variant in likely if not by_text or variant in by_text]
 
     def _of_text(self, variants: Sequence[Variant], text: str) -> list[Variant]:
-        """The variants whose statement stands in a text; none where it says nothing, or is nobody's."""
+        """The variants whose statement stands in a text; none where it says nothing, or is
+        nobody's.
+        """
         from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
 
         return of_text(variants, text) if trimmed(text) else []

@@ -1,4 +1,6 @@
-"""The exam's own answer sheet, filled in as CSV or in a spreadsheet: all its columns go on as they are."""
+"""The exam's own answer sheet, filled in as CSV or in a spreadsheet: all its columns go on as they
+are.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,8 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     """All columns but the one of ids. Raises TableError where nothing says who it is."""
     if not recognises(table.header):
         raise TableError(
-            f'{table.file}: no column "student" - expected one with the student ids, or one "email" '
+            f'{table.file}: no column "student" - expected one with the student ids, or one '
+            '"email" '
             "- fill in the answers.csv of the exam folder"
         )
     student, email = _places(table.header, "student"), _places(table.header, "email")

@@ -1,4 +1,6 @@
-"""The stage between a download and the answer sheet: what was typed into which answer box, row by row."""
+"""The stage between a download and the answer sheet: what was typed into which answer box, row by
+row.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +19,9 @@ Attempts = Literal["finished", "all"]
 class TypedRow:
     """A row of the download, and its responses in the order of the columns exactly as typed.
 
-    `moment` sorts the attempts of a student; "" where the order of the file is that of time. `right` are the answers
-    that the download says were right, and `texts` those of the questions as they were put, in the same order, where it
-    says so.
+    `moment` sorts the attempts of a student; "" where the order of the file is that of time.
+    `right` are the answers that the download says were right, and `texts` those of the questions as
+    they were put, in the same order, where it says so.
     """
 
     row: Row
@@ -47,10 +49,11 @@ class NotTaken:
 class TypedRows:
     """What a dialect makes of a download.
 
-    `columns` are answer columns of the exam, such as q1.v_B; `sources` the places of the download's columns they come
-    from. Students stand in one of the columns `people`, or of those that are `named` for it. `assumed` says in words
-    which column was taken for what. `not_taken` are rows of people whose answers do not count. `drawn` are the columns
-    that a system draws as one where it draws from a pool; each by itself where nothing is said.
+    `columns` are answer columns of the exam, such as q1.v_B; `sources` the places of the download's
+    columns they come from. Students stand in one of the columns `people`, or of those that are
+    `named` for it. `assumed` says in words which column was taken for what. `not_taken` are rows of
+    people whose answers do not count. `drawn` are the columns that a system draws as one where it
+    draws from a pool; each by itself where nothing is said.
     """
 
     columns: tuple[str, ...]

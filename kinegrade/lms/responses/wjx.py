@@ -1,4 +1,6 @@
-"""Responses of a questionnaire of 问卷星 (wjx.cn): six columns about the sending, then the questions, "2、学号"."""
+"""Responses of a questionnaire of 问卷星 (wjx.cn): six columns about the sending, then the questions,
+"2、学号".
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
-    """The responses in the order of the file. Raises TableError where questions and asks do not agree."""
+    """The responses in the order of the file. Raises TableError where questions and asks do not
+    agree.
+    """
     questions = _questions(table.header)
     if not questions:
         raise TableError(

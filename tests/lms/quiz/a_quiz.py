@@ -1,4 +1,6 @@
-"""A small quiz by hand with what is hard to write: zero, tiny and uneven answers, whole turns, texts made of markup."""
+"""A small quiz by hand with what is hard to write: zero, tiny and uneven answers, whole turns,
+texts made of markup.
+"""
 
 from __future__ import annotations
 
@@ -87,7 +89,8 @@ TITLE = {"en": "Slider-crank $OAB$ & co.", "zh": "曲柄滑块机构 $OAB$"}
 RULE = {"en": "Right within 2 %.", "zh": "误差不超过 2% 为正确。"}
 SOLUTION = (
     "<h4>Solution</h4>\n<p>\\(v_B = v_A &lt; 1\\)</p>\n<table><tbody>\n"
-    '<tr><th scope="row">magnitude</th><td style="padding:0 .5em">\\(r\\)</td></tr>\n</tbody></table>\n'
+    '<tr><th scope="row">magnitude</th><td style="padding:0 '
+    '.5em">\\(r\\)</td></tr>\n</tbody></table>\n'
     '<ol start="3"><li>so <em>it</em> is</li></ol>\n'
 )
 

@@ -1,4 +1,6 @@
-"""Moodle XML read the way Moodle reads it, and everything that Moodle would refuse or silently spoil."""
+"""Moodle XML read the way Moodle reads it, and everything that Moodle would refuse or silently
+spoil.
+"""
 
 from __future__ import annotations
 
@@ -65,7 +67,9 @@ class Answer:
         return abs(self.value) > 10**100
 
     def takes(self, typed: float) -> bool:
-        """Whether Moodle takes a number for this answer: in doubles, with its slack of the fourteenth digit."""
+        """Whether Moodle takes a number for this answer: in doubles, with its slack of the
+        fourteenth digit.
+        """
         value, room = float(self.value), float(self.room)
         slack = 1e-14 * max(room, abs(value), 1e-14)
         return value - (room + slack) <= typed <= value + (room + slack)

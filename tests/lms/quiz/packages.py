@@ -1,4 +1,6 @@
-"""Reading packages back: their files, their numbers, and whether the elements stand where a standard lets them."""
+"""Reading packages back: their files, their numbers, and whether the elements stand where a
+standard lets them.
+"""
 
 from __future__ import annotations
 
@@ -30,8 +32,10 @@ def bare(text: str) -> Element:
 def misplaced(
     root: Element, models: Mapping[str, str], attributes: Mapping[str, str]
 ) -> Iterator[str]:
-    """What breaks the rules: `models` are regular expressions over the names of children, each followed by a blank,
-    with `#` where text may stand; `attributes` are the names an element may have, those with `!` it must have."""
+    """What breaks the rules: `models` are regular expressions over the names of children, each
+    followed by a blank, with `#` where text may stand; `attributes` are the names an element may
+    have, those with `!` it must have.
+    """
     for node in root.iter():
         if node.tag not in models:
             yield f"{node.tag}: unknown"

@@ -1,4 +1,6 @@
-"""Blackboard's text files: a line for an ask, nothing in it that breaks the line, numbers that are the exam's."""
+"""Blackboard's text files: a line for an ask, nothing in it that breaks the line, numbers that are
+the exam's.
+"""
 
 from __future__ import annotations
 
@@ -63,7 +65,8 @@ def test_an_uneven_interval_stands_about_its_middle_and_that_is_said(tmp_path: P
     fields, complaints = one_ask(a_quiz.UNEVEN, tmp_path)
     assert fields[2:] == ["10.75", "1.75"]
     assert (
-        "blackboard: q1.v_E is not in the middle of what is right - the middle stands there as the answer, so that "
+        "blackboard: q1.v_E is not in the middle of what is right - the middle stands there as the "
+        "answer, so that "
         "the tolerance is exactly the exam's - tell the students the answer from the key"
     ) in complaints
 
@@ -102,7 +105,8 @@ def test_more_questions_than_blackboard_takes_are_refused(tmp_path: Path) -> Non
     with pytest.raises(ExportError) as refusal:
         write(many(251), tmp_path / "more.txt")
     assert refusal.value.problems == (
-        f"{tmp_path / 'more.txt'}: would hold 251 questions - expected up to 250, the most that Blackboard takes at a "
+        f"{tmp_path / 'more.txt'}: would hold 251 questions - expected up to 250, the most that "
+        "Blackboard takes at a "
         "time - write to a name that ends in .zip, which gives every paper its own file",
     )
     assert [path.name for path in tmp_path.iterdir()] == ["quiz.txt"]

@@ -1,4 +1,6 @@
-"""A class whose quiz goes to Canvas: one unit for all, and no draw that its four decimals cannot tell right."""
+"""A class whose quiz goes to Canvas: one unit for all, and no draw that its four decimals cannot
+tell right.
+"""
 
 from __future__ import annotations
 

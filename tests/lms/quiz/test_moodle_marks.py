@@ -1,4 +1,6 @@
-"""What Moodle gives for a typed answer is what marking here gives: at the edges, with turns, where mistakes overlap."""
+"""What Moodle gives for a typed answer is what marking here gives: at the edges, with turns, where
+mistakes overlap.
+"""
 
 from __future__ import annotations
 
@@ -189,8 +191,8 @@ def test_exams_of_one_title_do_not_share_their_pools(small_class: Path, tmp_path
 def test_the_mark_of_each_pool_is_said(tmp_path: Path) -> None:
     *_, cloze = write(pooled(), tmp_path / "cloze.xml")
     assert cloze == (
-        "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are worth - set the mark of "
-        "each there: q1 17, q2 10"
+        "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are "
+        "worth - set the mark of each there: q1 17, q2 10"
     )
     *_, numerical = write(pooled(), tmp_path / "numerical.xml", form="numerical")
     assert numerical.endswith(
@@ -224,6 +226,6 @@ def test_a_file_that_many_sites_do_not_take_is_named(tmp_path: Path) -> None:
     put = Quiz("en", "", "Exam", [one(code) for code in range(20)])
     *_, remark = write(put, tmp_path / "quiz.xml")
     assert remark == (
-        "moodle-xml: the file has 2.18 MB, and many sites take no more than 2 MB in one upload - add --split 2 if yours "
-        "refuses it"
+        "moodle-xml: the file has 2.18 MB, and many sites take no more than 2 MB in one upload - "
+        "add --split 2 if yours refuses it"
     )

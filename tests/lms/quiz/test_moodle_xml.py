@@ -1,4 +1,6 @@
-"""Moodle XML: nothing that Moodle refuses or spoils, every number as the key has it, hostile texts harmless."""
+"""Moodle XML: nothing that Moodle refuses or spoils, every number as the key has it, hostile texts
+harmless.
+"""
 
 from __future__ import annotations
 
@@ -236,8 +238,8 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
     assert [mark for mark, _ in question.boxes] == [10, 4, 1]
     assert "4 times its points" in question.text
     assert remarks[:1] == [
-        "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; the "
-        "maximum grade of the quiz sets that right"
+        "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; "
+        "the maximum grade of the quiz sets that right"
     ]
     remarks = write(of_asks(*asks), target, form="numerical", force=True)
     assert not any("times the points" in remark for remark in remarks)

@@ -20,7 +20,8 @@ from tests.golden_files import Hold
 from tests.lms.quiz import a_quiz
 from tests.lms.quiz.packages import bare, files_of, listing, misplaced
 
-# the part of the standard's DTD that is used, with Canvas's own <points_per_item> where the DTD allows anything
+# the part of the standard's DTD that is used, with Canvas's own <points_per_item> where the DTD
+# allows anything
 MODELS = {
     "questestinterop": "assessment ",
     "assessment": "qtimetadata section ",
@@ -89,7 +90,9 @@ def items(package: Path) -> dict[str, Element]:
 
 
 def intervals(item: Element) -> list[tuple[Fraction | None, Fraction, Fraction]]:
-    """What an item takes as right, read as Canvas reads it: the exact answer if there is one, and the bounds."""
+    """What an item takes as right, read as Canvas reads it: the exact answer if there is one, and
+    the bounds.
+    """
     found = []
     for condition in item.iter("respcondition"):
         if condition.find("setvar") is not None:
@@ -164,7 +167,9 @@ def lowered(ask: QuizAsk) -> Fraction:
 
 
 def right_in_new_quizzes(read: tuple[Fraction | None, Fraction, Fraction], typed: Fraction) -> bool:
-    """As New Quizzes mark: with a margin that is the answer less the lower bound, all in doubles."""
+    """As New Quizzes mark: with a margin that is the answer less the lower bound, all in
+    doubles.
+    """
     value, low, high = read
     if value is None:
         return float(low) <= float(typed) <= float(high)
@@ -174,7 +179,9 @@ def right_in_new_quizzes(read: tuple[Fraction | None, Fraction, Fraction], typed
 def right_in_classic_quizzes(
     read: tuple[Fraction | None, Fraction, Fraction], typed: Fraction
 ) -> bool:
-    """As Classic Quizzes mark: four decimals of what was typed, and the margin above, in exact decimals."""
+    """As Classic Quizzes mark: four decimals of what was typed, and the margin above, in exact
+    decimals.
+    """
     value, low, high = read
     kept = round(typed, 4)
     return low <= kept <= high if value is None else abs(kept - value) <= high - value
@@ -262,7 +269,8 @@ def test_an_answer_whose_unit_has_no_finer_one_is_refused_with_all_others(tmp_pa
         write(quiz, tmp_path / "quiz.zip")
     first, second = refusal.value.problems
     assert first == (
-        "exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is no longer right with the "
+        "exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is no longer right "
+        "with the "
         "four decimals that Canvas keeps - expected an answer that is - set the exam with lms = "
         '"canvas" in the bank, which refuses such draws, or allow more'
     )
@@ -295,8 +303,9 @@ def test_an_answer_is_taken_where_its_four_decimals_are_right(
 def test_answers_that_may_be_lost_at_an_edge_are_named(tmp_path: Path) -> None:
     ask = a_quiz.relative("omega", Fraction("0.0055"), unit="rad/s", share=Fraction(1, 100))
     assert write(one_ask(ask), tmp_path / "quiz.zip")[0] == (
-        "qti12: Canvas keeps four decimals, too few for q1.omega on some papers: an answer near the edge of what is "
-        "right may be marked the other way there - mark with kinegrade grade, from the students' responses"
+        "qti12: Canvas keeps four decimals, too few for q1.omega on some papers: an answer near "
+        "the edge of what is right may be marked the other way there - mark with kinegrade "
+        "grade, from the students' responses"
     )
 
 
@@ -389,19 +398,19 @@ def test_variants_of_different_worth_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ExportError) as refusal:
         write(Quiz("en", "", "Test", papers), tmp_path / "pool.zip")
     assert refusal.value.problems == (
-        "exam-P2-q1-v_B: is worth 3 points, and the first variant 5/2 - expected the same for all variants of an ask - "
-        "mend the points in the bank",
+        "exam-P2-q1-v_B: is worth 3 points, and the first variant 5/2 - expected the same for "
+        "all variants of an ask - fix the points in the bank",
     )
 
 
 def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> None:
     assert write(a_quiz.quiz(), tmp_path / "quiz.zip") == [
-        "qti12: Canvas gives a number all points or none - credit and comments for known mistakes were left out - give "
-        "them with kinegrade grade, from the students' responses",
-        "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s, of the whole class, because that "
-        "is too coarse for some answers",
-        "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign each quiz to its "
-        "students, and to nobody else, before you publish it",
+        "qti12: Canvas gives a number all points or none - credit and comments for known "
+        "mistakes were left out - give them with kinegrade grade, from the students' responses",
+        "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s, of the "
+        "whole class, because that is too coarse for some answers",
+        "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - "
+        "assign each quiz to its students, and to nobody else, before you publish it",
     ]
     assert "CORIOLIS" not in listing(tmp_path / "quiz.zip").upper()
 

@@ -1,4 +1,6 @@
-"""QTI 2.1 packages: an item answers as the exam would, for every ask, tolerance, turn and known mistake."""
+"""QTI 2.1 packages: an item answers as the exam would, for every ask, tolerance, turn and known
+mistake.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,8 @@ from tests.lms.quiz.packages import bare, files_of, listing, misplaced
 FLOW = "(p |h4 |h5 |table |ol |ul )*"
 INLINE = "#(strong |em |sup |img |textEntryInteraction )*"
 ITEM_MODELS = {
-    "assessmentItem": "(responseDeclaration )*(outcomeDeclaration )*itemBody responseProcessing (modalFeedback )*",
+    "assessmentItem": "(responseDeclaration )*(outcomeDeclaration )*itemBody responseProcessing "
+    "(modalFeedback )*",
     "responseDeclaration": "correctResponse ",
     "correctResponse": "value ",
     "value": "#",
@@ -109,7 +112,9 @@ def item(package: Path, name: str) -> Element:
 
 
 def right(test: Element, answer: Fraction | None) -> bool:
-    """What the standard says of `equal` and `or`: closed intervals, and no answer equals nothing."""
+    """What the standard says of `equal` and `or`: closed intervals, and no answer equals
+    nothing.
+    """
     if test.tag == "or":
         return any(right(part, answer) for part in test)
     value = Fraction(test.findtext("baseValue") or "")
@@ -119,7 +124,9 @@ def right(test: Element, answer: Fraction | None) -> bool:
 
 
 def marked(root: Element, answers: Mapping[str, Fraction]) -> tuple[Fraction, set[str]]:
-    """The score and the feedback that an item gives, worked out as a player of the standard would."""
+    """The score and the feedback that an item gives, worked out as a player of the standard
+    would.
+    """
     points: dict[str, Fraction] = {}
     shown: set[str] = set()
 

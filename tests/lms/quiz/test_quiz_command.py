@@ -1,4 +1,6 @@
-"""`kinegrade quiz` as instructors call it: every form, whole or not at all, refusals in one line."""
+"""`kinegrade quiz` as instructors call it: every form, whole or not at all, refusals in one
+line.
+"""
 
 from __future__ import annotations
 
@@ -61,7 +63,8 @@ def test_moodle_in_chinese_one_number_a_question_with_solutions(
     )
     assert result.exit_code == 1, result.stderr
     assert result.stderr.splitlines()[2:] == [
-        "complaint: moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are worth - set the "
+        "complaint: moodle-xml: a random question comes into a quiz at mark 1, whatever its "
+        "variants are worth - set the "
         "mark of each there: q1 v_B 3, q1 a_B 2.5, q2 v_x 1, q2 v_y 2, q3 omega_AB 3, q3 alpha_AB 4"
     ]
     text = target.read_text(encoding="utf-8")
@@ -171,12 +174,13 @@ def test_parts_that_are_too_small_or_of_another_system_are_refused(
     assert small.exit_code == 2
     assert small.stderr.startswith("error: quiz: paper 1 takes 0.0")
     assert small.stderr.endswith(
-        "MB of Moodle XML alone - expected to fit into a file of 0.01 MB - ask for larger files with --split\n"
+        "MB of Moodle XML alone - expected to fit into a file of 0.01 MB - ask for larger files "
+        "with --split\n"
     )
     package = put(*wanted, "2", "--to", "qti12")
     assert package.exit_code == 2
     assert package.stderr == (
-        "error: --split: qti12 is one package - expected moodle-xml, whose files are imported one after the other - "
-        "leave --split out, or write for fewer with --variants\n"
+        "error: --split: qti12 is one package - expected moodle-xml, whose files are imported "
+        "one after the other - leave --split out, or write for fewer with --variants\n"
     )
     assert list(tmp_path.iterdir()) == []

@@ -55,9 +55,8 @@ def test_the_examples_for_canvas_are_read_as_they_are_meant(language: Language) 
     negative, positive, german, first, second = EXAMPLE.findall(CANVAS[language])
     assert canvas_reads(negative, *ENGLISH) == Fraction("-0.866")
     assert canvas_reads(positive, *ENGLISH) == canvas_reads(german, *GERMAN) == Fraction("12.34")
-    assert (
-        canvas_reads(first, *GERMAN) == canvas_reads(second, *ENGLISH) == 1234
-    )  # what is warned of
+    # What is warned of
+    assert canvas_reads(first, *GERMAN) == canvas_reads(second, *ENGLISH) == 1234
 
 
 @given(st.integers(-(10**8), 10**8))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinegrade.figure.alike import Subject, subject
 from kinegrade.figure.paper import to_paper
+from kinegrade.figure.similar_mechanisms import Subject, subject
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.hints import FigureHints
 from tests.figure.mechanisms import slider_crank

@@ -1,4 +1,6 @@
-"""A class is printed and marked with few looks for rubbish, and leaves the looking as it found it."""
+"""A class is printed and marked with few garbage collections; afterwards there are as many as
+before.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +8,12 @@ import gc
 
 import pytest
 
-from kinegrade.collection import NEW_OBJECTS, seldom_collected
+from kinegrade.garbage_collection import NEW_OBJECTS, bulk_work
 
 
-def test_rubbish_is_seldom_looked_for_and_afterwards_as_often_as_before() -> None:
+def test_garbage_is_collected_rarely_and_afterwards_as_often_as_before() -> None:
     usual = gc.get_threshold()
-    with seldom_collected():
+    with bulk_work():
         assert gc.get_threshold()[0] == NEW_OBJECTS
         assert gc.get_freeze_count() > 0
     assert (gc.get_threshold(), gc.get_freeze_count()) == (usual, 0)
@@ -19,6 +21,6 @@ def test_rubbish_is_seldom_looked_for_and_afterwards_as_often_as_before() -> Non
 
 def test_a_failure_leaves_it_as_it_was_too() -> None:
     usual = gc.get_threshold()
-    with pytest.raises(KeyError), seldom_collected():
+    with pytest.raises(KeyError), bulk_work():
         raise KeyError
     assert gc.get_threshold() == usual

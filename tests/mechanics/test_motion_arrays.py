@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinegrade.mechanics.stacked import stacked, stacked_numbers, structure
+from kinegrade.mechanics.motion_arrays import stacked, stacked_numbers, structure
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import solve_template
 

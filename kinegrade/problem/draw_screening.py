@@ -1,6 +1,8 @@
-"""Looking ahead at draws, many at a time: which of them a known mistake would confuse with the truth.
+"""Looking ahead at draws, many at a time: which of them a known mistake would confuse with the
+truth.
 
-A look costs about the same for one instance and for hundreds; what it saw is kept until it is asked for.
+A look costs about the same for one instance and for hundreds; what it saw is kept until it is asked
+for.
 """
 
 from __future__ import annotations
@@ -21,15 +23,19 @@ Draw = Mapping[str, str]
 
 
 @dataclass
-class Foresight:
-    """What was seen of draws, by their values; nothing confuses draws of which no sample could be solved."""
+class DrawScreening:
+    """What was seen of draws, by their values; nothing confuses draws of which no sample could be
+    solved.
+    """
 
     separation: Separation | None
     seen: dict[tuple[str, ...], bool] = field(default_factory=dict)
 
     @property
     def attempts(self) -> int:
-        """How many attempts of a student are worth looking at together: most often one of them will do."""
+        """How many attempts of a student are worth looking at together: most often one of them will
+        do.
+        """
         usable = 1.0 if self.separation is None else self.separation.usable
         return min(MOST, ceil(2 / max(usable, 1 / MOST)))
 
@@ -48,24 +54,26 @@ class Foresight:
             )
 
 
-def foresight(
+def draw_screening(
     template: Template,
     asks: Sequence[str],
     tolerances: Mapping[str, Tolerance],
     sample: Sequence[Draw],
-) -> Foresight:
-    """Ready to look at draws of a question, of which `sample` shows what mistakes can be kept apart at all.
+) -> DrawScreening:
+    """Ready to look at draws of a question, of which `sample` shows what mistakes can be kept apart
+    at all.
 
-    Where nothing is asked, as of a template whose asks are all on request, no mistake confuses anything.
+    Where nothing is asked, as of a template whose asks are all on request, no mistake confuses
+    anything.
     """
     if not asks:
-        return Foresight(None)
+        return DrawScreening(None)
     for draw in sample[:TRIED]:
         try:
             plan = solve_template(template, draw, asks).motion.plan
         except KinegradeError:
             continue
-        return Foresight(
+        return DrawScreening(
             separation(
                 template,
                 {name: template.asks[name] for name in asks},
@@ -74,7 +82,7 @@ def foresight(
                 columns(sample),
             )
         )
-    return Foresight(None)
+    return DrawScreening(None)
 
 
 def columns(draws: Sequence[Draw]) -> dict[str, list[str]]:

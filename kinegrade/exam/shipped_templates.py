@@ -15,7 +15,9 @@ from kinegrade.problem.template import Template
 
 @dataclass(frozen=True)
 class Shelf:
-    """Templates in alphabetical order, found by words: `words["tag"][name]` are the tags of a template."""
+    """Templates in alphabetical order, found by words: `words["tag"][name]` are the tags of a
+    template.
+    """
 
     templates: Mapping[str, Template]
     words: Mapping[str, Mapping[str, frozenset[str]]]

@@ -1,4 +1,6 @@
-"""What an author chooses by a word: tags by which banks find a template, the method of its worked solution."""
+"""What an author chooses by a word: tags by which banks find a template, the method of its worked
+solution.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,9 @@ def read_tags(words: list[Any], fault: Fault) -> tuple[str, ...]:
 
 
 def read_method(word: Any, fault: Fault) -> Method | None:
-    """The method by which velocities are worked out where several serve; None leaves the choice to the engine."""
+    """The method by which velocities are worked out where several serve; None leaves the choice to
+    the engine.
+    """
     chosen = next((method for method in METHODS if method == word), None)
     if word is not None and chosen is None:
         fault("method", f"expected one of {', '.join(METHODS)}")

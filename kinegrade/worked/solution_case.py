@@ -1,4 +1,6 @@
-"""The solved instance whose solution is worked out, with the language and the method it is told in."""
+"""The solved instance whose solution is worked out, with the language and the method it is told
+in.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,9 @@ class Case:
         return Naming(self.template, self.language)
 
     def joint(self, term: Term) -> JointSentence | None:
-        """The sentence of the joint that guides a sliding or circling point, None for a free point."""
+        """The sentence of the joint that guides a sliding or circling point, None for a free
+        point.
+        """
         kind, point, bodies = term.rate.split(" ")[:3]
         if kind == "free":
             return None

@@ -1,4 +1,6 @@
-"""An honest student: works rightly, writes every intermediate value down rounded, and gets full marks."""
+"""An honest student: works rightly, writes every intermediate value down rounded, and gets full
+marks.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ from kinegrade.exact.rounding import Rounded, Sparing
 from kinegrade.mechanics.doubles import in_doubles
 from kinegrade.problem.checking import check, drawable
 from kinegrade.problem.drawing import Deck, Refused, examine
-from kinegrade.problem.honest import (
+from kinegrade.problem.honest_rounding import (
     Stray,
     Target,
     by_arms,
@@ -71,9 +73,8 @@ def test_a_small_difference_of_written_values_strays() -> None:
 
 
 def test_what_cannot_be_found_strays_too() -> None:
-    solution = solved(
-        crank(), r="1.0065", h="1.006"
-    )  # A is put down at y = 1.01: the crank does not reach it
+    # A is put down at y = 1.01: the crank does not reach it
+    solution = solved(crank(), r="1.0065", h="1.006")
     assert stray(solution, {}) == Stray("v_x", 3, None)
     assert (
         str(Stray("v_x", 3, None)) == "v_x: cannot be found when 3 significant figures are carried"
@@ -189,7 +190,9 @@ def test_check_tells_the_author_which_answer_often_strays() -> None:
 
 @pytest.mark.parametrize("name", template_names())
 def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
-    """The work of the honest student is the mechanics of the key, in other arithmetic and from rounded terms."""
+    """The work of the honest student is the mechanics of the key, in other arithmetic and from
+    rounded terms.
+    """
     template, all_figures = load_template(name), Rounded(14)
     for values in list(drawable(template, 40))[:3]:
         try:

@@ -1,7 +1,9 @@
-"""Mechanisms that differ only in size and speed have one figure, and a class's papers hold many such.
+"""Mechanisms that differ only in size and speed have one figure, and a class's papers hold many
+such.
 
-A figure is to scale, but the scale is chosen to fill the paper, so it shows shape alone; of given motions it shows the
-sense, and none that an arrow's hint tells. What it shows is brought here to a form in which alike mechanisms are equal.
+A figure is to scale, but the scale is chosen to fill the paper, so it shows shape alone; of given
+motions it shows the sense, and none that an arrow's hint tells. What it shows is brought here to a
+form in which alike mechanisms are equal.
 """
 
 from __future__ import annotations
@@ -25,7 +27,9 @@ DECIMALS = (
 
 @dataclass(frozen=True)
 class Subject:
-    """What a figure shows: a mechanism of unit size with its hints; two are equal when their texts are."""
+    """What a figure shows: a mechanism of unit size with its hints; two are equal when their texts
+    are.
+    """
 
     text: str
     mechanism: Mechanism = field(compare=False)
@@ -52,7 +56,9 @@ def _lengths(mechanism: Mechanism) -> list[float]:
 
 
 def _settled(part: Any) -> Any:
-    """A vector, line, circle or joint without the last bits of its numbers; directions of unit length."""
+    """A vector, line, circle or joint without the last bits of its numbers; directions of unit
+    length.
+    """
     if isinstance(part, float):
         return round(part, DECIMALS)
     if isinstance(part, Vector):

@@ -90,7 +90,9 @@ def needs_of(tree: Expression, motion: Motion, quantities: Quantities) -> Needs:
 
 
 def steps_needed(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
-    """The steps of the plan for velocities and for accelerations that the needs ask for, in the plan's order."""
+    """The steps of the plan for velocities and for accelerations that the needs ask for, in the
+    plan's order.
+    """
     changes = followed(motion, set(needs.changes))
     rates = set(needs.rates)
     for step in changes:
@@ -124,7 +126,9 @@ def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
 
 
 def speaking_of(motion: Motion, index: int) -> Iterable[str]:
-    """The rates on which a relation's accelerations depend: its own, and those of the frames it is told in."""
+    """The rates on which a relation's accelerations depend: its own, and those of the frames it is
+    told in.
+    """
     relation = motion.frames.relations[index]
     chains: list[Chain] = [relation.left, relation.right]
     frames = {term.frame for chain in chains for term in chain} | {relation.frame}

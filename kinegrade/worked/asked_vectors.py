@@ -1,4 +1,6 @@
-"""The vectors that an answer speaks of, each found before it is used: of points, relative, Coriolis, about a base."""
+"""The vectors that an answer speaks of, each found before it is used: of points, relative,
+Coriolis, about a base.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,6 @@ from kinegrade.mechanics.relations import Term, total
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, term_parts
 from kinegrade.problem.quantities import Quantities
-from kinegrade.worked.case import LETTERS, Case
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.numbers import absolute_value, bracketed, double, length, short, stated
 from kinegrade.worked.phrases import phrase
@@ -28,6 +29,7 @@ from kinegrade.worked.points import (
     way,
 )
 from kinegrade.worked.scalars import turning, turning_value
+from kinegrade.worked.solution_case import LETTERS, Case
 from kinegrade.worked.summands import sum_line
 
 Found = Generator[Block, None, Fact]
@@ -43,7 +45,9 @@ LEVELS: dict[str, Level] = {
 
 
 def is_vector_call(tree: Expression) -> bool:
-    """Whether an expression is a vector of the motion: a velocity or an acceleration, or a sum of such."""
+    """Whether an expression is a vector of the motion: a velocity or an acceleration, or a sum of
+    such.
+    """
     if isinstance(tree, Operation) and tree.sign in "+-":
         return is_vector_call(tree.right)
     return isinstance(tree, Call) and tree.function in LEVELS
@@ -58,7 +62,9 @@ class Facts:
     quantities: Quantities
 
     def find(self, tree: Expression) -> Found:
-        """The vector of an expression, with the blocks that tell how it is found unless that has been told."""
+        """The vector of an expression, with the blocks that tell how it is found unless that has
+        been told.
+        """
         if tree not in self.findings.told:
             self.findings.told[tree] = yield from self.found(tree)
         return self.findings.told[tree]
@@ -101,7 +107,9 @@ class Facts:
         return self.findings.facts.get(key_of(chain, level), nothing)
 
     def symbol(self, point: str, body: str, level: Level) -> str:
-        """The symbol of a point's vector; with the body where the point belongs to several that move apart."""
+        """The symbol of a point's vector; with the body where the point belongs to several that
+        move apart.
+        """
         try:
             usual = self.quantities.owner(point, None)
         except ExpressionError:
@@ -115,7 +123,9 @@ class Facts:
         return f"{plain[:-1]}({self.case.naming.letters(body)})}}"
 
     def relative(self, point: str, body: str, frame: str, level: Level) -> Found:
-        """The relative velocity or acceleration: along its track, else what the absolute and the transport leave."""
+        """The relative velocity or acceleration: along its track, else what the absolute and the
+        transport leave.
+        """
         term = self.track(point, body, frame)
         number = self.findings.numbers.get(term.rate, "") if term else ""
         name = rf"{LETTERS[level]}_{{\mathrm{{r}}{number}}}"
@@ -167,7 +177,9 @@ class Facts:
         return Fact(name, absolute.value - total(value for _, value in parts[1:]), True)
 
     def coriolis(self, point: str, body: str, frame: str) -> Found:
-        """The Coriolis acceleration, twice the frame's angular velocity times the relative speed."""
+        """The Coriolis acceleration, twice the frame's angular velocity times the relative
+        speed.
+        """
         relative = yield from self.find(
             Call("relative_velocity", (Name(point), Name(body), Name(frame)))
         )
@@ -238,7 +250,9 @@ class Facts:
 
 
 def level_of(tree: Expression) -> Level:
-    """Whether a vector of the motion is a velocity or an acceleration; a sum is what its last summand is."""
+    """Whether a vector of the motion is a velocity or an acceleration; a sum is what its last
+    summand is.
+    """
     match tree:
         case Call(function=function):
             return LEVELS[function]

@@ -21,13 +21,17 @@ SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a firs
 
 
 def without_givens(hints: FigureHints) -> FigureHints:
-    """The hints about the mechanism itself: no dimensions, angles, radii, given motions and axes."""
+    """The hints about the mechanism itself: no dimensions, angles, radii, given motions and
+    axes.
+    """
     return replace(hints, lengths=(), angles=(), radii=(), arrows=(), axes=False)
 
 
 @dataclass(frozen=True)
 class BareMechanism:
-    """A mechanism (metres) without what is given, with `beside` it the points that must be in the picture."""
+    """A mechanism (metres) without what is given, with `beside` it the points that must be in the
+    picture.
+    """
 
     mechanism: Mechanism
     hints: FigureHints
@@ -47,7 +51,9 @@ class BareMechanism:
         return span_of(self.mechanism, self.hints, self.beside)
 
     def first_scale(self, height: float = HEIGHT) -> float:
-        """The largest scale, in millimetres per metre, at which the mechanism's own symbols fit under that height."""
+        """The largest scale, in millimetres per metre, at which the mechanism's own symbols fit
+        under that height.
+        """
         across, upward = (max(size, 1e-9) for size in self.span)
         guess = min((WIDTH - SURROUND) / across, (height - SURROUND) / upward)
         drawn = box_around(self.at(guess)[1].primitives)
@@ -67,6 +73,8 @@ def bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
 
 
 def pins(primitives: Iterable[Primitive]) -> tuple[Primitive, ...]:
-    """The small circles of pins and marked points, to be drawn once more on top of arrows that start there."""
+    """The small circles of pins and marked points, to be drawn once more on top of arrows that
+    start there.
+    """
     discs = (part for part in primitives if isinstance(part, Disc) and part.fill != "none")
     return tuple(disc for disc in discs if disc.radius <= LARGEST_PIN)

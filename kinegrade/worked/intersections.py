@@ -1,7 +1,8 @@
-"""Points in which lines and circles meet, and feet of perpendiculars: the equations and how they are solved.
+"""Points in which lines and circles meet, and feet of perpendiculars: the equations and how they
+are solved.
 
-A line along an axis gives a coordinate at once; a slanting one is run along by the distance s from its point. Two
-circles are solved in the triangle of their centres and the point.
+A line along an axis gives a coordinate at once; a slanting one is run along by the distance s from
+its point. Two circles are solved in the triangle of their centres and the point.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from kinegrade.worked.coordinates import (
 )
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_text import quarter_turns
-from kinegrade.worked.instance import AREA, DEGREE, METRE, PURE, Instance
+from kinegrade.worked.instance_formulas import AREA, DEGREE, METRE, PURE, Instance
 from kinegrade.worked.position_words import PositionWords, position_words, sense
 from kinegrade.worked.vector_words import vector_words
 
@@ -200,7 +201,8 @@ def slanting_chord(
     reach = root(minus(square(Name(first)), Name(second)))
     share = (minus if ahead < 0 else plus)(minus(ZERO, Name(first)), reach)
     return (
-        rf"{letter('s', instance)}^{{2}} + 2\,{symbol(first)}\,{letter('s', instance)} + {symbol(second)} &= 0",
+        rf"{letter('s', instance)}^{{2}} + 2\,{symbol(first)}\,{letter('s', instance)} + "
+        rf"{symbol(second)} &= 0",
         *further.equation(symbol(first), middle),
         *further.equation(symbol(second), rest, AREA),
         *run_along(point, base, along, share, further),
@@ -208,7 +210,9 @@ def slanting_chord(
 
 
 def unit_line(line: Line, instance: Instance) -> Line:
-    """A line with a direction of length one: as it is where given by an angle, else divided by its length."""
+    """A line with a direction of length one: as it is where given by an angle, else divided by its
+    length.
+    """
     base, along = line
     if (
         ONE in along

@@ -1,4 +1,6 @@
-"""How a solution has told a vector that is known by now: by an algebraic value, and along which sense."""
+"""How a solution has told a vector that is known by now: by an algebraic value, and along which
+sense.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +9,13 @@ from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.case import Case
 from kinegrade.worked.numbers import double
+from kinegrade.worked.solution_case import Case
 
 
 def sense_told(term: Term, case: Case) -> int:
-    """1 where a term's value has been told along the vector that its rate multiplies, -1 where against it.
+    """1 where a term's value has been told along the vector that its rate multiplies, -1 where
+    against it.
 
     A driver may impose a point's motion in the direction opposite to the joint's.
     """
@@ -39,7 +42,9 @@ def positive_sense(term: Term, case: Case) -> Vector:
 
 
 def is_told_negative(term: Term, case: Case, level: Level) -> bool:
-    """Whether an algebraic value below zero has been told for a term fixed to the ground: given, or solved for."""
+    """Whether an algebraic value below zero has been told for a term fixed to the ground: given, or
+    solved for.
+    """
     rate = case.rates(level)[term.rate]
     if term.frame != GROUND or double(rate) * sense_told(term, case) >= 0:
         return False
@@ -47,7 +52,9 @@ def is_told_negative(term: Term, case: Case, level: Level) -> bool:
 
 
 def path_of(chain: Chain, case: Case) -> Term | None:
-    """The one term that by another way gives the motion which a chain gives, None where there is none."""
+    """The one term that by another way gives the motion which a chain gives, None where there is
+    none.
+    """
     for relation in case.motion.frames.relations:
         for same, other in ((relation.left, relation.right), (relation.right, relation.left)):
             if chain and ways(same) == ways(chain) and len(other) == 1:
@@ -61,7 +68,9 @@ def ways(chain: Chain) -> tuple[tuple[str, str, str], ...]:
 
 
 def is_vector_result(rate: str, case: Case) -> bool:
-    """Whether a rate comes out of a vector equation, so that the vector's value has been written beside it."""
+    """Whether a rate comes out of a vector equation, so that the vector's value has been written
+    beside it.
+    """
     step = next((step for step in case.motion.plan.steps if rate in step.unknowns), None)
     relations = [case.motion.frames.relations[index] for index in step.relations] if step else []
     return any(relation.is_vector for relation in relations)

@@ -1,4 +1,6 @@
-"""Honest work for many instances at once: never right where an instance alone is not, and mostly found right."""
+"""Honest work for many instances at once: never right where an instance alone is not, and mostly
+found right.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +9,8 @@ import re
 import pytest
 
 from kinegrade.problem.drawing import Deck, Refused, examine, examine_together, sensible
-from kinegrade.problem.honest import stray
-from kinegrade.problem.honest_together import surely_honest
+from kinegrade.problem.honest_rounding import stray
+from kinegrade.problem.honest_rounding_arrays import surely_honest
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Template
@@ -69,9 +71,8 @@ def test_so_few_are_left_to_be_worked_out_alone() -> None:
 def test_an_instance_that_cannot_be_found_spoils_nobody_else() -> None:
     template = crank(('draw = [0, "1/2", 3]', 'draw = ["1/2", "1.006"]'))
     values = [{"r": "2", "h": "1/2", "omega": str(number)} for number in range(2, 8)]
-    values.insert(
-        2, {"r": "1.0065", "h": "1.006", "omega": "2"}
-    )  # put down at y = 1.01: the crank does not reach it
+    # Put down at y = 1.01: the crank does not reach it
+    values.insert(2, {"r": "1.0065", "h": "1.006", "omega": "2"})
     found = [sensible(template, given, template.asks, None) for given in values]
     sure = surely_honest(found, {})
     assert not sure[2]

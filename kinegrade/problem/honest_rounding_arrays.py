@@ -1,8 +1,9 @@
-"""Honest work with rounded numbers for many instances at once: for which of them all answers surely come out right.
+"""Honest work with rounded numbers for many instances at once: for which of them all answers surely
+come out right.
 
-The ways of working are those of `kinegrade.problem.honest`, in arithmetic that gives every instance what it gives
-alone, to the last bit; so it does not matter which instances are looked at together. What is not settled here, or not
-right, is left to `honest.stray`.
+The ways of working are those of `kinegrade.problem.honest_rounding`, in arithmetic that gives every
+instance what it gives alone, to the last bit; so it does not matter which instances are looked at
+together. What is not settled here, or not right, is left to `honest_rounding.stray`.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from numpy.typing import NDArray
 
 from kinegrade.exact.rounded_arrays import RoundedArrays
 from kinegrade.expression import Expression, Operation, every_part
-from kinegrade.mechanics.stacked import stacked, stacked_numbers, stacked_vector, structure
+from kinegrade.mechanics.motion_arrays import stacked, stacked_numbers, stacked_vector, structure
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.honest import (
+from kinegrade.problem.honest_rounding import (
     Target,
     by_arms,
     by_coordinates,
@@ -53,7 +54,9 @@ class Instance:
 
 
 def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolerance]) -> list[bool]:
-    """For each solution of a template whether all honest work surely comes out right; else `honest.stray` decides."""
+    """For each solution of a template whether all honest work surely comes out right; else
+    `honest_rounding.stray` decides.
+    """
     sure = [False] * len(solutions)
     if not solutions or not together(solutions[0].template, solutions[0].answers):
         return sure
@@ -68,8 +71,9 @@ def surely_honest(solutions: Sequence[Solution], tolerances: Mapping[str, Tolera
 
 
 def together(template: Template, asks: Iterable[str]) -> bool:
-    """Whether a template's instances can be worked out together: powers of arrays may differ in the last bit, and a
-    centrode is known alone."""
+    """Whether a template's instances can be worked out together: powers of arrays may differ in the
+    last bit, and a centrode is known alone.
+    """
     quantities = [template.asks[name].quantity for name in asks]
     sentences = [
         getattr(sentence, part)
@@ -91,8 +95,9 @@ def has_power(tree: Expression | None) -> bool:
 
 
 def passed(instances: Sequence[Instance]) -> Flags:
-    """Which instances of one kind surely come out right. Where one that is not settled leads to what is no number,
-    the others are looked at again without it."""
+    """Which instances of one kind surely come out right. Where one that is not settled leads to
+    what is no number, the others are looked at again without it.
+    """
     sure = np.zeros(len(instances), dtype=bool)
     places = np.arange(len(instances))
     while len(places) >= FEW:
@@ -149,7 +154,9 @@ def verdicts(instances: Sequence[Instance]) -> Iterator[tuple[Flags, RoundedArra
 
 
 def met(aims: Sequence[Target], worked: Any, figures: int) -> Flags:
-    """Where an answer is right, as it came out and however it is written; next to its bounds one by one."""
+    """Where an answer is right, as it came out and however it is written; next to its bounds one by
+    one.
+    """
     if worked is None:
         return np.zeros(len(aims), dtype=bool)
     worked = np.broadcast_to(worked, len(aims))

@@ -1,14 +1,14 @@
-"""How far an honest student can be off who works rightly and writes every intermediate value down rounded.
+"""How far an honest student can be off who works rightly and writes every intermediate value down
+rounded.
 
 Three ways of working are followed, because none is the sternest everywhere:
 
-by coordinates, where each constructed point is written down and used for the next;
-by arms, where positions stay in the calculator, and lengths, directions and every term of a vector equation are written
-down;
-sparingly, where the solved rates alone are written down.
+by coordinates, where each constructed point is written down and used for the next; by arms, where
+positions stay in the calculator, and lengths, directions and every term of a vector equation are
+written down; sparingly, where the solved rates alone are written down.
 
-Given lengths and angles are used as the paper states them; rates are written down, given ones too. The answer counts as
-it comes out, and rounded like everything else.
+Given lengths and angles are used as the paper states them; rates are written down, given ones too.
+The answer counts as it comes out, and rounded like everything else.
 """
 
 from __future__ import annotations
@@ -41,7 +41,8 @@ from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
 DEGREES = 180 / pi  # as `math.degrees` has it
 DISPLAY = 10  # significant figures that a calculator shows and somebody may type
-SAFELY = 0.5000001  # of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
+# Of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
+SAFELY = 0.5000001
 LOST = (
     KinegradeError,
     Singular,
@@ -52,8 +53,9 @@ LOST = (
 
 @dataclass(frozen=True)
 class Stray:
-    """An answer that honest work leaves too far off: what came out with so many significant figures, in the ask's
-    unit; None where rounding leaves nothing to be worked out."""
+    """An answer that honest work leaves too far off: what came out with so many significant
+    figures, in the ask's unit; None where rounding leaves nothing to be worked out.
+    """
 
     ask: str
     figures: int
@@ -66,8 +68,9 @@ class Stray:
 
 @dataclass(frozen=True)
 class Target:
-    """What is right for one ask: the smallest and the largest right answer, the exact one, a full turn where turns do
-    not matter (else 0), and the significant figures to be carried."""
+    """What is right for one ask: the smallest and the largest right answer, the exact one, a full
+    turn where turns do not matter (else 0), and the significant figures to be carried.
+    """
 
     low: float
     high: float
@@ -76,7 +79,9 @@ class Target:
     figures: int
 
     def met(self, worked: float | None, figures: int) -> bool:
-        """Whether an answer is right as it came out, and written to so many significant figures or to more."""
+        """Whether an answer is right as it came out, and written to so many significant figures or
+        to more.
+        """
         if worked is None:
             return False
         near = nearest_turn(worked, self.exact, self.turn)
@@ -90,12 +95,16 @@ class Target:
 
 
 def safe_room(size: Any, figures: int) -> Any:
-    """More than a number of that size, or numbers, can change when written to so many significant figures."""
+    """More than a number of that size, or numbers, can change when written to so many significant
+    figures.
+    """
     return SAFELY * size * 10.0 ** (1 - figures) + NOTHING
 
 
 def stray(solution: Solution, tolerances: Mapping[str, Tolerance]) -> Stray | None:
-    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if there is one."""
+    """The first answer that honest work leaves outside its tolerance (1 % where none is stated), if
+    there is one.
+    """
     aims = targets(solution, tolerances)
     for figures, every in carried_figures(aims):
         concerned = {
@@ -122,8 +131,9 @@ def targets(solution: Solution, tolerances: Mapping[str, Tolerance]) -> dict[str
 
 
 def carried_figures(aims: Mapping[str, Target]) -> list[tuple[int, bool]]:
-    """The significant figures that are carried: three, or as many as a tolerance takes to be met at all, and then all
-    ways of working are followed; and one more."""
+    """The significant figures that are carried: three, or as many as a tolerance takes to be met at
+    all, and then all ways of working are followed; and one more.
+    """
     least = {aim.figures for aim in aims.values()}
     return [
         (figures, figures in least) for figures in sorted(least | {count + 1 for count in least})
@@ -143,8 +153,10 @@ def target(ask: Ask, answer: Quantity, tolerance: Tolerance, motion: MotionInDou
 def workings(
     solution: Solution, motion: Motion, figures: int, *, every: bool
 ) -> Iterator[dict[str, float]]:
-    """The answers of honest students who carry so many significant figures, in the asks' units; what cannot be found
-    is left out. `motion` is the solution's in doubles. All three ways where `every` is true, else the quickest one."""
+    """The answers of honest students who carry so many significant figures, in the asks' units;
+    what cannot be found is left out. `motion` is the solution's in doubles. All three ways where
+    `every` is true, else the quickest one.
+    """
     yield by_arms(solution, motion, Rounded(figures))
     if every:
         yield by_arms(solution, motion, Sparing(figures))
@@ -166,7 +178,9 @@ def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
 
 
 def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
-    """The answers of one who keeps positions in the calculator; `rounded` says what else is written down."""
+    """The answers of one who keeps positions in the calculator; `rounded` says what else is written
+    down.
+    """
     values = {
         name: in_double(value)
         for name, value in solution.assembly.values.items()
@@ -221,7 +235,9 @@ def worked_answer(
 
 
 def turn_of(ask: Ask) -> float:
-    """A full turn in the unit of an angle that is right with any number of turns; 0 for everything else."""
+    """A full turn in the unit of an angle that is right with any number of turns; 0 for everything
+    else.
+    """
     if not ask.cyclic:
         return 0.0
     return 360.0 if ask.unit.degrees else tau
@@ -248,7 +264,9 @@ def in_double(value: Any) -> Any:
 
 
 def plain(number: Any) -> Any:
-    """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they are."""
+    """A number of any arithmetic as a double, angles in radians; arrays of doubles stay what they
+    are.
+    """
     if isinstance(number, np.ndarray):
         return number
     return float(number.ball() if isinstance(number, Angle) else number)

@@ -1,4 +1,6 @@
-"""A deduction as equations: with symbols, with this paper's numbers, and what follows exactly and as a decimal."""
+"""A deduction as equations: with symbols, with this paper's numbers, and what follows exactly and
+as a decimal.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +11,13 @@ from typing import Any
 
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
-from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_width import chained
 from kinegrade.worked.numbers import angle_text, double, length, short, stated
 from kinegrade.worked.phrases import phrase
 from kinegrade.worked.projection import Deduction, Projection, Share
 from kinegrade.worked.senses import sense_along, sense_of_rotation
+from kinegrade.worked.solution_case import Case
 from kinegrade.worked.vectors import arm, ends_of_track, letters_of, magnitude_formula, symbol
 
 NUMBER = re.compile(r"-?[0-9.]+")
@@ -46,7 +48,9 @@ class Stage:
         ]
 
     def unknown_text(self, equation: VectorEquation, part: Part) -> str:
-        """An unknown as equations write it: the vector's symbol, or arm times rate where several vectors share it."""
+        """An unknown as equations write it: the vector's symbol, or arm times rate where several
+        vectors share it.
+        """
         formula = magnitude_formula(equation, part, self.case)
         alone = len(self.occurrences(part.unknown or "")) == 1
         return symbol(equation, part, self.case) if alone or not formula else formula
@@ -54,7 +58,8 @@ class Stage:
     def share_size(
         self, equation: VectorEquation, part: Part, solved: Collection[str] | None
     ) -> str:
-        """A share of a projection before its cosine: in symbols, or in numbers where the rates `solved` are known.
+        """A share of a projection before its cosine: in symbols, or in numbers where the rates
+        `solved` are known.
 
         An unknown one stays a symbol in numbers too, with the number by which it is multiplied.
         """
@@ -70,7 +75,8 @@ class Stage:
             return short(along_direction(part.term, self.case, self.level))
         if len(self.occurrences(part.unknown)) == 1 or part.term.kind == "sliding":
             return symbol(equation, part, self.case)
-        return rf"{short(length(part.term.vector, self.case.arithmetic))}\,{rate_symbol(part.term, self)}"
+        arm = short(length(part.term.vector, self.case.arithmetic))
+        return rf"{arm}\,{rate_symbol(part.term, self)}"
 
     def sides(self, projection: Projection, solved: Collection[str] | None) -> tuple[str, str]:
         """The two sides of a projection, in symbols or in numbers."""
@@ -104,7 +110,9 @@ def with_cosine(size: str, angle: float) -> str:
 
 
 def rate_symbol(term: Term, stage: Stage) -> str:
-    """The symbol of the rotation in a term; of a circling point, whose rate has none, the vector's length."""
+    """The symbol of the rotation in a term; of a circling point, whose rate has none, the vector's
+    length.
+    """
     if term.kind != "rotation":
         return ""
     body = term.rate.removeprefix("omega ")
@@ -139,7 +147,9 @@ def projected_lines(stage: Stage, projection: Projection, solved: Collection[str
 def solved_lines(
     stage: Stage, projection: Projection, solved: Collection[str], rate: str
 ) -> Iterator[str]:
-    """A projection with one unknown and what follows; in one chain where the unknown stands alone on a side."""
+    """A projection with one unknown and what follows; in one chain where the unknown stands alone
+    on a side.
+    """
     left, value = next(results(stage, rate)).split(" &= ", 1)
     sides, numbers = stage.sides(projection, None), stage.sides(projection, solved)
     if left not in sides:
@@ -190,7 +200,9 @@ def rotation_result(rate: str, case: Case, level: Level, how: str) -> str:
 
 
 def vector_value(part: Part, case: Case, level: Level) -> str:
-    """The algebraic value of an unknown vector along its positive direction, with its sense in words."""
+    """The algebraic value of an unknown vector along its positive direction, with its sense in
+    words.
+    """
     if part.term is None or part.coefficient is None:
         return stated(length(part.value, case.arithmetic), UNITS[level, False])
     value = along_direction(part.term, case, level)
@@ -200,7 +212,9 @@ def vector_value(part: Part, case: Case, level: Level) -> str:
 
 
 def ends_of_path(part: Part, case: Case) -> tuple[str, str] | None:
-    """The points of the line along which a part lies, in its positive sense; None where no two points tell it."""
+    """The points of the line along which a part lies, in its positive sense; None where no two
+    points tell it.
+    """
     ends = ends_of_track(part.term, case) if part.term and part.term.kind == "sliding" else None
     if ends is None or part.coefficient is None:
         return None

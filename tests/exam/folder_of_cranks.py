@@ -1,4 +1,6 @@
-"""Templates to draw from: three cranks, two gears whose acceleration is asked, a cam with a tag of its own."""
+"""Templates to draw from: three cranks, two gears whose acceleration is asked, a cam with a tag of
+its own.
+"""
 
 from __future__ import annotations
 

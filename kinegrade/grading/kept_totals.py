@@ -1,7 +1,9 @@
-"""Nobody loses by a new marking: the total that was announced stands where the new one would be lower.
+"""Nobody loses by a new marking: the total that was announced stands where the new one would be
+lower.
 
-Totals are compared, not single answers: who loses two points in one question and gains three in another has gained. A
-total counts by its share of what there was to get, so that leaving out a void question takes nothing from anybody.
+Totals are compared, not single answers: who loses two points in one question and gains three in
+another has gained. A total counts by its share of what there was to get, so that leaving out a void
+question takes nothing from anybody.
 """
 
 from __future__ import annotations
@@ -37,7 +39,8 @@ class Kept:
 
 
 def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tuple[Kept, ...]]:
-    """The marks in which nobody's share of the points is below the earlier one, and whose total that changes.
+    """The marks in which nobody's share of the points is below the earlier one, and whose total
+    that changes.
 
     Works on `Marks`, or on `ClassGrades` alone.
     """
@@ -54,7 +57,9 @@ def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tup
 
 
 def _kept(marks: ClassGrades, before: Mapping[str, Total]) -> Iterator[Kept]:
-    """Compared as both are written, or the rounding of a third of a point would look like a loss."""
+    """Compared as both are written, or the rounding of a third of a point would look like a
+    loss.
+    """
     for grade in marks.grades:
         earlier = before.get(grade.student)
         if earlier is None or not grade.out_of:

@@ -1,4 +1,5 @@
-"""A solved instance as formulas are written for it: symbols on one side, this paper's numbers on the other.
+"""A solved instance as formulas are written for it: symbols on one side, this paper's numbers on
+the other.
 
 x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\mathrm{m}
 """
@@ -39,7 +40,9 @@ AREA = read_unit("m^2")
 
 @dataclass(frozen=True)
 class Instance:
-    """What formulas of a solved instance need: its steps and axes, symbols of names, and values in SI."""
+    """What formulas of a solved instance need: its steps and axes, symbols of names, and values in
+    SI.
+    """
 
     solution: Solution
     steps: tuple[Step, ...]
@@ -115,7 +118,9 @@ class Instance:
             return in_unit("", value, unit)
 
     def proportion(self, left: str, tree: Expression, unit: Unit) -> tuple[str, ...]:
-        """left, up to a factor, as the formula = the same with numbers = the value; a zero is one without a factor."""
+        """left, up to a factor, as the formula = the same with numbers = the value; a zero is one
+        without a factor.
+        """
         results = result(self.quantity(self.value(tree), unit))
         worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
         (_, first), *others = told_once(() if isinstance(tree, Number) else worked, results)
@@ -200,20 +205,26 @@ def substituted(value: Any) -> str:
 
 
 def settled(quantity: Quantity) -> str | None:
-    """The decimal of an enclosure that is a number of few digits as far as can be told; None for any other."""
+    """The decimal of an enclosure that is a number of few digits as far as can be told; None for
+    any other.
+    """
     text = quantity.decimal(20)
     return text if len(text.strip("-").lstrip("0.")) <= 6 else None
 
 
 def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part, ...]:
-    """All parts of an equation; the last of the working is dropped where it is the result but for its unit."""
+    """All parts of an equation; the last of the working is dropped where it is the result but for
+    its unit.
+    """
     if worked and results and results[0][1].split(r"\,\mathrm")[0] == worked[-1][1]:
         worked = worked[:-1]
     return worked + results
 
 
 def result(quantity: Quantity, longest: int = LONGEST_EXACT) -> tuple[Part, ...]:
-    """The value at the end of an equation: exact where it is short enough, then rounded where that says less."""
+    """The value at the end of an equation: exact where it is short enough, then rounded where that
+    says less.
+    """
     if quantity.is_zero:
         return (("=", "0"),)
     if quantity.is_plain:

@@ -1,8 +1,9 @@
-"""Thousands of numbers held against thousands of keys at once, in double precision, and what is certain of it.
+"""Thousands of numbers held against thousands of keys at once, in double precision, and what is
+certain of it.
 
-`block_judge` uses it; what is not certain is decided exactly by `judge`. Certain is a comparison whose verdict, and
-every digit of whose reason, would be the same for all numbers within the errors of double precision: so the outcome
-is always the exact one.
+`block_judge` uses it; what is not certain is decided exactly by `judge`. Certain is a comparison
+whose verdict, and every digit of whose reason, would be the same for all numbers within the errors
+of double precision: so the outcome is always the exact one.
 """
 
 from __future__ import annotations
@@ -58,7 +59,9 @@ def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """What came of comparing: `right` holds where `decided` does, and `reasons` holds where `certain` does."""
+    """What came of comparing: `right` holds where `decided` does, and `reasons` holds where
+    `certain` does.
+    """
 
     right: Flags
     decided: Flags
@@ -92,7 +95,9 @@ class Comparison:
 
 
 def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
-    """False only where `compare` would certainly find no agreement; it costs a fraction of comparing."""
+    """False only where `compare` would certainly find no agreement; it costs a fraction of
+    comparing.
+    """
     with np.errstate(all="ignore"):
         size = np.abs(centres)
         room = np.maximum(rules.relative * size, rules.absolute)
@@ -103,7 +108,9 @@ def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
 
 
 def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
-    """Holds each value against the right one beside it; a value that is not a number gives nothing certain."""
+    """Holds each value against the right one beside it; a value that is not a number gives nothing
+    certain.
+    """
     with np.errstate(all="ignore"):  # what overflows or is no number is not certain
         difference, size = np.abs(values - centres), np.abs(centres)
         tolerance = np.maximum(rules.relative * size, rules.absolute)
@@ -130,7 +137,9 @@ def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
 def _to_figures(
     centres: Numbers, rules: Rules, low: Numbers, high: Numbers
 ) -> tuple[Numbers, Numbers, Flags]:
-    """The bounds where answers have to agree to significant figures, and whether they are certain."""
+    """The bounds where answers have to agree to significant figures, and whether they are
+    certain.
+    """
     asked = (rules.figures > 0) & (centres != 0)
     power = np.floor(np.log10(np.abs(centres)))
     unit = 10.0 ** (power - rules.figures + 1)
@@ -146,7 +155,9 @@ def _to_figures(
 
 
 def _written_alike(numbers: Numbers, error: Numbers) -> Flags:
-    """Whether all that lies within the error of a number is written with the same six digits; zero only if exact."""
+    """Whether all that lies within the error of a number is written with the same six digits; zero
+    only if exact.
+    """
     power = DIGITS - 1 - np.floor(np.log10(numbers))
     last = numbers * 10.0**power
     from_half = np.abs(last - np.floor(last) - 0.5)

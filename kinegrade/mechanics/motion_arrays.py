@@ -1,4 +1,6 @@
-"""Motions of one structure, in doubles, as one motion whose numbers are arrays with an entry for each."""
+"""Motions of one structure, in doubles, as one motion whose numbers are arrays with an entry for
+each.
+"""
 
 from __future__ import annotations
 
@@ -46,8 +48,9 @@ def chain_structure(chain: Chain) -> Hashable:
 
 
 def stacked(motions: Sequence[Motion]) -> Motion:
-    """The motions, of one structure and in doubles, as one. Joints and drivers are the first one's, but for numbers
-    the relations say all that they state."""
+    """The motions, of one structure and in doubles, as one. Joints and drivers are the first one's,
+    but for numbers the relations say all that they state.
+    """
     first, frames = motions[0], [motion.frames for motion in motions]
     points = {
         name: stacked_vector([motion.points[name] for motion in motions]) for name in first.points
