@@ -43,6 +43,14 @@ ABSOLUTE = {
     "en": "An answer is right if it differs from the exact value by at most {amount}{table}.",
     "zh": "答案与精确值之差不超过 {amount}{table}即判为正确。",
 }
+# Four significant digits of 11.186 may leave an allowance of 0.002: then decimals are asked for.
+WRITE_DECIMALS = {
+    "en": " Write at least {decimals}.",
+    "zh": "至少写出{decimals}。",
+}
+TO_THE_UNIT = {"en": "every digit before the decimal point", "zh": "整数部分的各位数字"}
+ONE_DECIMAL = {"en": "one decimal", "zh": " 1 位小数"}
+DECIMALS = {"en": "{count} decimals", "zh": " {count} 位小数"}
 OR_ABSOLUTE = {
     "en": ", or by at most {amount}{table}, whichever is more",
     "zh": "（或不超过 {amount}{table}，取其大者）",
@@ -127,11 +135,33 @@ def marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> st
         return figures_rule(tolerance, tolerance.figures, zero, language, unit)
     amount = amount_text(tolerance.absolute, unit)
     if tolerance.relative == 0:
-        return ABSOLUTE[language].format(amount=amount, table="" if unit else IN_TABLE[language])
+        rule = ABSOLUTE[language].format(amount=amount, table="" if unit else IN_TABLE[language])
+        return rule + decimals_rule(tolerance.absolute, language)
     aside = "" if unit else IN_TABLE_ASIDE[language]
     absolute = OR_ABSOLUTE[language].format(amount=amount, table=aside)
     also = absolute if tolerance.absolute else ""
     return RELATIVE[language].format(relative=percent(tolerance.relative), absolute=also, zero=zero)
+
+
+def decimals_rule(allowed: Fraction, language: Language) -> str:
+    """How many decimals to write where an amount is allowed, whatever the size of the answer.
+
+    Rounding to them takes at most half of what is allowed.
+
+    >>> decimals_rule(Fraction(1, 500), "en"), decimals_rule(Fraction(2), "en")
+    (' Write at least 3 decimals.', ' Write at least every digit before the decimal point.')
+    """
+    count = 0
+    while Fraction(1, 10**count) > allowed:
+        count += 1
+    match count:
+        case 0:
+            decimals = TO_THE_UNIT[language]
+        case 1:
+            decimals = ONE_DECIMAL[language]
+        case _:
+            decimals = DECIMALS[language].format(count=count)
+    return WRITE_DECIMALS[language].format(decimals=decimals)
 
 
 def figures_rule(

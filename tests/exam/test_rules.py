@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kinegrade.exam.bank import read_bank
-from kinegrade.exam.rules import marking_rule, percent, plain, rules
+from kinegrade.exam.rules import decimals_rule, marking_rule, percent, plain, rules
 from kinegrade.problem.tolerance import Tolerance
 
 BANK = """
@@ -122,7 +125,7 @@ def test_an_ask_with_its_own_tolerance_is_named(tmp_path: Path) -> None:
     assert len(english) == len(chinese) == 4
     assert english[-1] == (
         "For question 1, $a_{B}$: an answer is right if it differs from the exact value by at "
-        "most 0.05 in the unit of the table."
+        "most 0.05 in the unit of the table. Write at least 2 decimals."
     )
     assert chinese[-1].startswith("第 1 题 $a_{B}$：答案与精确值之差不超过 0.05")
 
@@ -140,6 +143,19 @@ def test_a_question_whose_asks_share_a_tolerance_is_named_once(tmp_path: Path) -
     assert english[-1].startswith(
         "For question 1: an answer is right if it differs from the exact value by at most 2 %"
     )
+
+
+@given(
+    st.fractions(min_value=Fraction(1, 10**6), max_value=Fraction(50)),
+    st.fractions(min_value=-(10**6), max_value=10**6),
+)
+def test_an_answer_with_the_decimals_that_are_asked_for_is_right_whatever_its_size(
+    allowed: Fraction, exact: Fraction
+) -> None:
+    found = re.search(r"([0-9]+) decimals|(one decimal)|(before)", decimals_rule(allowed, "en"))
+    assert found is not None
+    count = int(found[1] or (1 if found[2] else 0))
+    assert abs(round(exact, count) - exact) <= allowed
 
 
 def test_amounts_are_printed_without_powers_of_ten_and_exactly() -> None:
