@@ -65,6 +65,7 @@ def test_a_text_that_depends_on_values_stands_on_the_paper_and_in_the_quiz(tmp_p
     text = crank_text(
         ("[parameters]", f"{wordings}\n[parameters]"),
         ("above $O$", "above $O$, {{ place }}"),
+        ("{{ h.value }}。", "{{ h.value }}，{{ place }}。"),
         ('sign = "+x", points', 'sign = "+x", vanishes = true, points'),
     )
     (tmp_path / "crank.toml").write_text(text, encoding="utf-8")
