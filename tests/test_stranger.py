@@ -127,6 +127,17 @@ def test_a_damaged_key_line_is_one_line_and_no_endless_work(
     quiz = kinegrade(*commands(folder, marks, tmp_path)[-1])
     assert quiz.exit_code == 2
     assert "key.jsonl" in quiz.stderr
+
+
+def test_an_exact_answer_that_is_no_text_is_one_line_of_the_feedback(
+    exam: Path, marks: Path, tmp_path: Path
+) -> None:
+    folder = Path(shutil.copytree(exam, tmp_path / "EXAM"))
+    key = (folder / "key.jsonl").read_text(encoding="utf-8")
+    (folder / "key.jsonl").write_text(key.replace('"exact": "', '"exact": 7, "was": "'), "utf-8")
+    result = kinegrade("feedback", folder, marks, "-o", tmp_path / "FEEDBACK", "--format", "html")
+    assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1)
+    assert "key.jsonl" in result.stderr
     assert not (tmp_path / "quiz.xml").exists()
 
 

@@ -221,9 +221,8 @@ def _right_answer(entry: Mapping[str, Any]) -> RightAnswer:
         tolerance.get("figures"),
     )
     low, high = stated.key(value).interval
-    return RightAnswer(
-        value, entry.get("exact"), written_text(entry["unit"]), max(value - low, high - value)
-    )
+    exact = None if entry.get("exact") is None else written_text(entry["exact"])
+    return RightAnswer(value, exact, written_text(entry["unit"]), max(value - low, high - value))
 
 
 def _missing(path: Path, fault: OSError) -> ExamError:

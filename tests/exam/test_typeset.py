@@ -249,7 +249,7 @@ def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) 
             replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2")))
         )
     assert refusal.value.problems == (
-        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; mend "
+        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; fix "
         "the formulas",
     )
 
