@@ -14,9 +14,11 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
+from lzma import LZMAError
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile, ZipFile
+from zlib import error as DeflateError
 
 from openpyxl import load_workbook
 
@@ -126,7 +128,7 @@ def _inspected(path: Path) -> bool:
         raise TableError(
             f"{path}: cannot be read ({fault.strerror}) - expected a workbook - check the name"
         ) from fault
-    except BadZipFile as fault:
+    except (BadZipFile, DeflateError, LZMAError) as fault:
         raise TableError(
             f"{path.name}: is not a workbook, or a damaged one - expected .xlsx - {_SAVE}"
         ) from fault

@@ -13,6 +13,9 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook
 
+from kinegrade.errors import TableError
+from kinegrade.spreadsheet import read_workbook
+
 MEMORY = 1 << 30  # bytes
 SECONDS = 10  # the answer takes one; the machine may be busy
 SHEET, STYLES = "xl/worksheets/sheet1.xml", "xl/styles.xml"
@@ -139,3 +142,15 @@ def test_a_hostile_workbook_is_refused_at_once_and_in_little_memory(
     assert message in "".join(said)
     assert len(said) <= 1
     assert int(memory) * (1 if sys.platform == "darwin" else 1024) < MEMORY
+
+
+def test_a_workbook_whose_packed_bytes_are_damaged_is_one_line(tmp_path: Path) -> None:
+    path = book(tmp_path / "answers.xlsx", {})
+    with zipfile.ZipFile(path) as archive:
+        part = archive.getinfo(SHEET)
+    content = bytearray(path.read_bytes())
+    packed = part.header_offset + 30 + len(part.filename)
+    content[packed : packed + part.compress_size] = b"\xff" * part.compress_size
+    path.write_bytes(content)
+    with pytest.raises(TableError, match="is not a workbook, or a damaged one - expected .xlsx"):
+        read_workbook(path)

@@ -146,11 +146,14 @@ def marking_rule(tolerance: Tolerance, language: Language, unit: str = "") -> st
 def decimals_rule(allowed: Fraction, language: Language) -> str:
     """How many decimals to write where an amount is allowed, whatever the size of the answer.
 
-    Rounding to them takes at most half of what is allowed.
+    Rounding to them takes at most half of what is allowed. Empty where nothing is allowed, as in a
+    damaged key.
 
     >>> decimals_rule(Fraction(1, 500), "en"), decimals_rule(Fraction(2), "en")
     (' Write at least 3 decimals.', ' Write at least every digit before the decimal point.')
     """
+    if allowed <= 0:
+        return ""
     count = 0
     while Fraction(1, 10**count) > allowed:
         count += 1

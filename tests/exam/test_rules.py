@@ -158,6 +158,10 @@ def test_an_answer_with_the_decimals_that_are_asked_for_is_right_whatever_its_si
     assert abs(round(exact, count) - exact) <= allowed
 
 
+def test_a_tolerance_of_nothing_in_a_damaged_key_asks_for_no_decimals_and_comes_to_an_end() -> None:
+    assert decimals_rule(Fraction(0), "en") == ""
+
+
 def test_amounts_are_printed_without_powers_of_ten_and_exactly() -> None:
     assert [
         plain(Fraction(text)) for text in ("1/8", "9999", "0.000000001", "1234.123456789", "5")
