@@ -18,6 +18,7 @@ from kinegrade.tables import written_records
 
 PRINTED = "printed.csv"
 _HEADER = ("student", "questions")
+_STATED = b'"printed"'
 _BETWEEN = " "  # no identifier of a question holds one
 _MENDING = "expected it as kinegrade generate wrote it - restore the exam folder"
 
@@ -42,6 +43,10 @@ def write_printed(marks: Path, exam: Path, questions: Sequence[str]) -> None:
         for number, line in enumerate(lines, 1):
             if line.isspace():
                 continue
+            # All papers of an exam state their order or none does; reading on would cost as much
+            # as marking.
+            if _STATED not in line:
+                break
             try:
                 head = decode(line)
             except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as fault:
@@ -66,8 +71,7 @@ def read_printed(marks: Path, questions: Sequence[str]) -> Orders:
         if sorted(order) != sorted(questions):
             raise TableError(
                 f'{path}:{line}: questions is "{one_line(listed[:40])}" - expected the questions '
-                "of "
-                "grades.csv in the order of the paper - grade again"
+                "of grades.csv in the order of the paper - grade again"
             )
         found[student] = order
     return found
