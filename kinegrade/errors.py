@@ -76,6 +76,10 @@ class TypesetError(KinegradeError):
     """A page cannot be typeset faithfully."""
 
 
+class WorkerError(KinegradeError):
+    """A process that works for this one was ended from outside."""
+
+
 class ExportError(KinegradeError):
     """A quiz, or grades, cannot be said in the format that another system takes."""
 

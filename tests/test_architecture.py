@@ -35,6 +35,8 @@ FLOORS = {
     "csv_writing": 0,
     "spreadsheet": 0,
     "garbage_collection": 0,
+    "processes": 0,
+    "worker_process": 0,
     "counting": 0,
     "mechanics": 1,
     "problem": 2,
@@ -175,7 +177,15 @@ def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:
         for module, tree in TREES.items()
     }
     assert {floor(module) for module, names in libraries.items() if "flint" in names} <= FLINT
-    assert not set().union(*libraries.values()) & {"sympy", "mpmath", "scipy", "pandas", "pickle"}
+    assert not set().union(*libraries.values()) & {"sympy", "mpmath", "scipy", "pandas"}
+
+
+def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
+    """Unpickling a file runs the code of whoever wrote it."""
+    knowing = {
+        module for module, tree in TREES.items() if "pickle" in set(imported(ast.walk(tree)))
+    }
+    assert knowing == {"kinegrade.processes"}
 
 
 def test_only_one_module_starts_programs() -> None:

@@ -254,10 +254,10 @@ def test_a_crash_without_room_for_a_report_is_still_one_line(room: Path) -> None
 def test_the_report_of_a_crash_in_a_worker_says_where_in_the_worker(room: Path) -> None:
     program = (
         "import click\nfrom functools import partial\n"
-        "from kinegrade.cli.program import Program\nfrom kinegrade.exam.crew import crew\n"
+        "from kinegrade.cli.program import Program\nfrom kinegrade.processes import executor\n"
         "@click.group(cls=Program)\ndef main(): pass\n"
         "@main.command()\ndef fall():\n"
-        "    with crew(1, 'fork') as others:\n"
+        "    with executor(2, 'fall', 'fork') as others:\n"
         "        others.submit(int, 'a name').result()\n"
         "main()\n"
     )

@@ -8,28 +8,22 @@ nothing is solved again but worked solutions.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, Future
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import islice
 from pathlib import Path
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.crew import crew
 from kinegrade.exam.pages import version_name
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_quiz_source
 from kinegrade.language import Language
+from kinegrade.processes import executor, mapped
 
 CHUNK = 20  # papers in one task, few enough for all processes to end together
 AHEAD = 2  # tasks for each process that are under way or wait for it
-ENDED = (
-    "quiz: a process that makes papers was ended from outside - expected room for all of them in "
-    "memory - use fewer: --jobs 1"
-)
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
 Line = tuple[int, str]
@@ -118,19 +112,12 @@ def _papers(
 def by_workers(order: QuizOrder, lines: Iterator[Line], workers: int) -> Iterator[QuizPaper]:
     """The same by other processes; at the end, whatever ends it, none of them runs any more.
 
-    Raises what they raise, ExamError where one of them was killed.
+    Raises what they raise, WorkerError where one of them was killed.
     """
-    waiting: deque[Future[list[QuizPaper]]] = deque()
-    try:
-        with crew(workers, "spawn") as others:
-            while part := list(islice(lines, CHUNK)):
-                waiting.append(others.submit(work, order, part))
-                if len(waiting) >= AHEAD * workers:
-                    yield from waiting.popleft().result()
-            while waiting:
-                yield from waiting.popleft().result()
-    except BrokenExecutor as error:
-        raise ExamError(ENDED) from error
+    parts = iter(lambda: list(islice(lines, CHUNK)), [])
+    with executor(workers, "quiz") as others:
+        for papers in mapped(others, partial(work, order), parts, AHEAD * workers):
+            yield from papers
 
 
 def work(order: QuizOrder, lines: Sequence[Line]) -> list[QuizPaper]:

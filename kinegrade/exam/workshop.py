@@ -2,27 +2,18 @@
 roster.
 
 Each task is a part of the class. A few tasks are under way at any time, so memory does not grow
-with the class, and a worker ends when the process that it works for is gone. Workers are copies of
-this process, with all that it has loaded and looked at, as long as it surely has no other thread,
-which a copy would lack; else they are started afresh. (A typesetter that has worked has threads.)
-What several of them need to draw, the first one draws and keeps for the others in a folder of their
-own, where they also tell each other what numbers they gave away.
+with the class. What several workers need to draw, the first one draws and keeps for the others in a
+folder of their own, where they also tell each other what numbers they gave away.
 """
 
 from __future__ import annotations
 
-import gc
-import os
-from collections import deque
 from collections.abc import Generator, Iterator
-from concurrent.futures import BrokenExecutor, Future
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from kinegrade.errors import TypesetError
 from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.crew import crew
 from kinegrade.exam.drafts import Draft, Plans, Workplace, confirmed, drafts, plans_of, use
 from kinegrade.exam.exam_secret import ExamSecret
 from kinegrade.exam.ledger import Ledger
@@ -30,6 +21,7 @@ from kinegrade.exam.press import Press
 from kinegrade.exam.printing import Printed, PrintRun, print_papers
 from kinegrade.exam.roster import Roster
 from kinegrade.exam.setting import Setting, set_exam
+from kinegrade.processes import Shared, executor, mapped
 from kinegrade.temporary import temporary_folder
 
 CHUNK = 20  # papers in one task at least: else there are too many of them
@@ -37,10 +29,6 @@ CHUNK = 20  # papers in one task at least: else there are too many of them
 # then
 MOST = 60
 AHEAD = 2  # tasks for each process that are under way or wait for it
-ENDED = (
-    "generate: a process that prints papers was ended from outside; expected room for all of "
-    "them in memory; use fewer: --jobs 1"
-)
 
 
 @dataclass(frozen=True)
@@ -102,55 +90,21 @@ def parts_of(count: int, workers: int) -> Iterator[range]:
 
 def by_workers(job: Job, setting: Setting, press: Press, workers: int) -> Iterator[Printed]:
     """The same by other processes; at the end, whatever ends it, none of them runs any more."""
-    copies = alone()
-    waiting: deque[tuple[range, Future[list[Draft]]]] = deque()
-    try:
-        with crew(workers, "fork" if copies else "spawn") as others:
-            if copies:
-                prepare(job)  # before the first task is handed out, which makes the copies
-            else:
-                for _ in range(workers):
-                    others.submit(prepare, job)  # while this process finds the plans
-            plans = plans_of(job.setting())
-            use(plans, setting)
-            for number, part in enumerate(parts_of(len(setting.roster.students), workers)):
-                waiting.append((part, others.submit(work, job, number, part, plans)))
-                if len(waiting) >= AHEAD * workers:
-                    done, task = waiting.popleft()
-                    yield from confirmed(job.run, setting, press, done, finished(task))
-            for done, task in waiting:
-                yield from confirmed(job.run, setting, press, done, finished(task))
-    except BrokenExecutor as error:  # told when a task is handed out
-        raise TypesetError(ENDED) from error
+    parts = list(parts_of(len(setting.roster.students), workers))
+    with executor(workers, "generate") as others:
+        plans = plans_of(job.setting())
+        use(plans, setting)
+        shared = Shared((job, plans))
+        tasks = [(shared, number, part) for number, part in enumerate(parts)]
+        results = mapped(others, work, tasks, AHEAD * workers)
+        for part, found in zip(parts, results, strict=True):
+            yield from confirmed(job.run, setting, press, part, found)
 
 
-def alone() -> bool:
-    """Whether this process surely has no thread but one; only Linux tells."""
-    try:
-        return len(os.listdir("/proc/self/task")) == 1
-    except OSError:
-        return False
-
-
-def finished(task: Future[list[Draft]]) -> list[Draft]:
-    """The results of a task. Raises what it raised, TypesetError where its process was killed."""
-    try:
-        return task.result()
-    except BrokenExecutor as error:
-        raise TypesetError(ENDED) from error
-
-
-def prepare(job: Job) -> None:
-    """Load and look at what a worker works with, which then stays."""
-    for deck in workplace(job).setting.decks.values():
-        deck.foresee(())
-    gc.freeze()
-
-
-def work(job: Job, number: int, places: range, plans: Plans) -> list[Draft]:
-    """A task: the part of the class with this number, the students at these places of the
-    roster.
-    """
+def work(task: tuple[Shared[tuple[Job, Plans]], int, range]) -> list[Draft]:
+    """The part of the class with this number, the students at these places of the roster."""
+    shared, number, places = task
+    job, plans = shared.value
     place = workplace(job)
     use(plans, place.setting)
     return drafts(job.run, place, number, places)

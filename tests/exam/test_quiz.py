@@ -6,8 +6,6 @@ from __future__ import annotations
 
 import json
 import shutil
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -16,7 +14,6 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.exam import crew
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
@@ -345,19 +342,6 @@ def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(
     line["questions"][1]["parameters"]["h"]["exact"] = "99"
     with pytest.raises(KinegradeError, match=rf"EXAM: paper {line['paper']}, q2: points.A: "):
         quiz_paper(source, PLAIN, line)
-
-
-def test_a_killed_process_is_no_riddle(small_class: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    class Killed(ProcessPoolExecutor):
-        def submit(self, *_: Any, **__: Any) -> Any:
-            raise BrokenProcessPool("killed")
-
-    monkeypatch.setattr(crew, "ProcessPoolExecutor", Killed)
-    order = QuizOrder(small_class / "EXAM", None, PLAIN, False)
-    with pytest.raises(
-        ExamError, match="quiz: a process that makes papers was ended from outside - expected room"
-    ):
-        list(by_workers(order, key_lines(small_class / "EXAM"), 2))
 
 
 def test_a_late_student_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:

@@ -1,5 +1,4 @@
-"""What a process that works for another one does first: it sets itself up and stays no longer than
-it is needed.
+"""What a process that works for another one does first: it prepares to end with it, or before it.
 
 This file loads next to nothing, so that a new process is set up before it loads what it works with.
 """
@@ -20,19 +19,19 @@ from kinegrade.garbage_collection import NEW_OBJECTS
 PATIENCE = 1.0  # seconds to stop a typesetter and to clear away files
 
 
-def attend() -> None:
-    """Let this process leave an interruption to the one it works for, end with it, and seldom look
-    for rubbish.
+def begin_work() -> None:
+    """Let this process leave Ctrl-C to the one it works for, end with it, and rarely collect
+    garbage.
     """
     gc.set_threshold(NEW_OBJECTS)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _leave)
     if hasattr(signal, "pthread_sigmask"):  # it was started with interruptions deferred
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
-    threading.Thread(target=end_with_parent, daemon=True).start()
+    threading.Thread(target=_end_with_parent, daemon=True).start()
 
 
-def end_with_parent() -> None:
+def _end_with_parent() -> None:
     """Wait until the process that this one works for is gone, then end, with the typesetter that
     may be running.
     """

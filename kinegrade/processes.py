@@ -1,0 +1,191 @@
+"""Work for other processes, or for this one: one Executor for a whole command, and the results of
+many tasks in order.
+
+A command opens `executor` and passes it down; whoever has tasks calls `mapped`. The processes are
+started by the first task: as copies of this one, with all that it has loaded, as long as it surely
+has no other thread, which a copy would lack; else afresh. (A typesetter that has worked has
+threads.) None of them outlives this process, whatever ends it.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import time
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import chain, islice
+from multiprocessing import active_children, get_context
+from typing import Generic, Literal, ParamSpec, TypeVar
+
+from kinegrade.errors import WorkerError
+from kinegrade.temporary import clear_temporary_folders
+from kinegrade.worker_process import begin_work
+
+Start = Literal["fork", "spawn"]
+
+_PATIENCE = (
+    0.2  # seconds for a dismissed process to stop its typesetter and to clear away its files
+)
+_KEPT = 4  # shared values that a process keeps: a command has one or two
+
+_Given = ParamSpec("_Given")
+_Item = TypeVar("_Item")
+_Result = TypeVar("_Result")
+_Value = TypeVar("_Value")
+
+
+@contextmanager
+def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Executor]:
+    """What does the tasks of a command: up to `jobs` processes, or for 1 this process, at once.
+
+    Processes still at work when the block ends by an exception are dismissed at once. `start` says
+    how they are started where that is not to be found out. Raises WorkerError, which names the
+    command, where one of them was ended from outside.
+    """
+    if jobs == 1:
+        yield _ThisProcess()
+        return
+    others = _OtherProcesses(jobs, start)
+    try:
+        yield others
+    except BrokenExecutor as fault:
+        others.dismiss()
+        raise WorkerError(
+            f"{command}: a process was ended from outside - expected room in memory for all of "
+            "them - use fewer: --jobs 1"
+        ) from fault
+    except BaseException:
+        others.dismiss()
+        raise
+    others.shutdown(cancel_futures=True)
+
+
+def mapped(
+    workers: Executor, task: Callable[[_Item], _Result], items: Iterable[_Item], ahead: int
+) -> Generator[_Result, None, None]:
+    """The result of the task for each item, in order, as results are asked for.
+
+    At most `ahead` tasks are under way or wait to be asked for, so memory does not grow with the
+    number of items. A single item is not worth another process. Raises what the task raises.
+    """
+    remaining = iter(items)
+    first = list(islice(remaining, 2))
+    if len(first) < 2:
+        yield from map(task, first)
+        return
+    waiting: deque[Future[_Result]] = deque()
+    try:
+        for item in chain(first, remaining):
+            waiting.append(workers.submit(task, item))
+            if len(waiting) >= ahead or waiting[0].done():
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+@dataclass(frozen=True)
+class Shared(Generic[_Value]):
+    """A value that is the same for many tasks, as part of their items: pickled once, and unpickled
+    once by each process.
+
+    >>> pickle.loads(pickle.dumps(Shared("bank"))).value
+    'bank'
+    """
+
+    value: _Value
+
+    def __reduce__(self) -> tuple[Callable[[bytes], Shared[_Value]], tuple[bytes]]:
+        return _received, (self._packed,)
+
+    @cached_property
+    def _packed(self) -> bytes:
+        return pickle.dumps(self.value)
+
+
+@lru_cache(maxsize=_KEPT)
+def _received(packed: bytes) -> Shared[_Value]:
+    return Shared(pickle.loads(packed))
+
+
+class _ThisProcess(Executor):
+    """Does each task when it is submitted."""
+
+    def submit(
+        self, task: Callable[_Given, _Result], /, *given: _Given.args, **named: _Given.kwargs
+    ) -> Future[_Result]:
+        future: Future[_Result] = Future()
+        try:
+            future.set_result(task(*given, **named))
+        except Exception as fault:
+            future.set_exception(fault)
+        return future
+
+
+class _OtherProcesses(Executor):
+    """Starts processes when the first task comes, as only then it is known how they can be."""
+
+    def __init__(self, jobs: int, start: Start | None) -> None:
+        self._jobs = jobs
+        self._start = start
+        self._strangers = frozenset(active_children())
+
+    @cached_property
+    def _pool(self) -> ProcessPoolExecutor:
+        start = self._start or ("fork" if _alone() else "spawn")
+        return ProcessPoolExecutor(self._jobs, get_context(start), begin_work)
+
+    def submit(
+        self, task: Callable[_Given, _Result], /, *given: _Given.args, **named: _Given.kwargs
+    ) -> Future[_Result]:
+        """Hand out a task. A process that starts for it is not hit by Ctrl-C before it is set
+        up.
+        """
+        with _interruption_deferred():
+            return self._pool.submit(task, *given, **named)
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Let the processes end when their tasks are done."""
+        self._pool.shutdown(wait, cancel_futures=cancel_futures)
+
+    def dismiss(self) -> None:
+        """Ask the processes to end, after a while end them, and clear away what they left."""
+        processes = [each for each in active_children() if each not in self._strangers]
+        for process in processes:
+            process.terminate()
+        until = time.monotonic() + _PATIENCE
+        for process in processes:
+            process.join(max(until - time.monotonic(), 0))
+        for process in processes:
+            process.kill()
+        self.shutdown(cancel_futures=True)
+        clear_temporary_folders()
+
+
+def _alone() -> bool:
+    """Whether this process surely has no thread but one; only Linux tells."""
+    try:
+        return len(os.listdir("/proc/self/task")) == 1
+    except OSError:
+        return False
+
+
+@contextmanager
+def _interruption_deferred() -> Iterator[None]:
+    """Ctrl-C waits for the end of the block; where the system cannot do that, it does not wait."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
