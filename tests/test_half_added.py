@@ -146,10 +146,10 @@ def test_feedback_in_a_form_that_only_the_command_line_knows_is_not_written(
 
 
 def test_a_typesetter_that_only_the_banks_know_prints_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(press, "ENGINES", (*press.ENGINES, "luatex"))
-    order = PressOrder(cast("press.Engine", "luatex"), "a4", tmp_path)
+    order = PressOrder(cast("press.Engine", "luatex"), "a4")
     with pytest.raises(AssertionError, match="luatex"):
         order.press()
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, ExitStack, closing
+from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TextIO
@@ -20,10 +20,10 @@ from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank, BankQuestion, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.exam_secret import MARKER, SecretWish
-from kinegrade.exam.join import joining
 from kinegrade.exam.key_record import amount
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
+from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
 from kinegrade.exam.replaced_exam import (
     VARIANTS,
@@ -123,9 +123,9 @@ class Printing:
     engine: Engine | None = None
     jobs: int = 1
 
-    def order(self, bank: Bank, folder: Path) -> PressOrder:
-        """The press for an exam whose folder is written at `folder`."""
-        return PressOrder(self.engine or bank.engine, self.paper_size, folder / "tex")
+    def order(self, bank: Bank) -> PressOrder:
+        """The press for an exam."""
+        return PressOrder(self.engine or bank.engine, self.paper_size)
 
 
 ORDINARY = Printing()
@@ -155,12 +155,11 @@ def generate(
     setting = set_exam(blueprint.bank(secret.drawing), roster, secret)
     sources = source_files(setting)
     with bulk_work(), place.folder() as folder:
-        order = printing.order(setting.bank, folder)
+        order = printing.order(setting.bank)
         press = order.press()
         said = complaints(roster, press)
         require_none(said if strict else ())
-        places = folder / "papers", folder / "solutions"
-        run = PrintRun(setting.bank, language, order, *places, extras)
+        run = PrintRun(setting.bank, language, order, extras)
         keys = write_papers(setting, run, press, folder, jobs=printing.jobs, progress=progress)
         write_sources(sources, folder)
         write_head(setting, keys, language, folder)
@@ -195,25 +194,25 @@ def write_papers(
     The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the
     key of each paper without its questions.
     """
-    printouts = [run.papers, run.solutions] if run.extras.solutions else [run.papers]
-    for place in printouts:
-        place.mkdir()
     keys: list[KeyPaper] = []
     with (
         closing(printed(run, setting, press, jobs)) as results,
         (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines,
-        ExitStack() as books,
+        printed_files(folder, solutions=run.extras.solutions) as write,
     ):
-        volumes = {
-            place: books.enter_context(joining(place.with_suffix(".pdf"), duplex=True))
-            for place in printouts
-        }
-        papers = noted(progress(results, len(setting.roster.students)), lines, keys)
-        press.key(
-            key_book(run.bank, bound(papers, setting.roster, volumes), run.language),
-            folder / "key.pdf",
-        )
+        shown = progress(results, len(setting.roster.students))
+        papers = noted(written(shown, setting.roster, write), lines, keys)
+        write_key(folder, press.key(key_book(run.bank, papers, run.language)))
     return keys
+
+
+def written(
+    results: Iterator[Printed], roster: Roster, write: Callable[[str, Printed], None]
+) -> Iterator[Printed]:
+    """The same papers, each written under the file name of its student."""
+    for student, result in zip(roster.students, results, strict=True):
+        write(student.file_name, result)
+        yield result
 
 
 def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
@@ -222,18 +221,6 @@ def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> It
         lines.write(result.record + "\n")
         keys.append(replace(result.key, entries=()))
         yield result.key
-
-
-def bound(
-    papers: Iterator[KeyPaper], roster: Roster, volumes: Mapping[Path, Callable[[Path], None]]
-) -> Iterator[KeyPaper]:
-    """The same keys; what was printed for each student goes into the volumes, by the folders where
-    it lies.
-    """
-    for student, paper in zip(roster.students, papers, strict=True):
-        for place, append in volumes.items():
-            append(place / f"{student.file_name}.pdf")
-        yield paper
 
 
 def source_files(setting: Setting) -> dict[str, str]:

@@ -10,17 +10,8 @@ from pathlib import Path
 import pikepdf
 
 
-def join(pdfs: Iterable[Path], target: Path, *, duplex: bool = False) -> None:
-    """Write to `target` the pages of all `pdfs` in order; same input, same bytes. `duplex` as
-    `joining` takes it.
-    """
-    with joining(target, duplex=duplex) as append:
-        for pdf in pdfs:
-            append(pdf)
-
-
 @contextmanager
-def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], None]]:
+def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes], None]]:
     """What takes the pages of one PDF after the other as they come; at the end they are written to
     `target`.
 
@@ -29,7 +20,7 @@ def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[Path], 
     """
     with pikepdf.new() as whole:
 
-        def append(pdf: Path) -> None:
+        def append(pdf: bytes) -> None:
             _append(whole, pdf)
             if duplex and len(whole.pages) % 2:
                 left, bottom, right, top = map(float, whole.pages[-1].mediabox)
@@ -45,7 +36,7 @@ def joined(pdfs: Iterable[bytes]) -> bytes:
     whole_bytes = BytesIO()
     with pikepdf.new() as whole:
         for pdf in pdfs:
-            _append(whole, BytesIO(pdf))
+            _append(whole, pdf)
         whole.save(whole_bytes, deterministic_id=True)
     return whole_bytes.getvalue()
 
@@ -56,8 +47,7 @@ def page_count(pdf: bytes) -> int:
         return len(document.pages)
 
 
-def _append(whole: pikepdf.Pdf, pdf: Path | BytesIO) -> None:
-    source = BytesIO(pdf.read_bytes()) if isinstance(pdf, Path) else pdf
+def _append(whole: pikepdf.Pdf, pdf: bytes) -> None:
     # Sooner than mapping so small a file
-    with pikepdf.open(source, access_mode=pikepdf.AccessMode.stream) as part:
+    with pikepdf.open(BytesIO(pdf), access_mode=pikepdf.AccessMode.stream) as part:
         whole.pages.extend(part.pages)

@@ -8,15 +8,15 @@ fonts. Same input, same bytes.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
+from io import BytesIO
 from typing import Any, Generic, TypeVar
 
 import pikepdf
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.exam.join import page_count
 from kinegrade.exam.latex_faults import faults
 from kinegrade.exam.latex_key import key_body
 from kinegrade.exam.latex_run import FONTS, STYLE, Outcome, Program, font_folder, run, style
@@ -24,6 +24,7 @@ from kinegrade.exam.latex_solution import solution_body
 from kinegrade.exam.latex_source import document, paper_body
 from kinegrade.exam.latex_text import is_latin, is_surely_printed, plain
 from kinegrade.exam.layout_call import each
+from kinegrade.exam.press import Printout
 from kinegrade.exam.solution_words import solution_words_of
 from kinegrade.exam.typst import legible_owner, legible_owners
 from kinegrade.exam.words import words_of
@@ -38,9 +39,9 @@ Sheet = TypeVar("Sheet", Paper, SolutionSheet)
 
 @dataclass(frozen=True)
 class Kind(Generic[Sheet]):
-    """One of the two kinds of sheets: where its sources are kept, and how they are written."""
+    """One of the two kinds of sheets: what it is called, and how its sources are written."""
 
-    folder: str
+    name: str
     body: Callable[[Sheet, int], str]
     words: Callable[[str], Any]
 
@@ -50,41 +51,33 @@ SOLUTIONS: Kind[SolutionSheet] = Kind("solutions", solution_body, solution_words
 
 
 class LatexPress:
-    """Prints as `kinegrade.exam.press` says; `paper_size` is "a4" or "letter".
+    """Prints as `kinegrade.exam.press` says; `paper_size` is "a4" or "letter"."""
 
-    Where a folder `sources` is given, the LaTeX source of everything printed is kept there to be
-    edited.
-    """
-
-    def __init__(self, paper_size: PaperSize = "a4", sources: Path | None = None) -> None:
+    def __init__(self, paper_size: PaperSize = "a4") -> None:
         self._size: PaperSize = paper_size
-        self._sources = sources
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
-    def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every paper, all typeset in one run.
+    def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
+        """Every paper by its name, all typeset in one run, and its source.
 
         Characters of a student's name and id that no font has are printed as code points
         (`unprintable` tells which). Raises TypesetError with all faults of the papers' texts, with
         the first fault that TeX finds, or where TeX is not installed.
         """
-        self._print(papers, PAPERS, folder)
+        return self._print(papers, PAPERS)
 
-    def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every student's worked solutions; raises TypesetError as
-        `papers` does.
-        """
-        self._print(sheets, SOLUTIONS, folder)
+    def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
+        """Every student's worked solutions, as `papers` does it."""
+        return self._print(sheets, SOLUTIONS)
 
-    def key(self, book: KeyBook, target: Path) -> None:
-        """Write the instructor's key; names are printed and errors raised as by `papers`."""
+    def key(self, book: KeyBook) -> Printout:
+        """The instructor's key; names are printed and errors raised as by `papers`."""
         named = legible_owners(book, self)
         body, words = key_body(named), words_of(book.language)
-        with self._typeset([body], book.language, words, "key") as outcome:
-            _write_pages(outcome.pdf, [(0, _page_count(outcome.pdf), target)])
-        self._keep(
-            "", {"key": document([body], book.language, self._size, words, str(font_folder()))}
-        )
+        outcome = self._typeset([body], book.language, words, "key")
+        [pdf] = _parts(outcome.pdf, [(0, page_count(outcome.pdf))])
+        source = document([body], book.language, self._size, words, str(font_folder()))
+        return _printout("key", pdf, source)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print; raises TypesetError where
@@ -99,11 +92,12 @@ class LatexPress:
             self._looked_at |= {character: character not in missing for character in unknown}
         return frozenset(character for character in characters if not self._looked_at[character])
 
-    def _print(self, sheets: Mapping[str, Sheet], kind: Kind[Sheet], folder: Path) -> None:
+    def _print(self, sheets: Mapping[str, Sheet], kind: Kind[Sheet]) -> dict[str, Printout]:
         owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))
         missing = self.unprintable(owners)
+        printed: dict[str, Printout] = {}
         for language in sorted({sheet.language for sheet in sheets.values()}):
-            self._print_class(
+            printed |= self._print_class(
                 {
                     name: legible_owner(sheet, missing)
                     for name, sheet in sheets.items()
@@ -111,64 +105,40 @@ class LatexPress:
                 },
                 language,
                 kind,
-                folder,
             )
+        return printed
 
     def _print_class(
-        self, sheets: Mapping[str, Sheet], language: Language, kind: Kind[Sheet], folder: Path
-    ) -> None:
+        self, sheets: Mapping[str, Sheet], language: Language, kind: Kind[Sheet]
+    ) -> dict[str, Printout]:
         """All sheets of one language."""
-        words = kind.words(language)
-        bodies = dict(
-            zip(
-                sheets,
-                each(
-                    lambda numbered: kind.body(numbered[1], numbered[0]), enumerate(sheets.values())
-                ),
-                strict=True,
-            )
+        words, fonts = kind.words(language), str(font_folder())
+        bodies = each(
+            lambda numbered: kind.body(numbered[1], numbered[0]), enumerate(sheets.values())
         )
-        with self._typeset(list(bodies.values()), language, words, kind.folder) as outcome:
-            _write_pages(
-                outcome.pdf,
-                [
-                    (first, count, folder / f"{name}.pdf")
-                    for name, (_, first, count) in zip(bodies, outcome.ranges, strict=True)
-                ],
-            )
-        self._keep(
-            kind.folder,
-            {
-                name: document([body], language, self._size, words, str(font_folder()))
-                for name, body in bodies.items()
-            },
-        )
+        outcome = self._typeset(bodies, language, words, kind.name)
+        pdfs = _parts(outcome.pdf, [(first, count) for _, first, count in outcome.ranges])
+        return {
+            name: _printout(name, pdf, document([body], language, self._size, words, fonts))
+            for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
+        }
 
-    @contextmanager
-    def _typeset(
-        self, bodies: list[str], language: Language, words: Any, where: str
-    ) -> Iterator[Outcome]:
-        """The pages of the bodies, as long as the context lasts. Raises TypesetError."""
+    def _typeset(self, bodies: list[str], language: Language, words: Any, where: str) -> Outcome:
+        """The pages of the bodies. Raises TypesetError."""
         program = _program([*bodies, str(words)])
         source = document(bodies, language, self._size, words, FONTS)
         with temporary_folder() as folder:
             outcome = run(program, source, folder, START_SECONDS + SHEET_SECONDS * len(bodies))
-            problems = faults(outcome, source, where)
-            if problems:
-                raise TypesetError(*problems)
-            yield outcome
+        problems = faults(outcome, source, where)
+        if problems:
+            raise TypesetError(*problems)
+        return outcome
 
-    def _keep(self, folder: str, documents: Mapping[str, str]) -> None:
-        """The sources, with the style they ask for beside them."""
-        if self._sources is None:
-            return
-        kept = self._sources / folder
-        kept.mkdir(parents=True, exist_ok=True)
-        (kept / STYLE).write_text(style(), encoding="utf-8")
-        for name, source in documents.items():
-            (kept / f"{name}.tex").write_text(
-                _introduction(name, source) + source, encoding="utf-8", newline="\n"
-            )
+
+def _printout(name: str, pdf: bytes, source: str) -> Printout:
+    """The pages, and their source with the style that it asks for."""
+    text = _introduction(name, source) + source
+    return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: style().encode()})
 
 
 def _program(texts: Iterable[str]) -> Program:
@@ -183,20 +153,15 @@ def _missing(characters: Iterable[str]) -> frozenset[str]:
         return run("xelatex", source, folder, START_SECONDS).missing
 
 
-def _write_pages(pdf: Path, parts: Iterable[tuple[int, int, Path]]) -> None:
-    """Each part, given by its first page and the number of its pages, as a file; same input, same
-    bytes.
-    """
-    with pikepdf.open(pdf) as whole:
-        for first, count, target in parts:
+def _parts(pdf: bytes, parts: Iterable[tuple[int, int]]) -> Iterator[bytes]:
+    """Each part, given by its first page and the number of its pages; same input, same bytes."""
+    with pikepdf.open(BytesIO(pdf)) as whole:
+        for first, count in parts:
+            stream = BytesIO()
             with pikepdf.new() as part:
                 part.pages.extend(whole.pages[first : first + count])
-                part.save(target, deterministic_id=True)
-
-
-def _page_count(pdf: Path) -> int:
-    with pikepdf.open(pdf) as whole:
-        return len(whole.pages)
+                part.save(stream, deterministic_id=True)
+            yield stream.getvalue()
 
 
 def _introduction(name: str, source: str) -> str:

@@ -52,11 +52,11 @@ class Fault:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a run: the pages, if there is no fault, and the characters that no font
+    """What came of a run: the pages, none where there is a fault, and the characters that no font
     printed.
     """
 
-    pdf: Path
+    pdf: bytes
     ranges: tuple[tuple[str, int, int], ...]  # sheet, its first page (from 0), number of its pages
     fault: Fault | None
     missing: frozenset[str]
@@ -71,7 +71,8 @@ def run(program: Program, source: str, folder: Path, seconds: float) -> Outcome:
     output = _executed(program, folder, seconds)
     log = folder / f"{_JOB}.log"
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else output
-    pdf = folder / f"{_JOB}.pdf"
+    file = folder / f"{_JOB}.pdf"
+    pdf = file.read_bytes() if file.exists() else b""
     missing = frozenset(_MISSING.findall(text))
     return Outcome(pdf, _ranges(folder / f"{_JOB}.pages"), _fault(text, pdf), missing)
 
@@ -123,7 +124,7 @@ def _ranges(file: Path) -> tuple[tuple[str, int, int], ...]:
     return tuple((sheet, int(first) - 1, int(pages)) for sheet, first, pages in rows)
 
 
-def _fault(log: str, pdf: Path) -> Fault | None:
+def _fault(log: str, pdf: bytes) -> Fault | None:
     """The first thing that TeX complains of; it halts there."""
     found = _FAULT.search(log)
     if found:
@@ -131,7 +132,7 @@ def _fault(log: str, pdf: Path) -> Fault | None:
     bare = _BARE_FAULT.search(log)
     if bare:
         return Fault(bare[1].strip(), None)
-    return None if pdf.exists() and pdf.stat().st_size else Fault("TeX wrote no pages", None)
+    return None if pdf else Fault("TeX wrote no pages", None)
 
 
 def _sentence(log: str, found: re.Match[str]) -> str:

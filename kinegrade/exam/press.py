@@ -1,4 +1,4 @@
-"""What every typesetter offers: papers, worked solutions and keys as PDF files.
+"""What every typesetter offers: papers, worked solutions and keys as PDF.
 
 `kinegrade.exam.typst` and `kinegrade.exam.latex` are the two presses; `kinegrade.exam.generate`
 uses either.
@@ -7,7 +7,7 @@ uses either.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from pathlib import Path
+from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
 from kinegrade.exam.document import KeyBook, Paper, SolutionSheet
@@ -16,17 +16,27 @@ Engine = Literal["typst", "latex"]
 ENGINES: tuple[Engine, ...] = ("typst", "latex")
 
 
+@dataclass(frozen=True)
+class Printout:
+    """Pages as PDF; and by file name the sources that a person may edit and typeset again, where
+    the press has some.
+    """
+
+    pdf: bytes
+    sources: Mapping[str, bytes] = field(default_factory=dict)
+
+
 class Press(Protocol):
     """Prints; every method raises TypesetError with all faults of the texts it is given."""
 
-    def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every paper by its name."""
+    def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
+        """Every paper, by its name."""
 
-    def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every student's worked solutions by name."""
+    def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
+        """Every student's worked solutions, by name."""
 
-    def key(self, book: KeyBook, target: Path) -> None:
-        """Write the instructor's key."""
+    def key(self, book: KeyBook) -> Printout:
+        """The instructor's key."""
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print."""

@@ -1,4 +1,4 @@
-"""Papers that are drawn become files: a part of the class at a time, by whichever press the exam
+"""Papers that are drawn are printed: a part of the class at a time, by whichever press the exam
 asks for.
 """
 
@@ -16,7 +16,7 @@ from kinegrade.exam.document import KeyPaper, Paper, PaperSize
 from kinegrade.exam.key_mistakes import mistaken_answers
 from kinegrade.exam.key_record import key_record
 from kinegrade.exam.pages import key_paper, paper_pages
-from kinegrade.exam.press import Engine, Press
+from kinegrade.exam.press import Engine, Press, Printout
 from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.typst import TypstPress
 from kinegrade.figure.sketch import sketch
@@ -27,11 +27,10 @@ from kinegrade.problem.template import Method
 
 @dataclass(frozen=True)
 class PressOrder:
-    """Which press is wanted; LaTeX keeps its sources in the folder `sources`."""
+    """Which press is wanted."""
 
     engine: Engine
     paper_size: PaperSize
-    sources: Path
 
     def press(self) -> Press:
         """A new press. Raises TypesetError where its typesetter is not installed."""
@@ -41,7 +40,7 @@ class PressOrder:
             case "latex":
                 from kinegrade.exam.latex import LatexPress  # few exams need it, and it takes long
 
-                return LatexPress(self.paper_size, self.sources)
+                return LatexPress(self.paper_size)
             case _:
                 assert_never(self.engine)
 
@@ -66,18 +65,19 @@ class PrintRun:
     bank: Bank
     language: Language
     press_order: PressOrder
-    papers: Path
-    solutions: Path
     extras: Extras
     sketchbook: Path | None = None
 
 
 @dataclass(frozen=True)
 class Printed:
-    """What remains of a paper when it is printed: its line of key.jsonl, and its part of the
-    instructor's key.
+    """A paper, its worked solutions where they are wanted, and the paper in other kinds of files;
+    its line of key.jsonl, and its part of the instructor's key.
     """
 
+    paper: Printout
+    solution: Printout | None
+    also: Mapping[str, bytes]
     record: str
     key: KeyPaper
 
@@ -93,7 +93,7 @@ def require_tools(extras: Extras) -> None:
 
 
 def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> list[Printed]:
-    """Write `NAME.pdf` for each of the papers, and for its worked solutions where they are wanted.
+    """Each of the papers, with its worked solutions where they are wanted.
 
     Raises TypesetError with all faults of their texts.
     """
@@ -102,38 +102,44 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
         paper.student.file_name: paper_pages(run.bank, paper, run.language, figure)
         for paper in papers
     }
-    press.papers(pages, run.papers)
-    if run.extras.solutions:
-        # Loads the whole of worked solutions
-        from kinegrade.exam.solution_pages import solution_sheet
-
-        press.solutions(
-            {
-                paper.student.file_name: solution_sheet(
-                    run.bank, paper, run.language, run.extras.method
-                )
-                for paper in papers
-            },
-            run.solutions,
-        )
-    if run.extras.also:
-        write_also(pages, run)
+    printouts = press.papers(pages)
+    solutions = _solutions(run, press, papers) if run.extras.solutions else {}
+    also = _also(pages, run) if run.extras.also else {}
     return [
         Printed(
+            printouts[name],
+            solutions.get(name),
+            also.get(name, {}),
             json.dumps(key_record(paper, mistakes, shuffled=run.bank.shuffle), ensure_ascii=False),
             key_paper(paper, run.language),
         )
-        for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)
+        for name, paper, mistakes in zip(pages, papers, mistaken_answers(papers), strict=True)
     ]
 
 
-def write_also(pages: Mapping[str, Paper], run: PrintRun) -> None:
-    """Write `NAME.docx`, `NAME.html` beside `NAME.pdf`. Raises TypesetError as
-    `kinegrade.exam.word` does.
+def _solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:
+    """The worked solutions of each paper, by its file name."""
+    # Loads the whole of worked solutions
+    from kinegrade.exam.solution_pages import solution_sheet
+
+    return press.solutions(
+        {
+            paper.student.file_name: solution_sheet(
+                run.bank, paper, run.language, run.extras.method
+            )
+            for paper in papers
+        }
+    )
+
+
+def _also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
+    """Each paper, by its file name, in the other kinds of files that are wanted. Raises
+    TypesetError as `kinegrade.exam.word` does.
     """
     from kinegrade.exam.word import PandocPress  # few exams need it
 
     press = PandocPress(run.press_order.paper_size)
-    for name, paper in pages.items():
-        for kind in run.extras.also:
-            (run.papers / f"{name}.{kind}").write_bytes(press.also(paper, kind))
+    return {
+        name: {kind: press.also(paper, kind) for kind in run.extras.also}
+        for name, paper in pages.items()
+    }

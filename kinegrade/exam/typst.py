@@ -14,7 +14,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import files
-from pathlib import Path
 from typing import Literal, TypeVar
 
 import typst
@@ -25,7 +24,7 @@ from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
 from kinegrade.exam.layout_call import each
-from kinegrade.exam.press import Press
+from kinegrade.exam.press import Press, Printout
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
@@ -56,17 +55,13 @@ class TypstPress:
         )
         self._looked_at: dict[str, bool] = {}  # whether a font prints a character
 
-    def papers(self, papers: Mapping[str, Paper], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every paper. Raises TypesetError with all faults of all of
-        them.
-        """
-        _write(papers, self.paper, folder)
+    def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
+        """Every paper, by its name. Raises TypesetError with all faults of all of them."""
+        return _printed(papers, self.paper)
 
-    def solutions(self, sheets: Mapping[str, SolutionSheet], folder: Path) -> None:
-        """Write `folder/NAME.pdf` for every student's worked solutions. Raises TypesetError as
-        `papers` does.
-        """
-        _write(sheets, self.solution, folder)
+    def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
+        """Every student's worked solutions, by name. Raises TypesetError as `papers` does."""
+        return _printed(sheets, self.solution)
 
     def paper(self, paper: Paper) -> bytes:
         """One student's paper as PDF.
@@ -102,9 +97,9 @@ class TypstPress:
         named = self._legible(sheet)
         return self._explaining(solution_source(named, self._size), f"solutions {sheet.code}")
 
-    def key(self, book: KeyBook, target: Path) -> None:
-        """Write the instructor's key; names are printed and errors raised as by `paper`."""
-        target.write_bytes(joined(self._key_parts(book)))
+    def key(self, book: KeyBook) -> Printout:
+        """The instructor's key; names are printed and errors raised as by `paper`."""
+        return Printout(joined(self._key_parts(book)))
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
@@ -199,14 +194,15 @@ class TypstPress:
         return pdf if isinstance(pdf, bytes) else b"".join(pdf or ())
 
 
-def _write(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes], folder: Path) -> None:
-    """The PDF of every sheet by its name, one at a time; one error with the faults of all, each
-    told once.
+def _printed(sheets: Mapping[str, Sheet], pdf: Callable[[Sheet], bytes]) -> dict[str, Printout]:
+    """Every sheet by its name, one at a time; one error with the faults of all, each reported
+    once.
     """
     try:
-        each(lambda name: (folder / f"{name}.pdf").write_bytes(pdf(sheets[name])), sheets)
+        pages = each(pdf, sheets.values())
     except TypesetError as error:
         raise TypesetError(*dict.fromkeys(error.problems)) from error
+    return dict(zip(sheets, map(Printout, pages), strict=True))
 
 
 def legible_owners(book: KeyBook, press: Press) -> KeyBook:

@@ -33,13 +33,12 @@ AHEAD = 2  # tasks for each process that are under way or wait for it
 
 @dataclass(frozen=True)
 class Job:
-    """An exam to be printed, known by the folder of its papers: what a worker needs, and keeps
+    """An exam to be printed, known by the folder of its ledger: what a worker needs, and keeps
     between its tasks.
     """
 
-    folder: Path
+    ledger: Path
     run: PrintRun = field(compare=False)
-    ledger: Path = field(compare=False)
     bank: Bank = field(compare=False)
     roster: Roster = field(compare=False)
     secret: ExamSecret = field(compare=False)
@@ -65,9 +64,8 @@ def printed(
             figures.mkdir()
             ledger.mkdir()
             job = Job(
-                run.papers,
-                replace(run, sketchbook=figures),
                 ledger,
+                replace(run, sketchbook=figures),
                 setting.bank,
                 setting.roster,
                 setting.secret,

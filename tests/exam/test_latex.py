@@ -7,6 +7,7 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Mapping
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 
 import pytest
@@ -48,16 +49,14 @@ FAR_NAMES = [
 ]
 
 
-def pages_of(pdf: Path) -> list[str]:
+def pages_of(pdf: bytes) -> list[str]:
     """The text of each page, blanks taken out (a PDF does not keep them faithfully)."""
-    return ["".join((page.extract_text() or "").split()) for page in PdfReader(pdf).pages]
+    return ["".join((page.extract_text() or "").split()) for page in PdfReader(BytesIO(pdf)).pages]
 
 
-def printed(
-    papers: Mapping[str, Paper], folder: Path, press: LatexPress | None = None
-) -> dict[str, list[str]]:
-    (press or LatexPress()).papers(papers, folder)
-    return {name: pages_of(folder / f"{name}.pdf") for name in papers}
+def printed(papers: Mapping[str, Paper], press: LatexPress | None = None) -> dict[str, list[str]]:
+    printouts = (press or LatexPress()).papers(papers)
+    return {name: pages_of(printouts[name].pdf) for name in papers}
 
 
 def seen(text: str) -> str:
@@ -65,32 +64,28 @@ def seen(text: str) -> str:
 
 
 @pytest.mark.parametrize("names", [NAMES, FAR_NAMES], ids=["pdflatex", "xelatex"])
-def test_names_are_printed_as_they_are_and_each_file_holds_one_student(
-    names: list[str], tmp_path: Path
-) -> None:
+def test_names_are_printed_as_they_are_and_each_file_holds_one_student(names: list[str]) -> None:
     papers = {
         f"s{index}": replace(ENGLISH, name=name, code=f"CODE-{index}")
         for index, name in enumerate(names)
     }
-    for index, ((page,), name) in enumerate(
-        zip(printed(papers, tmp_path).values(), names, strict=True)
-    ):
+    for index, ((page,), name) in enumerate(zip(printed(papers).values(), names, strict=True)):
         assert seen(name) in page
         assert [other for other in range(len(names)) if f"CODE-{other}" in page] == [index]
 
 
-def test_plain_text_never_becomes_a_command(tmp_path: Path) -> None:
+def test_plain_text_never_becomes_a_command() -> None:
     code = r"\jobname#1%\x00" + "\0\n\\par"
     hostile = replace(
         ENGLISH, course=code, title=code, date=code, student=code, name=code, code=code
     )
-    ((page,),) = printed({"s": hostile}, tmp_path).values()
+    ((page,),) = printed({"s": hostile}).values()
     # Student, course and code also run on the page
     assert page.count(seen(code.replace("\0", ""))) == 7
 
 
-def test_an_id_that_no_font_prints_is_printed_as_code_points(tmp_path: Path) -> None:
-    ((page,),) = printed({"s": replace(ENGLISH, student="0😀7")}, tmp_path).values()
+def test_an_id_that_no_font_prints_is_printed_as_code_points() -> None:
+    ((page,),) = printed({"s": replace(ENGLISH, student="0😀7")}).values()
     assert "0[U+1F600]7" in page
 
 
@@ -116,22 +111,21 @@ def test_an_id_that_no_font_prints_is_printed_as_code_points(tmp_path: Path) -> 
     ],
 )
 def test_the_page_says_everything_in_the_same_bytes_every_time(
-    paper: Paper, expected: list[str], tmp_path: Path
+    paper: Paper, expected: list[str]
 ) -> None:
-    (tmp_path / "again").mkdir()
-    ((page,),) = printed({"s": paper}, tmp_path).values()
+    first = LatexPress().papers({"s": paper})
+    (page,) = pages_of(first["s"].pdf)
     assert [text for text in expected if text not in page] == []
-    LatexPress().papers({"s": paper}, tmp_path / "again")
-    assert (tmp_path / "s.pdf").read_bytes() == (tmp_path / "again" / "s.pdf").read_bytes()
+    assert LatexPress().papers({"s": paper}) == first
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_a_sample_of_every_template_can_be_printed(language: Language, tmp_path: Path) -> None:
+def test_a_sample_of_every_template_can_be_printed(language: Language) -> None:
     papers = {name: sample(name, language) for name in template_names()}
-    LatexPress().papers(papers, tmp_path)
-    assert sorted(file.stem for file in tmp_path.iterdir()) == sorted(papers)
+    printouts = LatexPress().papers(papers)
+    assert list(printouts) == list(papers)
     for name in list(papers)[::10]:
-        text = "".join(pages_of(tmp_path / f"{name}.pdf"))
+        text = "".join(pages_of(printouts[name].pdf))
         assert [other for other in papers if papers[other].code in text] == [name]
 
 
@@ -141,12 +135,13 @@ def sample(name: str, language: Language) -> Paper:
     return paper_pages(setting.bank, next(setting.papers()), language)
 
 
-def test_letter_paper_is_wider_than_a4(tmp_path: Path) -> None:
-    LatexPress("letter").papers({"s": replace(ENGLISH, name="Zoë")}, tmp_path)
-    assert round(float(PdfReader(tmp_path / "s.pdf").pages[0].mediabox.width)) == 612
+def test_letter_paper_is_wider_than_a4() -> None:
+    printouts = LatexPress("letter").papers({"s": replace(ENGLISH, name="Zoë")})
+    [page] = PdfReader(BytesIO(printouts["s"].pdf)).pages
+    assert round(float(page.mediabox.width)) == 612
 
 
-def test_a_question_stays_on_one_page_unless_it_is_longer(tmp_path: Path) -> None:
+def test_a_question_stays_on_one_page_unless_it_is_longer() -> None:
     tall = replace(ENGLISH_QUESTION, rows=ENGLISH_QUESTION.rows[:1] * 11)
     long = replace(
         ENGLISH_QUESTION, statement="\n\n".join(f"Sentence {index}." for index in range(120))
@@ -157,13 +152,13 @@ def test_a_question_stays_on_one_page_unless_it_is_longer(tmp_path: Path) -> Non
         "tall": replace(paper, questions=questions),
         "long": replace(paper, questions=(long,)),
     }
-    pages = printed(papers, tmp_path)
+    pages = printed(papers)
     assert [page.count("Youranswer") for page in pages["tall"]] == [1, 1, 1]
     assert ["page1of3" in pages["tall"][0], "page3of3" in pages["tall"][2]] == [True, True]
     assert all(f"Sentence{index}." in "".join(pages["long"]) for index in range(120))
 
 
-def test_a_figure_takes_its_room_beside_and_below_the_text(tmp_path: Path) -> None:
+def test_a_figure_takes_its_room_beside_and_below_the_text() -> None:
     figures = {
         name: Scene(width, 200.0, 1.0, ()) for name, width in (("beside", 60.0), ("below", 120.0))
     }
@@ -175,27 +170,27 @@ def test_a_figure_takes_its_room_beside_and_below_the_text(tmp_path: Path) -> No
         )
         for name, figure in figures.items()
     }
-    assert [len(pages) for pages in printed(papers, tmp_path).values()] == [2, 2]
+    assert [len(pages) for pages in printed(papers).values()] == [2, 2]
 
 
-def test_a_character_without_a_font_in_a_name_is_printed_as_its_code_point(tmp_path: Path) -> None:
+def test_a_character_without_a_font_in_a_name_is_printed_as_its_code_point() -> None:
     press = LatexPress()
     assert press.unprintable(["Zoë 😀", "한국", "张喆"]) == frozenset("😀한국")
-    ((page,),) = printed({"s": replace(ENGLISH, name="Zoë 😀")}, tmp_path, press).values()
+    ((page,),) = printed({"s": replace(ENGLISH, name="Zoë 😀")}, press).values()
     assert "Zoë[U+1F600]" in page
 
 
-def test_a_character_without_a_font_elsewhere_is_refused(tmp_path: Path) -> None:
+def test_a_character_without_a_font_elsewhere_is_refused() -> None:
     question = replace(ENGLISH_QUESTION, statement="The crank 😀 turns.", template="crank")
     with pytest.raises(TypesetError) as refusal:
-        LatexPress().papers({"s": replace(ENGLISH, questions=(question,))}, tmp_path)
+        LatexPress().papers({"s": replace(ENGLISH, questions=(question,))})
     assert refusal.value.problems == (
         "paper A-0001, q1 (crank): no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic "
         "or Chinese; write it otherwise",
     )
 
 
-def test_what_tex_refuses_is_named_by_paper_question_template_and_line(tmp_path: Path) -> None:
+def test_what_tex_refuses_is_named_by_paper_question_template_and_line() -> None:
     question = replace(
         ENGLISH_QUESTION, identifier="q2", statement=r"As $a^b^c$.", template="slider-crank"
     )
@@ -204,23 +199,22 @@ def test_what_tex_refuses_is_named_by_paper_question_template_and_line(tmp_path:
         "t": replace(ENGLISH, code="K7Q2-9FHM", questions=(question,)),
     }
     with pytest.raises(TypesetError) as refusal:
-        LatexPress().papers(papers, tmp_path)
+        LatexPress().papers(papers)
     (problem,) = refusal.value.problems
     assert problem.startswith(
         "paper K7Q2-9FHM, q2 (slider-crank): TeX: Double superscript in line "
     )
     assert r"a^b^c" in problem
     assert problem.endswith("; expected math that can be typeset; fix the formula in the template")
-    assert list(tmp_path.iterdir()) == []
 
 
-def test_all_faults_of_all_papers_are_told_at_once(tmp_path: Path) -> None:
+def test_all_faults_of_all_papers_are_told_at_once() -> None:
     question = replace(ENGLISH_QUESTION, title="# a `b`", statement=r"$\foo$", figure=None)
     paper = replace(
         ENGLISH, rules=("<b>",), questions=(question, replace(question, identifier="q2"))
     )
     with pytest.raises(TypesetError) as refusal:
-        LatexPress().papers({"s": paper, "t": replace(ENGLISH, questions=(question,))}, tmp_path)
+        LatexPress().papers({"s": paper, "t": replace(ENGLISH, questions=(question,))})
     wheres = [
         problem.split(":")[0].removeprefix("paper A-0001, ") for problem in refusal.value.problems
     ]
@@ -235,15 +229,15 @@ def test_all_faults_of_all_papers_are_told_at_once(tmp_path: Path) -> None:
     ]
 
 
-def test_worked_solutions(tmp_path: Path) -> None:
+def test_worked_solutions() -> None:
     broad = replace(ENGLISH_SOLUTION.questions[0], blocks=(long_equation(11),))
     sheets = {
         "en": ENGLISH_SOLUTION,
         "zh": CHINESE_SOLUTION,
         "long": replace(ENGLISH_SOLUTION, questions=(broad,)),
     }
-    LatexPress().solutions(sheets, tmp_path)
-    pages = {name: "".join(pages_of(tmp_path / f"{name}.pdf")) for name in sheets}
+    printouts = LatexPress().solutions(sheets)
+    pages = {name: "".join(pages_of(printouts[name].pdf)) for name in sheets}
     assert [
         word
         for word in ("Workedsolutions", "magnitude", "direction", "Results", "page1of")
@@ -255,11 +249,10 @@ def test_worked_solutions(tmp_path: Path) -> None:
     assert pages["long"].count("magnitude") == 2
 
 
-def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(tmp_path: Path) -> None:
+def test_the_key_gives_exact_and_decimal_and_warns_on_each_page() -> None:
     book = key_book(30)
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
-    LatexPress().key(named, tmp_path / "key.pdf")
-    pages = pages_of(tmp_path / "key.pdf")
+    pages = pages_of(LatexPress().key(named).pdf)
     assert all(
         "INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1)
     )
@@ -275,37 +268,29 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(tmp_path: Path) 
         assert text in pages[0]
 
 
-def test_an_empty_key_is_one_page(tmp_path: Path) -> None:
-    LatexPress().key(key_book(0), tmp_path / "key.pdf")
-    assert len(pages_of(tmp_path / "key.pdf")) == 1
+def test_an_empty_key_is_one_page() -> None:
+    assert len(pages_of(LatexPress().key(key_book(0)).pdf)) == 1
 
 
 def test_kept_sources_can_be_typeset_by_hand(tmp_path: Path) -> None:
-    press = LatexPress(sources=tmp_path / "tex")
     papers = {
         "zoe": replace(ENGLISH, name="Zoë"),
         "ou": replace(CHINESE, questions=(CHINESE_QUESTION,)),
     }
-    printed(papers, tmp_path, press)
-    press.key(key_book(1), tmp_path / "key.pdf")
-    kept = tmp_path / "tex"
-    assert sorted(str(file.relative_to(kept)) for file in kept.rglob("*.*")) == [
-        "key.tex",
-        "kinegrade.sty",
-        "papers/kinegrade.sty",
-        "papers/ou.tex",
-        "papers/zoe.tex",
-    ]
-    for name in papers:
-        first_line = (kept / "papers" / f"{name}.tex").read_text(encoding="utf-8").split("\n", 1)[0]
+    printouts = LatexPress().papers(papers) | {"key": LatexPress().key(key_book(1))}
+    for name, printout in printouts.items():
+        assert set(printout.sources) == {"kinegrade.sty", f"{name}.tex"}
+        for file, source in printout.sources.items():
+            (tmp_path / file).write_bytes(source)
+        first_line = printout.sources[f"{name}.tex"].decode().split("\n", 1)[0]
         command = first_line.rpartition("  ")[2].split()
         subprocess.run(
             [command[0], "-interaction=batchmode", command[1]],
-            cwd=kept / "papers",
+            cwd=tmp_path,
             check=True,
             stdout=subprocess.DEVNULL,
         )
-        assert pages_of(kept / "papers" / f"{name}.pdf") == pages_of(tmp_path / f"{name}.pdf")
+        assert pages_of((tmp_path / f"{name}.pdf").read_bytes()) == pages_of(printout.pdf)
 
 
 def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
@@ -332,9 +317,8 @@ def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
         latex_run.run("pdflatex", source, tmp_path, 1)
 
 
-def test_nothing_to_print_is_nothing_printed(tmp_path: Path) -> None:
-    LatexPress().papers({}, tmp_path)
-    assert list(tmp_path.iterdir()) == []
+def test_nothing_to_print_is_nothing_printed() -> None:
+    assert LatexPress().papers({}) == {}
 
 
 def test_it_is_a_press() -> None:

@@ -16,7 +16,7 @@ def test_without_latex_the_way_out_is_named(
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(TypesetError) as refusal:
-        LatexPress().papers({"s": ENGLISH}, tmp_path)
+        LatexPress().papers({"s": ENGLISH})
     assert refusal.value.problems == (
         "latex: xelatex not found; expected a TeX installation; run make tex, or install TeX "
         "Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst",

@@ -12,8 +12,8 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
-from kinegrade.exam.document import AnswerRow, KeyBook, Paper, PaperSize
-from kinegrade.exam.join import join, page_count
+from kinegrade.exam.document import AnswerRow, Paper, PaperSize
+from kinegrade.exam.join import joined, page_count
 from kinegrade.exam.typst import KEY_CHUNK, TypstPress
 from kinegrade.figure.scene import Scene
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
@@ -44,12 +44,6 @@ def pages_of(pdf: bytes, folder: Path) -> list[str]:
     file = folder / "read.pdf"
     file.write_bytes(pdf)
     return ["".join(page.extract_text().split()) for page in PdfReader(file).pages]
-
-
-def key_pdf(press: TypstPress, book: KeyBook, folder: Path) -> bytes:
-    """The instructor's key."""
-    press.key(book, folder / "key.pdf")
-    return (folder / "key.pdf").read_bytes()
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -104,9 +98,9 @@ def test_the_page_says_everything(
     assert [text for text in expected if text not in page] == []
 
 
-def test_same_input_same_bytes(press: TypstPress, tmp_path: Path) -> None:
+def test_same_input_same_bytes(press: TypstPress) -> None:
     assert press.paper(CHINESE) == press.paper(CHINESE) == TypstPress().paper(CHINESE)
-    assert key_pdf(press, key_book(1), tmp_path) == key_pdf(press, key_book(1), tmp_path)
+    assert press.key(key_book(1)) == press.key(key_book(1))
 
 
 def test_letter_paper_is_wider_than_a4(tmp_path: Path) -> None:
@@ -264,7 +258,7 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(
 ) -> None:
     book = key_book(KEY_CHUNK + 5)
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
-    pages = pages_of(key_pdf(press, named, tmp_path), tmp_path)
+    pages = pages_of(press.key(named).pdf, tmp_path)
     assert all(
         "INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1)
     )
@@ -273,21 +267,18 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(
         assert text in pages[0]
 
 
-def test_an_empty_key_is_one_page(press: TypstPress, tmp_path: Path) -> None:
-    assert page_count(key_pdf(press, key_book(0), tmp_path)) == 1
+def test_an_empty_key_is_one_page(press: TypstPress) -> None:
+    assert page_count(press.key(key_book(0)).pdf) == 1
 
 
-def test_a_key_that_cannot_be_printed_says_why(press: TypstPress, tmp_path: Path) -> None:
+def test_a_key_that_cannot_be_printed_says_why(press: TypstPress) -> None:
     with pytest.raises(TypesetError, match=r"^key: no font prints 한"):
-        key_pdf(press, replace(key_book(1), course="한"), tmp_path)
+        press.key(replace(key_book(1), course="한"))
 
 
 def test_papers_are_joined_in_order(press: TypstPress, tmp_path: Path) -> None:
-    files = [tmp_path / name for name in ("b.pdf", "a.pdf")]
-    for file in files:
-        file.write_bytes(press.paper(replace(ENGLISH, name=file.name)))
-    join(files, tmp_path / "all.pdf")
-    join(files, tmp_path / "again.pdf")
-    pages = pages_of((tmp_path / "all.pdf").read_bytes(), tmp_path)
-    assert ["b.pdf" in pages[0], "a.pdf" in pages[1], len(pages)] == [True, True, 2]
-    assert (tmp_path / "all.pdf").read_bytes() == (tmp_path / "again.pdf").read_bytes()
+    papers = [press.paper(replace(ENGLISH, name=name)) for name in ("Bo", "Al")]
+    whole = joined(papers)
+    pages = pages_of(whole, tmp_path)
+    assert ["Bo" in pages[0], "Al" in pages[1], len(pages)] == [True, True, 2]
+    assert joined(papers) == whole

@@ -1,0 +1,59 @@
+"""The files of an exam folder that come from a press: papers, worked solutions, keys, and LaTeX
+sources.
+
+`kinegrade.exam.generate` writes them one student at a time, as printed papers come from processes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+from kinegrade.exam.join import joining
+from kinegrade.exam.press import Printout
+from kinegrade.exam.printing import Printed
+
+_PAPERS, _SOLUTIONS, _SOURCES = "papers", "solutions", "tex"
+
+
+@contextmanager
+def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, Printed], None]]:
+    """What writes each paper under its file name, and its worked solutions where they are wanted;
+    at the end, all of them in one file.
+    """
+    with ExitStack() as books:
+        volumes = {
+            name: books.enter_context(joining(folder / f"{name}.pdf", duplex=True))
+            for name in (_PAPERS, *([_SOLUTIONS] if solutions else []))
+        }
+        for name in volumes:
+            (folder / name).mkdir()
+
+        def write(file_name: str, printed: Printed) -> None:
+            for name, printout in _printouts(printed).items():
+                _write(folder / name / f"{file_name}.pdf", printout, folder / _SOURCES / name)
+                volumes[name](printout.pdf)
+            for kind, content in printed.also.items():
+                (folder / _PAPERS / f"{file_name}.{kind}").write_bytes(content)
+
+        yield write
+
+
+def write_key(folder: Path, key: Printout) -> None:
+    """The instructor's key."""
+    _write(folder / "key.pdf", key, folder / _SOURCES)
+
+
+def _printouts(printed: Printed) -> Mapping[str, Printout]:
+    """The printouts by the folder where they lie."""
+    if printed.solution is None:
+        return {_PAPERS: printed.paper}
+    return {_PAPERS: printed.paper, _SOLUTIONS: printed.solution}
+
+
+def _write(target: Path, printout: Printout, sources: Path) -> None:
+    target.write_bytes(printout.pdf)
+    for name, content in printout.sources.items():
+        sources.mkdir(parents=True, exist_ok=True)
+        (sources / name).write_bytes(content)

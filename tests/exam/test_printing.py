@@ -1,0 +1,48 @@
+"""A paper is printed the same, whoever else is printed with it: alone, in another order, among
+names in other scripts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from kinegrade.exam.bank import Bank
+from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.press import Engine
+from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, print_papers
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.language import Language
+
+NAMES = ("Zoë", "Ann Lee", "王伟", "O'Neil")
+CLASS = Roster(tuple(Student(name, name, "", str(at)) for at, name in enumerate(NAMES)), ())
+
+
+@pytest.fixture
+def papers(golden_bank: Bank) -> tuple[Bank, list[SetPaper]]:
+    """A bank whose questions each student has in another order, and the papers of a class."""
+    [question] = golden_bank.questions
+    questions = question, replace(question, identifier="q2"), replace(question, identifier="q3")
+    bank = replace(golden_bank, questions=questions, shuffle=True)
+    return bank, list(set_exam(bank, CLASS, FromWords("printing")).papers())
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("engine", ["typst"])
+def test_a_paper_printed_alone_is_the_same_as_among_others(
+    papers: tuple[Bank, list[SetPaper]], engine: Engine, language: Language
+) -> None:
+    bank, class_papers = papers
+    order = PressOrder(engine, "a4")
+    run = PrintRun(bank, language, order, Extras(solutions=True))
+
+    def printed(chosen: list[SetPaper]) -> list[Printed]:
+        return print_papers(run, order.press(), chosen)
+
+    together = printed(class_papers)
+    assert len({paper.paper.pdf for paper in together}) == len(NAMES)
+    assert all(paper.solution for paper in together)
+    assert printed(class_papers[::-1]) == together[::-1]
+    assert [alone for paper in class_papers for alone in printed([paper])] == together
