@@ -4,7 +4,8 @@
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make prove   the proofs in full, at new seeds: 10,000 damaged files through every door, then make fairness
-# make tex    LaTeX, for those who typeset with it (Debian and Ubuntu; elsewhere it says what to install)
+# make tools  what tests and benchmarks need beside Python: LaTeX with siunitx, poppler (Debian and Ubuntu;
+#             elsewhere it says what to install)
 # They set themselves up in .venv on a machine with Python 3.11 or newer and pip.
 
 PYTHON ?= python3
@@ -12,7 +13,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo demo-answers test lint types bench measure fairness prove golden check-templates tex clean
+.PHONY: demo demo-answers test lint types bench measure fairness prove golden check-templates tools clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -60,16 +61,8 @@ prove: $(READY)
 golden: $(READY)
 	$(BIN)/python -m pytest -n 0 tests --regenerate-golden
 
-TEX_PACKAGES := lmodern texlive-lang-chinese texlive-latex-recommended texlive-pictures texlive-xetex
-
-tex:
-	@if command -v pdflatex >/dev/null && command -v xelatex >/dev/null && kpsewhich --progname=xelatex lmodern.sty xeCJK.sty ctexhook.sty tikz.sty >/dev/null; \
-	then echo "LaTeX is installed."; \
-	elif ! command -v apt-get >/dev/null; \
-	then echo "Install TeX Live (tug.org/texlive) or MacTeX with pdflatex, xelatex and the packages lm, pgf, geometry, amsmath, fontspec, xecjk, ctex."; \
-	else sudo=$$(test $$(id -u) = 0 || echo sudo); \
-	  $$sudo apt-get update -qq && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $(TEX_PACKAGES); \
-	fi
+tools:
+	@$(PYTHON) -m tests.tools
 
 clean:
 	rm -rf $(VENV) demo .pytest_cache .mypy_cache .ruff_cache

@@ -14,7 +14,7 @@ from kinegrade.exam.bank import Bank, read_bank
 from tests.golden_files import BANK, GOLDEN, Hold
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, generate, write_class
-from tests.tex import TEX_MISSING, TEX_REASON
+from tests.tools import complaint, missing_tools
 
 COMMON = {
     "deadline": None,
@@ -31,9 +31,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    if TEX_MISSING:
-        terminalreporter.write_line(f"{TEX_REASON}: its tests were skipped.", yellow=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Fail a test that needs TeX where there is none: a test that is skipped proves nothing."""
+    if item.get_closest_marker("needs_tex") is None:
+        return
+    missing = missing_tools()
+    if missing:
+        pytest.fail(complaint(missing), pytrace=False)
 
 
 @pytest.fixture

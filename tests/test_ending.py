@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 
 from tests.problem.crank import crank_text
-from tests.tex import needs_tex
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 PROMPT = 1.0  # seconds in which an interruption is obeyed
@@ -111,13 +110,13 @@ MOMENTS = [
         ("--jobs", "1", "--engine", "latex", "--no-solutions"),
         "temporary/*/pages.tex",
         id="latex",
-        marks=needs_tex,
+        marks=pytest.mark.needs_tex,
     ),
     pytest.param(
         ("--jobs", "2", "--engine", "latex", "--no-solutions"),
         "temporary/*/pages.tex",
         id="latex-of-workers",
-        marks=needs_tex,
+        marks=pytest.mark.needs_tex,
     ),
     pytest.param(
         ("--jobs", "1", "--also", "docx", "--no-solutions"),

@@ -97,7 +97,7 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     found = which(program)
     if found is None:
         raise TypesetError(
-            f"latex: {program} not found; expected a TeX installation; run make tex, or install "
+            f"latex: {program} not found; expected a TeX installation; run make tools, or install "
             "TeX Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst"
         )
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}

@@ -28,9 +28,8 @@ from kinegrade.language import Language
 from kinegrade.problem.library import load_template, template_names
 from tests.exam.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.exam.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
-from tests.tex import needs_tex
 
-pytestmark = [needs_tex, pytest.mark.xdist_group("latex")]
+pytestmark = [pytest.mark.needs_tex, pytest.mark.xdist_group("latex")]
 
 NAMES = [
     r"\input{/etc/passwd}",

@@ -14,7 +14,6 @@ from pypdf import PdfReader
 from kinegrade.language import Language
 from kinegrade.question_numbers import bank_number, other_number
 from tests.small_class import asks_of, generate, key_lines, kinegrade, table, write_class
-from tests.tex import needs_tex
 
 INTERNAL = re.compile(r"(?<![A-Za-z0-9])q[0-9]")
 RULE = {"en": "Forquestion{}:", "zh": "第{}题："}
@@ -99,7 +98,7 @@ def test_no_page_names_a_question_by_the_name_of_its_column(
     assert {"en": "Question3", "zh": "第3题"}[language] in squeezed(tmp_path / "report.html")
 
 
-@needs_tex
+@pytest.mark.needs_tex
 def test_no_page_that_latex_sets_does_either(tmp_path: Path) -> None:
     exam = shuffled_class(tmp_path, "--engine", "latex", "--solutions")
     require_numbers(exam, "en")

@@ -11,7 +11,6 @@ import pytest
 from click.testing import Result
 
 from tests.small_class import contents, key_lines, kinegrade
-from tests.tex import needs_tex
 
 BANK = """title = "Quiz"
 course = "Mechanics"
@@ -200,7 +199,7 @@ def test_a_remark_added_to_the_bank_is_no_reason_to_refuse(folder: Path) -> None
     assert generate(folder, "--force").exit_code == 0
 
 
-@needs_tex
+@pytest.mark.needs_tex
 def test_edited_sources_are_not_overwritten(folder: Path) -> None:
     assert generate(folder, "--force", "--engine", "latex").exit_code == 0
     assert generate(folder, "--force", "--engine", "latex").exit_code == 0

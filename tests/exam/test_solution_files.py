@@ -10,7 +10,6 @@ import pytest
 from pypdf import PdfReader
 
 from tests.small_class import STUDENTS, contents, generate, kinegrade, write_class
-from tests.tex import needs_tex
 
 
 def text_of(pdf: Path) -> str:
@@ -72,7 +71,7 @@ def test_a_paper_for_word_is_a_word_file(tmp_path: Path) -> None:
         assert "王伟" in package.read("word/document.xml").decode()
 
 
-@needs_tex
+@pytest.mark.needs_tex
 def test_latex_typesets_papers_key_and_solutions_and_keeps_its_sources(tmp_path: Path) -> None:
     folder = write_class(tmp_path)
     (folder / "roster.csv").write_text("student,name\n007,Ann\n008,Ben\n", encoding="utf-8")

@@ -46,7 +46,6 @@ WITH_ARGUMENT = (
 
 @pytest.fixture(scope="module")
 def press() -> PandocPress:
-    pytest.importorskip("pypandoc", reason="pandoc is not installed: Word and HTML were not tested")
     return PandocPress()
 
 
@@ -168,7 +167,6 @@ def test_a_figure_has_its_size_and_its_description(press: PandocPress) -> None:
 
 
 def test_the_paper_size_is_taken_over() -> None:
-    pytest.importorskip("pypandoc")
     size = parts(PandocPress("letter").docx(ENGLISH))("word/document.xml").find(f".//{W}pgSz")
     assert size is not None
     assert (size.get(f"{W}w"), size.get(f"{W}h")) == ("12240", "15840")

@@ -21,7 +21,6 @@ from kinegrade.figure.typst import to_typst
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import EIGHT
 from tests.figure.test_typst import SYMBOLS
-from tests.tex import needs_tex
 
 BackEnd = Callable[[Scene], str]
 BACK_ENDS = pytest.mark.parametrize("back_end", [to_typst, to_tikz])
@@ -42,7 +41,7 @@ def test_typst_draws_all_eight_figures() -> None:
     assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
 
 
-@needs_tex
+@pytest.mark.needs_tex
 def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) -> None:
     scenes = eight_scenes()
     boxes = (
@@ -59,7 +58,7 @@ def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) ->
         )
 
 
-@needs_tex
+@pytest.mark.needs_tex
 def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> None:
     boxes = (
         rf"\setbox0\hbox{{${symbol}$}}\typeout{{size \the\wd0 \space\the\dimexpr\ht0+\dp0}}"
