@@ -8,9 +8,7 @@ ours: no code to be scanned, no count of pages, no key.
 from __future__ import annotations
 
 import re
-import subprocess
 from math import degrees
-from shutil import which
 
 from kinegrade.exam.document import AnswerRow, Paper, QuestionSheet
 from kinegrade.exam.latex_text import plain
@@ -31,7 +29,6 @@ PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \pagestyle{fancy}
 """
 FILLS = {"none": "", "white": "fill=white", "grey": "fill=black!9", "black": "fill=black"}
-PACKAGES = ("lmodern", "geometry", "amsmath", "siunitx", "tikz", "fancyhdr", "tabularx", "enumitem")
 QUANTITY = re.compile(r"(-?[\d.]+)\\,\\unit\{([^}]*)\}")
 DEGREES = re.compile(r"(-?[\d.]+)\^\\circ")
 
@@ -49,14 +46,6 @@ def ordinary_paper(paper: Paper) -> str:
     return "\n".join(
         [PREAMBLE + head, r"\begin{document}", title, rules, questions, r"\end{document}", ""]
     )
-
-
-def has_ordinary_latex() -> bool:
-    """Whether pdflatex and all packages of the document are on this machine."""
-    if which("pdflatex") is None or which("kpsewhich") is None:
-        return False
-    files = [f"{package}.sty" for package in PACKAGES]
-    return subprocess.run(["kpsewhich", *files], capture_output=True, check=False).returncode == 0
 
 
 def candidate(paper: Paper) -> str:

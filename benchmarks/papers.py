@@ -7,7 +7,7 @@ and pdflatex is run once. Drawing, solving and sketching are our own, so they co
 The peer makes a sample of the same papers, its programs are loaded and warm before the clock
 starts, and it makes no key, so it has less to do. As a second peer, without promise, stands a run
 of our own LaTeX source, which is written to be fast. Memory is that of the command with all its
-processes. Where no such LaTeX is on the machine its figures are left out, and the report says so.
+processes.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from tempfile import TemporaryDirectory
 
 from benchmarks.figure_of_merit import Figure, seconds
 from benchmarks.memory import peak_of_tree
-from benchmarks.ordinary_latex import has_ordinary_latex, ordinary_paper
+from benchmarks.ordinary_latex import ordinary_paper
 from kinegrade.exam.bank import bank_path, read_bank
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.exam_secret import FromWords
@@ -55,12 +55,6 @@ def figures() -> Iterator[Figure]:
             1,
             "MB",
         )
-        if not has_ordinary_latex():
-            print(
-                f"papers: {typst * 1e3:.1f} ms each; no pdflatex with siunitx and TikZ here to "
-                "compare with"
-            )
-            return
         latex, _ = generate(folder, STUDENTS, "--engine", "latex")
         ordinary, lean = one_job_each(folder, SAMPLE), one_run_each(kept_papers(folder, SAMPLE))
         yield Figure(

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from benchmarks.ordinary_latex import PACKAGES
+from benchmarks.__main__ import missing_peer
+from benchmarks.ordinary_latex import PREAMBLE
 from kinegrade.exam.word import PandocPress
 from tests.tools import TEX_FILES, main, missing_tools
 
@@ -82,9 +84,26 @@ def test_a_test_that_needs_tex_fails_without_it(tmp_path: Path) -> None:
 
 
 def test_the_tools_hold_what_the_ordinary_paper_loads() -> None:
-    beside_latex = {f"{name}.sty" for name in PACKAGES} - {
-        "amsmath.sty",
-        "geometry.sty",
-        "tabularx.sty",
-    }
-    assert beside_latex <= TEX_FILES.keys()
+    loaded = {f"{name}.sty" for name in re.findall(r"usepackage.*{(\w+)}", PREAMBLE)}
+    part_of_latex = {"amsmath.sty", "fontenc.sty", "geometry.sty", "tabularx.sty"}
+    assert loaded - part_of_latex <= TEX_FILES.keys()
+    assert "siunitx.sty" in loaded
+
+
+def test_a_bench_without_its_peer_fails_in_one_line(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "benchmarks", "startup"],
+        env={**os.environ, "PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    (line,) = done.stderr.splitlines()
+    assert (done.returncode, done.stdout) == (1, "")
+    assert line.startswith("tools: pdflatex, ")
+    assert line.endswith("; run make tools")
+
+
+def test_a_bench_without_sympy_fails_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("benchmarks.__main__.find_spec", lambda name: None)
+    assert missing_peer().startswith("sympy: not installed; ")
