@@ -75,13 +75,14 @@ class Fairness:
         return self.full() and self.none() and self.diagnosed() >= DIAGNOSED
 
     def add(self, other: Fairness) -> None:
-        """Count another template's students too."""
+        """Count the students of another class or template too."""
         self.instances += other.instances
         for mine, theirs in ((self.honest, other.honest), (self.others, other.others)):
             for way, count in theirs.items():
                 mine.setdefault(way, Counter()).update(count)
         for name in ("mistakes", "inseparable", "rounded", "confused"):
             getattr(self, name).update(getattr(other, name))
+        self.broken += other.broken[: SHOWN - len(self.broken)]
 
 
 def fairness(name: str, draws: int, *, measured: bool = True) -> Fairness:
@@ -90,20 +91,26 @@ def fairness(name: str, draws: int, *, measured: bool = True) -> Fairness:
     """
     found = Fairness(name)
     for simulated in classes(load_template(name), draws):
-        found.instances += len(simulated.papers)
-        for way, answers in honest_students(simulated):
-            count_honest(
-                found,
-                found.honest.setdefault(way, Counter()),
-                way,
-                simulated,
-                answers,
-                promised=True,
-            )
-        for answers in mistaken_students(simulated, rounded=False):
-            count_mistaken(found, simulated, answers)
-        if measured:
-            measure(found, simulated)
+        found.add(count_class(simulated, measured=measured))
+    return found
+
+
+def count_class(simulated: SimulatedClass, *, measured: bool) -> Fairness:
+    """Everything counted for one class."""
+    found = Fairness(simulated.template.name, len(simulated.papers))
+    for way, answers in honest_students(simulated):
+        count_honest(
+            found,
+            found.honest.setdefault(way, Counter()),
+            way,
+            simulated,
+            answers,
+            promised=True,
+        )
+    for answers in mistaken_students(simulated, rounded=False):
+        count_mistaken(found, simulated, answers)
+    if measured:
+        measure(found, simulated)
     return found
 
 

@@ -105,14 +105,19 @@ def answered(
 def classes(template: Template, draws: int) -> Iterator[SimulatedClass]:
     """So many papers of what a template asks by default, in classes of CLASS students."""
     for number, first in enumerate(range(0, draws, CLASS)):
-        names = [f"s{place}" for place in range(min(CLASS, draws - first))]
-        roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
-        setting = set_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
-        (deck,) = setting.decks.values()
-        papers = tuple(setting.papers())
-        yield SimulatedClass(
-            template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation)
-        )
+        yield simulated_class(template, number, min(CLASS, draws - first))
+
+
+def simulated_class(template: Template, number: int, students: int) -> SimulatedClass:
+    """The papers of one class; another number gives others."""
+    names = [f"s{place}" for place in range(students)]
+    roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
+    setting = set_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
+    (deck,) = setting.decks.values()
+    papers = tuple(setting.papers())
+    return SimulatedClass(
+        template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation)
+    )
 
 
 def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:

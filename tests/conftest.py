@@ -1,10 +1,9 @@
-"""How hypothesis runs (the same examples every time where CI is set, new ones elsewhere), and a
-small exam for all.
+"""How hypothesis runs (the same examples every time, new ones for `make prove`), and a small exam
+for all.
 """
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import pytest
@@ -20,9 +19,9 @@ COMMON = {
     "deadline": None,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
 }
-settings.register_profile("ci", max_examples=50, derandomize=True, **COMMON)
-settings.register_profile("new", max_examples=50, **COMMON)
-settings.load_profile("ci" if os.environ.get("CI") else "new")
+settings.register_profile("suite", max_examples=50, derandomize=True, **COMMON)
+settings.register_profile("prove", max_examples=200, database=None, **COMMON)
+settings.load_profile("suite")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -4,71 +4,32 @@ the tolerance.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.key import Key
 from tests.small_class import asks_of, kinegrade, table
+from tests.spellings import SPELLINGS, Spelling, rounded, type_answers
 
 FULL = "15.5"
 TINY = Fraction(1, 10**30)
-Spelling = Callable[[dict[str, Any]], str]
 
 
-def marked(small_class: Path, tmp_path: Path, spell: Callable[[str, str], str]) -> Path:
-    """The MARKS of a class that types `spell(student, column)`."""
+def marked(small_class: Path, tmp_path: Path, typed: Callable[[str, str], str]) -> Path:
+    """The MARKS of a class that types `typed(student, column)`."""
     exam, file = small_class / "EXAM", tmp_path / "answers.csv"
-    rows = table(exam / "answers.csv")
-    for row in rows:
-        row.update({column: spell(row["student"], column) for column in row if "." in column})
-    with file.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+    type_answers(exam, file, typed)
     result = kinegrade("grade", exam, file, "-o", tmp_path / "MARKS")
     assert (result.exit_code, result.stdout) == (0, ""), result.stderr
     return tmp_path / "MARKS"
 
 
-def rounded(digits: int) -> Spelling:
-    return lambda ask: str(Context(prec=digits).create_decimal(ask["decimal"]))
-
-
-@pytest.mark.parametrize(
-    "spell",
-    [
-        rounded(37),  # with the zeros about the point as many as are read
-        rounded(6),
-        rounded(4),
-        lambda ask: repr(ask["value"]),
-        # 1,875 would be remarked upon
-        lambda ask: f"{Decimal(ask['decimal']):.9f}".replace(".", ","),
-        lambda ask: f" {rounded(5)(ask)} {ask['unit']} ",
-        lambda ask: f"{Decimal(ask['decimal']):.6e}",
-        lambda ask: rounded(6)(ask).replace("-", "\u2212"),
-        lambda ask: rounded(6)(ask).translate(
-            {ord(digit): ord(digit) + 0xFEE0 for digit in "0123456789.-"}
-        ),
-    ],
-    ids=[
-        "37 digits",
-        "6 digits",
-        "4 digits",
-        "value",
-        "comma",
-        "unit",
-        "power of ten",
-        "minus",
-        "full width",
-    ],
-)
+@pytest.mark.parametrize("spell", SPELLINGS.values(), ids=SPELLINGS)
 def test_the_keys_own_answers_get_full_marks(
     small_class: Path, tmp_path: Path, spell: Spelling
 ) -> None:

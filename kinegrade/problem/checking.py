@@ -29,6 +29,7 @@ FEWEST = 500  # distinct instances: fewer, and a large class finds out the patte
 TEXTS_TRIED = 1000  # draws at which the texts that depend on values are looked at
 SEARCHED = 300  # instances that the search for breaking values tries
 OFTEN_ASTRAY = 0.1  # a share of refused draws that an author should hear of
+SECRET = "check"  # the instances looked at are the same every time
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
 
@@ -36,13 +37,15 @@ INSTANCES = 5  # values at which a published formula is proved, besides the valu
 class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
-    `sound` are the asks that can be worked out at all drawn values; the others are faults.
-    `inseparable` has for each ask the mistakes that cannot be told from the truth, or not in most
-    instances. `blamed` counts the refusals that are one answer's doing, by reason and ask.
-    `seconds` is the median time of an instance; `remarks` are for the author to weigh.
+    `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
+    all drawn values; the others are faults. `inseparable` has for each ask the mistakes that cannot
+    be told from the truth, or not in most instances. `blamed` counts the refusals that are one
+    answer's doing, by reason and ask. `seconds` is the median time of an instance; `remarks` are
+    for the author to weigh.
     """
 
     template: Template
+    secret: str = SECRET
     sound: tuple[str, ...] = ()
     proved: int = 0
     instances: int = 0
@@ -63,14 +66,15 @@ class Report:
         return self.template.combinations * self.instances // examined if examined else 0
 
 
-def check(template: Template, sample: int = 200) -> Report:
+def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report:
     """Check published results exactly, and `sample` drawn instances (all, where there are no more).
 
-    An ask that cannot be worked out is one fault; what follows from it is not reported again.
+    Another `secret` draws other instances. An ask that cannot be worked out is one fault; what
+    follows from it is not reported again.
     """
-    draws = list(drawable(template, sample))
+    draws = list(drawable(template, sample, secret))
     asks = answerable(template, draws)
-    report = Report(template, asks.sound)
+    report = Report(template, secret, asks.sound)
     report.faults += statement_faults(template)
     weigh_texts(report, sample)
     if not template.published:
@@ -91,7 +95,7 @@ def check(template: Template, sample: int = 200) -> Report:
 
 def search(report: Report, examples: int) -> None:
     """Look for values that break the template, drawable ones and their neighbours."""
-    broken = breaking_values(report.template, asked(report), examples)
+    broken = breaking_values(report.template, asked(report), examples, report.secret)
     if broken is not None:
         report.faults.append(
             f"breaks at {stated(broken[0])}: {broken[1]}: add a condition or narrow the domains"
@@ -115,7 +119,9 @@ def weigh_texts(report: Report, sample: int) -> None:
     """
     template = report.template
     idle = {name: set(range(len(wordings))) for name, wordings in template.texts.items()}
-    for values in drawable(template, max(sample, TEXTS_TRIED)) if template.texts else ():
+    if not template.texts:
+        return
+    for values in drawable(template, max(sample, TEXTS_TRIED), report.secret):
         if not all(holds(template, condition, values) for condition in template.conditions):
             continue
         for name, wordings in template.texts.items():
@@ -161,7 +167,7 @@ def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> DrawScreen
     """See which draws a known mistake would confuse with the truth; report what no draw can tell
     apart.
     """
-    sight = Deck(report.template, asked(report), "check", report.template.name).sight
+    sight = Deck(report.template, asked(report), report.secret, report.template.name).sight
     sight.look(draws)
     if sight.separation is not None:
         report.inseparable = sight.separation.inseparable()
@@ -204,7 +210,7 @@ def rounding_remarks(report: Report) -> Iterator[str]:
             )
 
 
-def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:
+def drawable(template: Template, sample: int, secret: str = SECRET) -> Iterator[Mapping[str, str]]:
     """Values of `sample` different combinations, evenly addressed; all of them where there are no
     more.
     """
@@ -212,7 +218,7 @@ def drawable(template: Template, sample: int) -> Iterator[Mapping[str, str]]:
     if total <= sample:
         yield from (combination(template, index) for index in range(total))
         return
-    addresses = (address("check", template.name, number) % total for number in range(3 * sample))
+    addresses = (address(secret, template.name, number) % total for number in range(3 * sample))
     yield from (combination(template, index) for index in islice(dict.fromkeys(addresses), sample))
 
 
@@ -242,7 +248,7 @@ def prove(report: Report, published: Published) -> None:
     )
     solutions, problem = [], ""
     gives = [name for name in published.gives if name in report.sound]
-    for values in settled(report.template, published, 1 if complete else 20 * INSTANCES):
+    for values in settled(report, published, 1 if complete else 20 * INSTANCES):
         try:
             solutions.append(solve_template(report.template, values, gives))
         except KinegradeError as error:
@@ -260,11 +266,11 @@ def prove(report: Report, published: Published) -> None:
         report.faults.append(f"{where}: no instance can be solved: {problem}")
 
 
-def settled(template: Template, published: Published, count: int) -> Iterator[Mapping[str, str]]:
+def settled(report: Report, published: Published, count: int) -> Iterator[Mapping[str, str]]:
     """The values that a source states, with `count` draws of those it leaves open."""
-    fixed = {name: (text,) for name, text in published.given.items()}
+    template, fixed = report.template, {name: (text,) for name, text in published.given.items()}
     deck = Deck(template, template.asked(), "published", published.source, fixed)
-    return ({**deck.values("check", attempt), **published.given} for attempt in range(count))
+    return ({**deck.values(report.secret, attempt), **published.given} for attempt in range(count))
 
 
 def at(solution: Solution) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from random import Random
 
 from hypothesis import HealthCheck, find, settings
 from hypothesis import strategies as st
@@ -23,10 +24,10 @@ from kinegrade.temporary import temporary_folder
 
 
 def breaking_values(
-    template: Template, asks: Sequence[str], examples: int
+    template: Template, asks: Sequence[str], examples: int, secret: str
 ) -> tuple[dict[str, str], str] | None:
     """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show
-    none.
+    none. Another `secret` makes other tries.
     """
     strategy = st.fixed_dictionaries(
         {
@@ -36,7 +37,6 @@ def breaking_values(
     )
     quiet = settings(
         max_examples=examples,
-        derandomize=True,
         database=None,
         deadline=None,
         suppress_health_check=list(HealthCheck),
@@ -44,7 +44,10 @@ def breaking_values(
     with nothing_left_behind():
         try:
             found = find(
-                strategy, lambda values: reason(template, asks, values) is not None, settings=quiet
+                strategy,
+                lambda values: reason(template, asks, values) is not None,
+                settings=quiet,
+                random=Random(f"{secret} {template.name}"),
             )
         except NoSuchExample:
             return None

@@ -5,7 +5,6 @@ anything.
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import combinations
 from math import hypot
 from typing import Any
 
@@ -15,7 +14,6 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.layers import draw
-from kinegrade.figure.obstacles import Obstacles
 from kinegrade.figure.paper import to_paper
 from kinegrade.figure.scene import (
     BOLD,
@@ -23,17 +21,13 @@ from kinegrade.figure.scene import (
     THIN,
     Bow,
     Disc,
-    Label,
     Outline,
     Scene,
     Strokes,
-    box_of,
 )
 from kinegrade.figure.sketch import HEIGHT, WIDTH, sketch
-from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.drawing import Deck
-from kinegrade.problem.library import load_template, template_names
+from tests.figure.clear import faults
 from tests.figure.mechanisms import (
     EIGHT,
     Case,
@@ -54,19 +48,7 @@ CASES = [
 
 
 def check(scene: Scene) -> None:
-    boxes = [box_of(label) for label in scene.labels]
-    assert not any(one.meets(other) for one, other in combinations(boxes, 2))
-    lines = [
-        part for part in scene.primitives if not isinstance(part, Label) and part.pen is not None
-    ]
-    bold = Obstacles.of(part for part in lines if part.pen and part.pen.width >= BOLD.width)
-    for label in scene.labels:
-        assert bold.under_box(*label.centre, label.width, label.height) == 0, label.symbol
-    for part in scene.primitives:
-        box = box_of(part)
-        assert min(box.left, box.bottom) > -1e-6
-        assert box.right < scene.width + 1e-6
-        assert box.top < scene.height + 1e-6
+    assert faults(scene, scene.width, scene.height) == []
     assert scene.width <= WIDTH
     assert scene.height <= HEIGHT
 
@@ -88,15 +70,6 @@ def test_slider_cranks_of_any_draw_are_clear(r: float, k: float, phi: int) -> No
 @given(st.floats(0.04, 0.12), st.integers(15, 70))
 def test_slotted_bars_of_any_draw_are_clear(length: float, theta: int) -> None:
     check(sketch(*slotted_bar(length, theta)))
-
-
-@pytest.mark.parametrize("name", template_names())
-def test_shipped_templates_are_clear_at_ten_draws(name: str) -> None:
-    template = load_template(name)
-    deck = Deck(template, template.asked(), "secret", "q1")
-    for student in range(10):
-        mechanism = deck.draw(str(student)).solution.motion.frames.mechanism
-        check(sketch(drawable_mechanism(mechanism), template.figure))
 
 
 def centres(scene: Scene) -> list[Vector]:

@@ -8,11 +8,9 @@ import os
 import re
 import shutil
 import signal
-import time
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 from types import FrameType
@@ -31,36 +29,26 @@ class Hang(BaseException):
     """A command took too long; no `Exception`, or code that survives faults would survive it."""
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a case; `fault` is "" where all is well."""
-
-    seed: int
-    door: str
-    status: int
-    seconds: float
-    fault: str
-
-
-def run_case(seed: int, material: Path, folder: Path) -> Outcome:
-    """Run the case of that seed in a new folder, which is removed again."""
+def fault_of_case(seed: int, material: Path, folder: Path) -> str:
+    """What is wrong with the end of the case of that seed, "" where all is well; it runs in a new
+    folder, which is removed again.
+    """
     chance = Random(seed)
     door = DOORS[seed % len(DOORS)]
     copy_material(material, folder)
     damage(chance, folder / door.file)
     here = Path.cwd()
-    begin = time.monotonic()
     os.chdir(folder)
     try:
         with _limited():
             result = CliRunner().invoke(main, list(door.command))
         fault = _fault(door, folder, result)
     except Hang as hang:
-        return Outcome(seed, door.name, -1, time.monotonic() - begin, f"hang: {_place(hang)}")
+        fault = f"hang: {_place(hang)}"
     finally:
         os.chdir(here)
         shutil.rmtree(folder, ignore_errors=True)
-    return Outcome(seed, door.name, result.exit_code, time.monotonic() - begin, fault)
+    return f"{door.name}: {fault}" if fault else ""
 
 
 def _fault(door: Door, folder: Path, result: Result) -> str:

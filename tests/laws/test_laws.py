@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import pytest
 from flint import arb, fmpq
 from hypothesis import assume, given, settings
 
@@ -22,19 +21,17 @@ from kinegrade.mechanics.joints import Circle, Line, Pin
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, solve
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.library import load_template
-from kinegrade.problem.solving import solve_template
 from tests.laws.cases import (
     Case,
     cases,
     grown_cases,
-    moving_templates,
     template_cases,
     well_conditioned,
     with_numbers,
 )
+from tests.laws.differences import double, hold_against_positions
 from tests.laws.growing import mechanisms
-from tests.laws.position import moving, regularity
+from tests.laws.position import regularity
 
 
 @given(cases())
@@ -243,30 +240,6 @@ def test_the_motion_is_what_differences_of_constructed_positions_give(case: Case
     hold_against_positions(case)
 
 
-@pytest.mark.parametrize("name", moving_templates())
-def test_the_motion_of_every_template_is_what_differences_of_positions_give(name: str) -> None:
-    solution = solve_template(load_template(name), {}, ())
-    hold_against_positions(Case(solution.assembly.mechanism, solution.arithmetic, solution.motion))
-
-
-def hold_against_positions(case: Case) -> None:
-    """Velocity and acceleration of every marked point and body against central differences."""
-    differences = moving(case.mechanism)
-    with case.context():
-        for body in case.mechanism.bodies:
-            if not body.particle:
-                assert near(case.motion.omega(body.name), differences.omega[body.name])
-                assert near(case.motion.alpha(body.name), differences.alpha[body.name])
-            for point in body.points:
-                for coordinate in (0, 1):
-                    velocity = differences.velocity[point, body.name][coordinate]
-                    acceleration = differences.acceleration[point, body.name][coordinate]
-                    assert near(case.motion.velocity(point, body.name)[coordinate], velocity)
-                    assert near(
-                        case.motion.acceleration(point, body.name)[coordinate], acceleration
-                    )
-
-
 @settings(max_examples=200)
 @given(mechanisms(groups=1))
 def test_a_mechanism_is_refused_exactly_where_positions_do_not_determine_its_motion(
@@ -376,20 +349,6 @@ def compare(case: Case, motion: Motion, vector: Any, turn: Any, change: Any) -> 
     for body in case.turning():
         assert case.same(motion.omega(body), turn(case.motion.omega(body)))
         assert case.same(motion.alpha(body), change(case.motion.alpha(body)))
-
-
-def near(exact: Any, difference: Any) -> bool:
-    """Equal to 1e-9 of the size, or absolutely where the size is small."""
-    return abs(double(exact) - float(difference)) <= 1e-9 * max(1.0, abs(float(difference)))
-
-
-def double(number: Any) -> float:
-    """Any number as the nearest double."""
-    return (
-        float(number)
-        if isinstance(number, (arb, Surd, int, float))
-        else int(number.p) / int(number.q)
-    )
 
 
 def size(motion: Motion) -> float:

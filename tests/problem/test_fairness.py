@@ -1,5 +1,5 @@
-"""Marks are fair: a sample of what `python -m benchmarks.fairness` shows for 1,000 papers of every
-template.
+"""The simulation of `python -m benchmarks.fairness` notices unfair marks; `tests/prove/fair_marks.py`
+shows that marks are fair.
 """
 
 from __future__ import annotations
@@ -9,19 +9,7 @@ import pytest
 from benchmarks.fairness import Fairness, fairness, main, row, summary
 from benchmarks.simulated_class import Answer, classes
 from benchmarks.students import honest_students, mistaken_students
-from kinegrade.problem.library import load_template, template_names
-
-DRAWS = 3
-
-
-@pytest.mark.parametrize("name", template_names())
-def test_honest_work_gets_full_marks_known_mistakes_get_none_and_are_named(name: str) -> None:
-    found = fairness(name, DRAWS, measured=False)
-    assert found.broken == []
-    assert (found.full(), found.none(), found.diagnosed()) == (True, True, 1.0)
-    assert found.instances == DRAWS
-    assert all(count["given"] for count in found.honest.values())
-    assert found.mistakes["named"] > found.mistakes["alike"]
+from kinegrade.problem.library import load_template
 
 
 def test_the_simulation_notices_unfair_marks(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,72 @@
+"""Every proof in full, at seeds that are new every time; `make prove` runs it.
+
+    python -m tests.prove [--minutes 55] [--scale 0.01] [--seed 1] [--only PROOF]
+
+Prints a table of the proofs, each with its first seed and how many cases of how many were run, then
+every failure as the line that belongs into `tests/prove/failed_seeds.py`. The status is 1 if there
+is any. No batch begins after the minutes are over: a table with fewer cases than it should have
+says so by its numbers.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Sequence
+from secrets import randbelow
+
+from tests.prove.outcome import Outcome
+from tests.prove.processes import outcomes
+from tests.prove.proof import Proof
+from tests.prove.proofs import PROOFS
+
+HEADER = f"{'proof':24}{'seed':>12}{'cases':>8}{'of':>8}{'seconds':>9}{'failures':>10}"
+SEEDS = 10**9
+
+
+def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOFS) -> int:
+    """Run the proofs, print what came of them; 1 where one failed."""
+    wanted = _parser(proofs).parse_args(arguments)
+    until = time.monotonic() + 60 * wanted.minutes
+    failures: list[str] = []
+    print(HEADER, flush=True)
+    for proof in _chosen(proofs, wanted.only):
+        cases = max(1, round(wanted.scale * proof.cases))
+        first = randbelow(SEEDS) if wanted.seed is None else wanted.seed
+        begin = time.monotonic()
+        found = list(outcomes(proof, range(first, first + cases), wanted.jobs, until))
+        lines = [_line(proof, each) for each in found if each.fault]
+        seconds = time.monotonic() - begin
+        row = f"{proof.name:24}{first:12}{len(found):8}{cases:8}{seconds:9.0f}{len(lines):10}"
+        print(row, flush=True)
+        failures += lines
+    if failures:
+        print("failures, for tests/prove/failed_seeds.py:", *failures, sep="\n")
+    return 1 if failures else 0
+
+
+def _chosen(proofs: Sequence[Proof], only: Sequence[str] | None) -> list[Proof]:
+    """The proofs named, or all."""
+    return [proof for proof in proofs if only is None or proof.name in only]
+
+
+def _parser(proofs: Sequence[Proof]) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m tests.prove")
+    parser.add_argument("--minutes", type=float, default=55.0)
+    parser.add_argument("--scale", type=float, default=1.0, help="share of the cases to run")
+    parser.add_argument("--seed", type=int, default=None)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    names = [proof.name for proof in proofs]
+    parser.add_argument("--only", action="append", choices=names, help="this proof; repeatable")
+    return parser
+
+
+def _line(proof: Proof, outcome: Outcome) -> str:
+    """An entry of the list of failed seeds."""
+    return f"    ({proof.name!r}, {outcome.seed}): {outcome.fault!r},"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,58 @@
+"""Cases of a proof in a process of their own, with limits of time and memory.
+
+    python -m tests.prove.batch tests.prove.fairness:hold 100 120
+
+Writes a line of JSON for each case, as soon as it is done.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import json
+import resource
+import sys
+import traceback
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from pkgutil import resolve_name
+
+from kinegrade.temporary import temporary_folder
+from tests.prove.outcome import Outcome
+
+MEMORY = 1 << 30  # bytes
+SECONDS = 120  # after which even code that never looks at signals is ended
+
+
+def main(address: str, first: str, stop: str) -> None:
+    """Run the cases of these seeds."""
+    resource.setrlimit(resource.RLIMIT_DATA, (2 * MEMORY, 2 * MEMORY))
+    hold = resolve_name(address)
+    with temporary_folder() as folder:
+        for seed in range(int(first), int(stop)):
+            faulthandler.dump_traceback_later(SECONDS, exit=True)
+            print(json.dumps(asdict(Outcome(seed, _fault(hold, seed, folder)))), flush=True)
+
+
+def _fault(hold: Callable[[int, Path], None], seed: int, folder: Path) -> str:
+    """What is wrong at a seed, in one line; a case that takes more memory than any before it, and
+    more than is allowed, is at fault too.
+    """
+    before = _most_memory()
+    try:
+        hold(seed, folder)
+    except Exception as fault:
+        place = traceback.extract_tb(fault.__traceback__)[-1]
+        said = " ".join(str(fault).split())
+        return f"{type(fault).__name__} in {Path(place.filename).name}:{place.lineno}: {said}"
+    most = _most_memory()
+    return f"memory: {most >> 20} MB" if most > max(before, MEMORY) else ""
+
+
+def _most_memory() -> int:
+    unit = 1 if sys.platform == "darwin" else 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

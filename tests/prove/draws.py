@@ -1,0 +1,24 @@
+"""What a seed draws from the shipped templates."""
+
+from __future__ import annotations
+
+from kinegrade.problem.drawing import Deck
+from kinegrade.problem.library import load_template, template_names
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Template
+
+STRIDE = 37  # so that a few seeds that follow each other fall on templates of all kinds
+
+
+def seeded_template(seed: int) -> Template:
+    """A shipped template: as many seeds that follow each other as there are templates give each of
+    them once.
+    """
+    names = template_names()
+    return load_template(names[STRIDE * seed % len(names)])
+
+
+def seeded_solution(seed: int) -> Solution:
+    """The solution of an instance of the template of a seed, drawn as for an exam."""
+    template = seeded_template(seed)
+    return Deck(template, template.asked(), f"prove {seed}", "q1").draw("1").solution

@@ -1,0 +1,28 @@
+"""What a proof is: a claim that any seed may try to refute."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Proof:
+    """A claim and how often it is tried.
+
+    `hold` tries it once, at a seed and in a folder of its own process, and raises AssertionError,
+    or whatever else breaks it, where it does not hold. `make prove` runs `cases` seeds in full,
+    `batch` of them in one process; `make test` runs `sample` fixed ones.
+    """
+
+    name: str
+    hold: Callable[[int, Path], None]
+    cases: int
+    batch: int
+    sample: int
+
+    @property
+    def address(self) -> str:
+        """Where another process finds what holds the claim."""
+        return f"{self.hold.__module__}:{self.hold.__qualname__}"

@@ -1,0 +1,102 @@
+"""A fixed sample of every proof, every seed that once failed, and the program that runs proofs."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tests.prove import invented, properties
+from tests.prove.__main__ import main
+from tests.prove.failed_seeds import FAILED
+from tests.prove.proof import Proof
+from tests.prove.proofs import PROOFS
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="limits of time are signals of POSIX")
+FIRST = 1_000  # seed of the samples
+BY_NAME = {proof.name: proof for proof in PROOFS}
+SAMPLE = [
+    pytest.param(proof, seed, id=f"{proof.name} {seed}")
+    for proof in PROOFS
+    for seed in range(FIRST, FIRST + proof.sample)
+]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder that the cases of this process share."""
+    return tmp_path_factory.mktemp("proofs")
+
+
+@pytest.mark.parametrize(("proof", "seed"), SAMPLE)
+def test_the_claim_holds_at_a_fixed_sample(proof: Proof, seed: int, folder: Path) -> None:
+    proof.hold(seed, folder)
+
+
+@pytest.mark.parametrize(("name", "seed"), FAILED)
+def test_what_once_failed_holds_now(name: str, seed: int, folder: Path) -> None:
+    BY_NAME[name].hold(seed, folder)
+
+
+def test_every_proof_has_a_sample() -> None:
+    without = [proof.name for proof in PROOFS if not proof.sample]
+    assert without == ["properties"]  # whose sample is the suite
+    assert "tests/laws/test_laws.py" in properties.files()
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str, cases: int) -> tuple[int, list[str]]:
+    """The status and the lines of a run of the invented proof."""
+    proof = Proof("invented", invented.hold, cases=cases, batch=3, sample=0)
+    status = main(["--seed", "10", "--jobs", "2", *arguments], (proof,))
+    return status, capsys.readouterr().out.splitlines()
+
+
+def test_a_failure_is_the_line_that_belongs_into_the_list(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    status, lines = run(capsys, cases=10)
+    assert status == 1
+    name, seed, cases, full, _, failures = lines[1].split()
+    assert (name, seed, cases, full, failures) == ("invented", "10", "10", "10", "4")
+    assert lines[2] == "failures, for tests/prove/failed_seeds.py:"
+    assert lines[3].startswith("    ('invented', 11): 'AssertionError in invented.py:")
+    assert lines[3].endswith(": 11 ends in 1',")
+    assert lines[4].endswith(": no such thing',")
+    assert lines[5] == "    ('invented', 13): 'the process died',"
+    assert lines[6].startswith("    ('invented', 14): 'memory: 1")
+
+
+def test_a_run_without_failure_ends_well(capsys: pytest.CaptureFixture[str]) -> None:
+    status, lines = run(capsys, "--scale", "0.1", cases=10)
+    assert (status, len(lines)) == (0, 2)
+    assert lines[1].split()[2:4] == ["1", "1"]
+
+
+def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    _, lines = run(capsys, "--minutes", "0", cases=10)
+    assert lines[1].split()[2:4] == ["0", "10"]
+
+
+def test_a_proof_that_is_not_there_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--only", "fairnes"])
+    assert "invalid choice: 'fairnes'" in capsys.readouterr().err
+
+
+def test_a_seed_of_properties_that_fails_names_the_test(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    file = tmp_path / "test_wrong.py"
+    file.write_text(
+        "from hypothesis import given, strategies as st\n\n"
+        "@given(st.integers())\ndef test_all_are_small(n):\n    assert n < 100\n",
+        encoding="utf-8",
+    )
+    profile = "from hypothesis import settings\n\nsettings.register_profile('prove')\n"
+    (tmp_path / "conftest.py").write_text(profile, encoding="utf-8")
+    monkeypatch.setattr(properties, "files", lambda: (str(file),))
+    with pytest.raises(AssertionError, match="FAILED .*test_wrong.py::test_all_are_small"):
+        properties.hold(5, tmp_path)
