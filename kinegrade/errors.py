@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 SUGGESTIONS = 3  # names that a hint offers for a wrong one
+LONGEST_PART = 300  # characters of each part of a message
 LISTED = 8  # known names that a hint lists whole: of more, only the nearest are shown
 
 
@@ -30,8 +31,30 @@ class ExpressionError(KinegradeError):
     """An arithmetic expression that cannot be read or evaluated."""
 
 
-class TomlError(KinegradeError):
-    """A text that is not TOML; the message names the line and the slip, but no file."""
+class SyntaxFault(KinegradeError):
+    """A text that is not in the language of its file; `line` is the line of the slip, from 1, or
+    None where the parser names none.
+    """
+
+    def __init__(self, problem: str, line: int | None = None) -> None:
+        self.line = line
+        super().__init__(problem)
+
+
+class TomlError(SyntaxFault):
+    """A text that is not TOML; the message names the slip."""
+
+
+class JsonError(SyntaxFault):
+    """A text that is not JSON; the message names the slip."""
+
+
+class FieldError(KinegradeError):
+    """A value that is not what its key needs: what stands there, what was expected, what to do."""
+
+    def __init__(self, what: str, expected: str = "", do: str = "") -> None:
+        self.what, self.expected, self.do = what, expected, do
+        super().__init__(message("", what, expected, do))
 
 
 class TemplateError(KinegradeError):
@@ -82,6 +105,19 @@ class WorkerError(KinegradeError):
 
 class ExportError(KinegradeError):
     """A quiz, or grades, cannot be said in the format that another system takes."""
+
+
+def message(where: str, what: str, expected: str = "", do: str = "") -> str:
+    """A fault in one line: where it is, what stands there, what was expected, what to do.
+
+    >>> message("bank.toml:3: points", "0", "a number above zero", "write points = 1")
+    'bank.toml:3: points: 0 - expected a number above zero - write points = 1'
+    >>> message("bank.toml: title", "missing", "a text")
+    'bank.toml: title: missing - expected a text'
+    """
+    place = f"{where}: " if where else ""
+    parts = (f"{place}{short_line(what)}", expected and f"expected {expected}", do)
+    return " - ".join(short_line(part, 2 * LONGEST_PART) for part in parts if part)
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
@@ -138,3 +174,13 @@ def one_line(text: str) -> str:
     '1 +·2'
     """
     return "".join(letter if letter.isprintable() else "·" for letter in text)
+
+
+def short_line(text: str, longest: int = LONGEST_PART) -> str:
+    """A text as one line of a message can hold it, cut where it is longer.
+
+    >>> short_line("a very long text", 10)
+    'a very lo…'
+    """
+    line = one_line(text)
+    return line if len(line) <= longest else f"{line[: longest - 1]}…"

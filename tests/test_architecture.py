@@ -25,7 +25,7 @@ FLOORS = {
     "angular": 0,
     "exact": 0,
     "units": 0,
-    "toml_reading": 0,
+    "fields": 0,
     "files": 0,
     "leftovers": 0,
     "temporary": 0,

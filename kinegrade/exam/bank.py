@@ -31,17 +31,16 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, cast, get_args
 
-from kinegrade.errors import BankError, TomlError, did_you_mean
+from kinegrade.errors import BankError, did_you_mean, short_line
 from kinegrade.exam.bank_credit import read_credit
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
 from kinegrade.exam.bank_values import Values, written
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, matched, wishes
 from kinegrade.exam.press import ENGINES, Engine
 from kinegrade.exam.versions import LETTERS
+from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.problem.library import shipped
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
-from kinegrade.problem.toml_text import short_line
-from kinegrade.toml_reading import read_toml
 
 KEYS = (
     "title",
@@ -57,6 +56,7 @@ KEYS = (
     "questions",
 )
 MAX_BYTES = 200_000
+_BANK_FILE = FileKind("a bank file", BankError, MAX_BYTES)
 
 
 def bank_path(path: Path) -> Path:
@@ -88,25 +88,8 @@ def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
 
     Raises BankError with all faults at once.
     """
-    try:
-        with path.open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
-        if len(data) > MAX_BYTES:
-            raise BankError(
-                f"{path}: too large: at most {MAX_BYTES} bytes are read: give the path of a bank "
-                "file"
-            )
-        text = data.decode("utf-8-sig")
-        table = read_toml(text)
-    except OSError as error:
-        raise BankError(
-            f"{path}: cannot be read: {error.strerror}: give the path of a bank file"
-        ) from error
-    except (UnicodeDecodeError, TomlError) as error:
-        raise BankError(
-            f"{path}: not readable as TOML in UTF-8: {short_line(str(error))}: "
-            "fix it, or give a bank file"
-        ) from error
+    text = read_text(path, _BANK_FILE)
+    table = toml_table(str(path), text, _BANK_FILE).content
     return blueprint(Values(path), table, text, folder or shipped("templates"))
 
 

@@ -11,11 +11,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from kinegrade.errors import did_you_mean, misspelt
+from kinegrade.errors import did_you_mean, misspelt, short_line
 from kinegrade.language import LANGUAGES
 from kinegrade.problem.template import Translated
 from kinegrade.problem.tolerance import Tolerance
-from kinegrade.problem.toml_text import short_line
 
 NUMBER = r"(\d{1,4}(?:\.\d{1,9})?)"  # few enough digits to pass through JSON unchanged
 DECIMAL = re.compile(NUMBER, re.ASCII)

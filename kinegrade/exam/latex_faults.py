@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from kinegrade.errors import short_line
 from kinegrade.exam.latex_run import Outcome
-from kinegrade.problem.toml_text import short_line
 
 PLACE = "%% "  # begins the comment lines of a source that say what follows
 

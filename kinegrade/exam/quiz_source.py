@@ -17,11 +17,11 @@ from typing import Any
 from kinegrade.errors import ExamError, TemplateError, TomlError
 from kinegrade.exact.written import NumberError, written_number, written_text
 from kinegrade.exam.exam_secret import secret_of
+from kinegrade.fields.toml_text import read_toml
 from kinegrade.language import Language, exam_language_of
 from kinegrade.problem.library import kept_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
-from kinegrade.toml_reading import read_toml
 
 FORMAT = 1
 DIGITS = 8  # hexadecimal, of the identifier

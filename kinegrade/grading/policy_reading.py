@@ -38,17 +38,17 @@ from pathlib import Path
 from typing import Any
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import ExpressionError, PolicyError, TomlError, did_you_mean, one_line
+from kinegrade.errors import ExpressionError, PolicyError, did_you_mean
 from kinegrade.expression import Expression, names, read
+from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.key import Ask, Sitting, questions
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import NO_ROOM, Accepted, Attempts, Policy, Room, Ruling, Void
 from kinegrade.grading.policy_values import Values, shown, written
 from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion, written_unit
-from kinegrade.toml_reading import read_toml
 
-MAX_BYTES = 1_000_000
+_POLICY_FILE = FileKind("a policy file", PolicyError, 1_000_000)
 _ATTEMPTS = ("last", "first", "best")
 _VOIDS = ("full", "drop")
 
@@ -85,7 +85,8 @@ def read_policy(
 
     Raises PolicyError with all faults at once.
     """
-    text, table = _table(path)
+    text = read_text(path, _POLICY_FILE)
+    table = toml_table(str(path), text, _POLICY_FILE).content
     return _Reader(Values(path), exam, givens).policy(table, text, _stated(givens.folder, stated))
 
 
@@ -118,26 +119,6 @@ def _credited(
         mistakes={name: share for name, share in shares.items() if share is not None},
         follow_through=values.share(f"{inside}credit.follow-through", credit.get("follow-through")),
     )
-
-
-def _table(path: Path) -> tuple[str, Mapping[str, Any]]:
-    try:
-        with path.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-        if len(content) > MAX_BYTES:
-            raise PolicyError(
-                f"{path}: too large - expected at most {MAX_BYTES} bytes - check the name"
-            )
-        text = content.decode("utf-8-sig")
-        return text, read_toml(text)
-    except OSError as fault:
-        raise PolicyError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a policy file - check the name"
-        ) from fault
-    except (UnicodeDecodeError, TomlError) as fault:
-        raise PolicyError(
-            f"{path}: {one_line(str(fault))} - expected TOML in UTF-8 - fix it"
-        ) from fault
 
 
 class _Reader:

@@ -11,7 +11,14 @@ from collections.abc import Callable, Iterable, Mapping
 from itertools import combinations
 from typing import Any, TypeVar
 
-from kinegrade.errors import ExpressionError, KinegradeError, TemplateError, did_you_mean, misspelt
+from kinegrade.errors import (
+    ExpressionError,
+    KinegradeError,
+    TemplateError,
+    did_you_mean,
+    misspelt,
+    short_line,
+)
 from kinegrade.expression import Expression, read
 from kinegrade.language import LANGUAGES
 from kinegrade.mechanics.geometry import BRANCHES
@@ -35,11 +42,12 @@ from kinegrade.problem.shared_mechanism import (
 from kinegrade.problem.signs import read_sign
 from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
 from kinegrade.problem.template_choices import read_method, read_tags
-from kinegrade.problem.toml_text import KNOWN, NEEDED, short_line, toml_tables
+from kinegrade.problem.toml_text import KNOWN, NEEDED, toml_tables
 from kinegrade.problem.uses import Uses
 from kinegrade.problem.wordings import read_texts
 from kinegrade.units import read_unit
 
+KIND_NAMES: Mapping[type, str] = {dict: "table", list: "list", str: "text"}
 RESERVED = frozenset({"pi", GROUND, *BRANCHES})
 TAKEN = ", ".join(sorted(RESERVED))
 NAMING = f"not usable as a name: a letter, then letters, digits and _ ; not {TAKEN}"
@@ -145,9 +153,7 @@ class Reader:
         """The table or list under `key`, empty if it is missing or of another kind."""
         value = self.table.get(key, kind())
         if not isinstance(value, kind):
-            self.fault(
-                key, f"expected a {'table' if kind is dict else 'list' if kind is list else 'text'}"
-            )
+            self.fault(key, f"expected a {KIND_NAMES[kind]}")
             return kind()
         return value
 
@@ -191,9 +197,8 @@ class Reader:
 
     def understood(self, template: Template) -> frozenset[str]:
         """The names of the parts that could be read."""
-        return frozenset(
-            (*template.parameters, *template.lengths, *template.points, *template.asks)
-        )
+        groups = (template.parameters, template.lengths, template.points, template.asks)
+        return frozenset().union(*groups)
 
     def translated(self, table: Mapping[str, Any], key: str, path: str = "") -> Translated:
         """A text in en and zh."""
@@ -213,12 +218,10 @@ class Reader:
 
     def parameters(self) -> dict[str, Parameter]:
         """The givens."""
-        found = {}
+        found, keys = {}, {"unit", "draw", "published", "means", "symbol"}
         for name, entry in self.section("parameters", dict).items():
             path = f"parameters.{name}"
-            if not self.is_table(
-                path, entry, {"unit", "draw", "published", "means", "symbol"}, {"unit", "draw"}
-            ):
+            if not self.is_table(path, entry, keys, {"unit", "draw"}):
                 continue
             unit = self.part(path, read_unit, str(entry["unit"]))
             choices = self.part(path, read_choices, entry["draw"])
@@ -258,14 +261,12 @@ class Reader:
         """Bodies with their marked points: "O A", or "particle M"."""
         found = []
         for name, value in self.section("bodies", dict).items():
-            words = str(value).split()
+            path, words = f"bodies.{name}", str(value).split()
             particle = words[:1] == ["particle"]
             marked = tuple(words[1:] if particle else words)
             for point in marked:
                 if point not in points and point not in self.declared:
-                    self.fault(
-                        f"bodies.{name}", f'no point "{point}": {did_you_mean(point, points)}'
-                    )
+                    self.fault(path, f'no point "{point}": {did_you_mean(point, points)}')
             if not marked or (particle and len(marked) != 1):
                 self.fault(f"bodies.{name}", 'expected its points, like "O A", or "particle M"')
             found.append(Body(name, marked, particle))
@@ -292,20 +293,22 @@ class Reader:
 
     def joints(self) -> tuple[JointSentence, ...]:
         """The joint sentences."""
-        sentences = [
-            self.part(f"joints[{index}]", read_joint, str(text))
-            for index, text in enumerate(self.section("joints", list))
+        return self.sentences("joints", read_joint)
+
+    def sentences(self, key: str, make: Callable[[str], Part]) -> tuple[Part, ...]:
+        """What `make` gives of each sentence of a list."""
+        parts = [
+            self.part(f"{key}[{index}]", make, str(text))
+            for index, text in enumerate(self.section(key, list))
         ]
-        return tuple(sentence for sentence in sentences if sentence is not None)
+        return tuple(part for part in parts if part is not None)
 
     def drivers(self) -> tuple[DriverSentence, ...]:
         """The inputs."""
-        found = []
+        found, keys = [], {"motion", "velocity", "acceleration"}
         for index, entry in enumerate(self.section("inputs", list)):
             path = f"inputs[{index}]"
-            if self.is_table(
-                path, entry, {"motion", "velocity", "acceleration"}, {"motion", "velocity"}
-            ):
+            if self.is_table(path, entry, keys, {"motion", "velocity"}):
                 sentence = self.part(
                     path,
                     read_driver,
@@ -318,11 +321,7 @@ class Reader:
 
     def conditions(self) -> tuple[Condition, ...]:
         """Relations such as "left < right"."""
-        found = []
-        for index, text in enumerate(self.section("conditions", list)):
-            condition = self.part(f"conditions[{index}]", read_condition, str(text))
-            found += [condition] if condition is not None else []
-        return tuple(found)
+        return self.sentences("conditions", read_condition)
 
     def asks(self) -> dict[str, Ask]:
         """The quantities that may be asked for."""

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinegrade.errors import TemplateError, TomlError, one_line
-from kinegrade.toml_reading import read_toml
+from kinegrade.errors import TemplateError, TomlError, message
+from kinegrade.fields.place import Where
+from kinegrade.fields.toml_text import read_toml
 
 MAX_CHARACTERS = 100_000
-MAX_PROBLEM = 300  # characters of a fault: enough for a place, what stands there, what was expected
 
 KEYS = (
     "title",
@@ -56,10 +56,5 @@ def toml_tables(where: str, text: str) -> dict[str, Any]:
     try:
         return read_toml(text)
     except TomlError as error:
-        raise TemplateError(f"{where}: not readable as TOML: {short_line(str(error))}") from error
-
-
-def short_line(text: str) -> str:
-    """A text as one line of a message can hold it."""
-    line = one_line(text)
-    return line if len(line) <= MAX_PROBLEM else f"{line[: MAX_PROBLEM - 1]}…"
+        place = str(Where(where, (), error.line))
+        raise TemplateError(message(place, str(error), "a template in TOML", "fix it")) from error

@@ -327,13 +327,11 @@ number = 2
         ),
         (
             QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}",
-            "not readable as TOML in UTF-8: a whole number of more than 60 digits: round it: "
-            "fix it, or give a bank file",
+            "a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
         ),
         (
             QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}",
-            "not readable as TOML in UTF-8: a whole number of more than 60 digits: round it: "
-            "fix it, or give a bank file",
+            "a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
         ),
         (
             QUESTION + 'asks = { "v\\nB" = 1 }',
@@ -349,11 +347,14 @@ def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -
 @pytest.mark.parametrize(
     ("content", "problem"),
     [
-        (b"\xff\xfe\x00", "not readable as TOML in UTF-8: "),
-        (b"title = ", "not readable as TOML in UTF-8: "),
-        (b"title = " + b"1" * 5000, "not readable as TOML in UTF-8: "),
-        (b"a = " + b"[" * 20000, "not readable as TOML in UTF-8: "),
-        (b"#" * (MAX_BYTES + 1), f"too large: at most {MAX_BYTES} bytes are read"),
+        (b"\xff\xfe\x00", "not UTF-8 - expected a bank file in UTF-8 - fix it"),
+        (b"title = ", "Invalid value (at end of document) - expected a bank file in TOML"),
+        (b"title = " + b"1" * 5000, "a whole number of more than 60 digits: round it"),
+        (b"a = " + b"[" * 20000, "nested too deeply: write it more simply"),
+        (
+            b"#" * (MAX_BYTES + 1),
+            f"too large - expected a bank file of at most {MAX_BYTES} bytes - check",
+        ),
         (b"", "questions: expected 1 to 50 tables"),
     ],
 )
@@ -371,7 +372,7 @@ def test_a_bank_that_is_not_there_is_refused(tmp_path: Path) -> None:
         (tmp_path, "Is a directory"),
     ):
         with pytest.raises(
-            BankError, match=f"cannot be read: {reason}: give the path of a bank file"
+            BankError, match=rf"cannot be read \({reason}\) - expected a bank file - check the name"
         ):
             read_bank(file)
 

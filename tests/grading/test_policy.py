@@ -393,13 +393,18 @@ def test_an_accepted_answer_without_a_value_is_refused(
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
-        (b"attempts = ", "Invalid value (at end of document) - expected TOML in UTF-8 - fix it"),
+        (
+            b"attempts = ",
+            "Invalid value (at end of document) - expected a policy file in TOML - fix it",
+        ),
         (
             b"\xff",
-            "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte "
-            "- expected TOML in UTF-8 - fix it",
+            "not UTF-8 - expected a policy file in UTF-8 - fix it",
         ),
-        (b"#" * 1_000_001, "too large - expected at most 1000000 bytes - check the name"),
+        (
+            b"#" * 1_000_001,
+            "too large - expected a policy file of at most 1000000 bytes - check the name",
+        ),
         (
             None,
             "cannot be read (No such file or directory) - expected a policy file - check the name",

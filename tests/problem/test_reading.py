@@ -379,7 +379,7 @@ def test_large_files_and_strange_names_are_refused_before_reading() -> None:
 def test_whole_numbers_of_thousands_of_digits_are_refused() -> None:
     for number in ("9" * 5000, "0x" + "f" * 5000, "9" * 61):
         assert faults(('published = "60"', f"published = {number}")) == [
-            "crank.toml: not readable as TOML: a whole number of more than 60 digits: round it"
+            "crank.toml: a whole number of more than 60 digits: round it - expected a template in TOML - fix it"
         ]
 
 

@@ -1,8 +1,7 @@
-"""TOML as people write it: the tables of a text, and a line that names the slip where it is no
-TOML.
+"""TOML as people write it: the tables of a text, and the slip with its line where it is no TOML.
 
-Templates, banks and policies are read with it, each adding the file's name and what to do. Numbers
-with a point stay texts, so that nothing is rounded on reading.
+Numbers with a point keep their digits, so that nothing is rounded on reading. `document` adds the
+file's name.
 """
 
 from __future__ import annotations
@@ -14,70 +13,50 @@ from typing import Any
 from unicodedata import normalize
 
 from kinegrade.errors import TomlError, one_line
-from kinegrade.expression import MAX_DIGITS
+from kinegrade.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, require_bounded
 
 STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
-PLACE = re.compile(r"line (\d+), column \d+")
+PLACE = re.compile(r" \(at line (\d+), column \d+\)")
 LONGEST_SHOWN = 40
-DEEPEST = 30  # no file of ours nests deeper than five
 MOST_DOTS = 200  # in one line, besides those inside of numbers
 DECIMAL = re.compile(r"[0-9]+\.[0-9]+")
 TWICE = "Cannot overwrite a value"  # the parser's words for a key that stands twice
-TOO_DEEP = "nested too deeply: write it more simply"
-TOO_LARGE = f"a whole number of more than {MAX_DIGITS} digits: round it"
 FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
 PLAIN_VALUE = re.compile(r"[-+]?\d[\d_.eE+-]*|true|false", re.ASCII)
 Advice = Callable[[re.Match[str]], str]
 
 
 def read_toml(text: str) -> dict[str, Any]:
-    """The tables of a TOML text; numbers with a point stay texts. Raises TomlError naming the line
-    and the slip.
+    """The tables of a TOML text; numbers with a point are Digits. Raises TomlError with the slip
+    and its line.
     """
     require_few_dots(text)
     try:
-        tables = tomllib.loads(text, parse_float=str)
+        tables = tomllib.loads(text, parse_float=Digits)
+        require_bounded(tables)
     except tomllib.TOMLDecodeError as error:
-        raise TomlError(named(text, str(error))) from error
+        raise named(text, str(error)) from error
+    except Unbounded as error:
+        raise TomlError(str(error)) from error
     except RecursionError as error:
         raise TomlError(TOO_DEEP) from error
     except ValueError as error:  # Python reads no integer of more than 4,300 digits
         raise TomlError(TOO_LARGE) from error
-    require_bounded(tables)
     return tables
 
 
 def require_few_dots(text: str) -> None:
     """Raises TomlError for keys of hundreds of parts, on which the parser works for minutes."""
-    for line in text.split("\n"):
+    for number, line in enumerate(text.split("\n"), 1):
         if line.count(".") > MOST_DOTS and DECIMAL.sub("", line).count(".") > MOST_DOTS:
-            raise TomlError(TOO_DEEP)
+            raise TomlError(TOO_DEEP, number)
 
 
-def require_bounded(tables: dict[str, Any]) -> None:
-    """Raises TomlError where tables and lists are nested deeper than DEEPEST, or a whole number is
-    absurdly large.
-    """
-    level: list[Any] = [tables]
-    for _ in range(DEEPEST):
-        parts = [part for outer in level for part in parts_of(outer)]
-        if any(isinstance(part, int) and abs(part) >= 10**MAX_DIGITS for part in parts):
-            raise TomlError(TOO_LARGE)
-        level = [part for part in parts if isinstance(part, dict | list)]
-    if level:
-        raise TomlError(TOO_DEEP)
-
-
-def parts_of(value: dict[str, Any] | list[Any]) -> list[Any]:
-    """What stands directly in a table or a list."""
-    return list(value.values()) if isinstance(value, dict) else value
-
-
-def named(text: str, fault: str) -> str:
+def named(text: str, fault: str) -> TomlError:
     """The fault of the parser, or the slip that is behind it, with its line."""
     place = PLACE.search(fault)
     if place is None:
-        return one_line(fault)
+        return TomlError(one_line(fault))
     number = int(place[1])
     line = text.split("\n")[number - 1]
     slip = slip_in(line)
@@ -87,7 +66,7 @@ def named(text: str, fault: str) -> str:
             f"{one_line(key[:LONGEST_SHOWN])}: stands in this table before: leave one of the "
             "two out"
         )
-    return f"line {number}: {slip}" if slip else one_line(fault)
+    return TomlError(slip or one_line(PLACE.sub("", fault)), number)
 
 
 def slip_in(line: str) -> str:

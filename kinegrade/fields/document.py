@@ -1,0 +1,100 @@
+"""Opening a TOML or JSON file as the table that it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from kinegrade.errors import KinegradeError, SyntaxFault, message
+from kinegrade.fields.faults import Faults
+from kinegrade.fields.json_text import read_json
+from kinegrade.fields.lines import lines_of_json, lines_of_toml
+from kinegrade.fields.place import Place, Where
+from kinegrade.fields.table import Table
+from kinegrade.fields.toml_text import read_toml
+from kinegrade.fields.values import found
+
+_Lines = Callable[[str], Mapping[Place, int]]
+
+
+@dataclass(frozen=True)
+class FileKind:
+    """What a kind of file is called in messages ("a bank file"), the error that its faults are
+    raised as, how many bytes of it are read, and what to do about a fault that names no remedy.
+    """
+
+    noun: str
+    error: type[KinegradeError]
+    most_bytes: int
+    do: str = ""
+
+
+@dataclass(frozen=True)
+class Document:
+    """The text of a file, with the line of each place in it; the lines are looked for when a fault
+    needs one.
+    """
+
+    name: str
+    text: str
+    find_lines: _Lines
+
+    def where(self, place: Place) -> Where:
+        """The line of a place; of what is missing, of the nearest table around it."""
+        around = (place[:length] for length in range(len(place), -1, -1))
+        lines = (self._lines[outer] for outer in around if outer in self._lines)
+        return Where(self.name, place, next(lines, None))
+
+    @cached_property
+    def _lines(self) -> Mapping[Place, int]:
+        return self.find_lines(self.text)
+
+
+def read_text(path: Path, kind: FileKind) -> str:
+    """The text of a file, without a byte order mark. Raises the kind's error where it cannot be
+    read, is too large or is not UTF-8.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(kind.most_bytes + 1)
+        if len(data) <= kind.most_bytes:
+            return data.decode("utf-8-sig")
+    except OSError as error:
+        problem = message(
+            str(path), f"cannot be read ({error.strerror})", kind.noun, kind.do or "check the name"
+        )
+        raise kind.error(problem) from error
+    except UnicodeDecodeError as error:
+        problem = message(str(path), "not UTF-8", f"{kind.noun} in UTF-8", kind.do or "fix it")
+        raise kind.error(problem) from error
+    expected = f"{kind.noun} of at most {kind.most_bytes} bytes"
+    raise kind.error(message(str(path), "too large", expected, kind.do or "check the name"))
+
+
+def toml_table(name: str, text: str, kind: FileKind) -> Table:
+    """The whole of a TOML text, which is called `name` in messages. Raises the kind's error where
+    it is not TOML.
+    """
+    try:
+        content = read_toml(text)
+    except SyntaxFault as fault:
+        raise _not_readable(name, "TOML", fault, kind) from fault
+    return Table(Faults(Document(name, text, lines_of_toml), kind.error, kind.do), (), content)
+
+
+def json_table(name: str, text: str, kind: FileKind) -> Table:
+    """The object that a JSON text is. Raises the kind's error where it is none."""
+    try:
+        content = read_json(text)
+    except SyntaxFault as fault:
+        raise _not_readable(name, "JSON", fault, kind) from fault
+    if not isinstance(content, dict):
+        raise kind.error(message(name, found(content), "one JSON object", kind.do or "fix it"))
+    return Table(Faults(Document(name, text, lines_of_json), kind.error, kind.do), (), content)
+
+
+def _not_readable(name: str, language: str, fault: SyntaxFault, kind: FileKind) -> KinegradeError:
+    where = str(Where(name, (), fault.line))
+    return kind.error(message(where, str(fault), f"{kind.noun} in {language}", kind.do or "fix it"))

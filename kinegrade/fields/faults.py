@@ -1,0 +1,58 @@
+"""The faults of a file, noted while it is read and reported at once, in the order of the file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.errors import FieldError, KinegradeError, message
+from kinegrade.fields.place import Place, Source, Where
+
+
+@dataclass(frozen=True)
+class _Fault:
+    where: Where
+    what: str
+    expected: str
+    do: str
+
+    def __str__(self) -> str:
+        return message(str(self.where), self.what, self.expected, self.do)
+
+
+class Faults:
+    """Collects the faults of what is read from `source`; `error` is what they are raised as.
+
+    `do` is what a person can do about a fault that names no remedy.
+    """
+
+    def __init__(self, source: Source, error: type[KinegradeError], do: str = "") -> None:
+        self._source, self._error, self._do = source, error, do
+        self._noted: list[tuple[Place, str, str, str]] = []
+
+    def note(self, place: Place, what: str, expected: str = "", do: str = "") -> None:
+        """Note a fault at a place: what stands there, what was expected, what to do."""
+        self._noted.append((place, what, expected, do or self._do))
+
+    def note_error(self, place: Place, error: KinegradeError) -> None:
+        """Note all problems of an error that was raised for what stands at a place."""
+        if isinstance(error, FieldError):
+            self.note(place, error.what, error.expected, error.do)
+            return
+        for problem in error.problems:
+            self.note(place, problem)
+
+    def require_none(self) -> None:
+        """Raises the error with all faults noted, if there are any."""
+        if self._noted:
+            raise self._error(*map(str, self._in_order()))
+
+    def _in_order(self) -> list[_Fault]:
+        """By file, as the files were first met, and by line; what has no line comes first."""
+        faults = [
+            _Fault(self._source.where(place), what, expected, do)
+            for place, what, expected, do in self._noted
+        ]
+        files = list(dict.fromkeys(fault.where.file for fault in faults))
+        return sorted(
+            faults, key=lambda fault: (files.index(fault.where.file), fault.where.line or 0)
+        )

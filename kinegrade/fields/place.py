@@ -1,0 +1,49 @@
+"""Where something stands in a file: a key path such as `questions[2].asks.v_B`, and its line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from kinegrade.errors import short_line
+
+Place = tuple[str | int, ...]  # keys, and positions in lists counted from 0; () is the whole file
+_LONGEST_KEY = 80
+
+
+@dataclass(frozen=True)
+class Where:
+    """A file, the place in it, and the line of that place, from 1; None where no line is known."""
+
+    file: str
+    place: Place
+    line: int | None = None
+
+    def __str__(self) -> str:
+        """The place as messages name it.
+
+        >>> str(Where("bank.toml", ("questions", 1, "points"), 9))
+        'bank.toml:9: questions[2].points'
+        """
+        file = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{file}: {key_path(self.place)}" if self.place else file
+
+
+class Source(Protocol):
+    """What knows where a place stands: a file, or a file laid over another one."""
+
+    def where(self, place: Place) -> Where:
+        """The file and the line of a place; of what is missing, of the nearest table around it."""
+
+
+def key_path(place: Place) -> str:
+    """A place as people write it; positions in lists are counted from 1.
+
+    >>> key_path(("questions", 1, "asks", "v_B"))
+    'questions[2].asks.v_B'
+    """
+    steps = (
+        f"[{step + 1}]" if isinstance(step, int) else f".{short_line(step, _LONGEST_KEY)}"
+        for step in place
+    )
+    return "".join(steps).removeprefix(".")

@@ -1,0 +1,156 @@
+"""A table of a TOML or JSON file, read key by key into typed values.
+
+What is at fault is noted with its place and read as None, as empty or as the default; so reading
+goes on, and all faults of a file are reported at once by `faults.require_none()`.
+
+    bank = open_toml(path, BANK).only("title", "versions", "questions")
+    title = bank.required("title", text)
+    versions = bank.with_default("versions", whole(1, 26), 0)
+    for question in bank.tables("questions"): ...
+    bank.faults.require_none()
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TypeVar
+
+from kinegrade.errors import KinegradeError, did_you_mean, misspelt
+from kinegrade.fields.faults import Faults
+from kinegrade.fields.place import Place
+from kinegrade.fields.values import Read, found
+
+Value = TypeVar("Value")
+_NOTHING: Mapping[str, object] = {}
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table at a place of a file.
+
+    Keys that are `excused` are not missed: they are misspelt, which is reported already. A table
+    that is not `whole` stands for one that is at fault itself, in which nothing is missed.
+    """
+
+    faults: Faults
+    place: Place
+    content: Mapping[str, object]
+    excused: frozenset[str] = frozenset()
+    whole: bool = True
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.content
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.content)
+
+    def __len__(self) -> int:
+        return len(self.content)
+
+    def only(self, *known: str, kind: str = "key") -> Table:
+        """The table with those of its keys that are known; the others are faults."""
+        unknown = [key for key in self.content if key not in known]
+        for key in unknown:
+            self.fault(key, f"unknown {kind}", do=did_you_mean(key, known))
+        return Table(
+            self.faults,
+            self.place,
+            {key: value for key, value in self.content.items() if key in known},
+            misspelt(unknown, [key for key in known if key not in self.content]),
+            self.whole,
+        )
+
+    def required(self, key: str, read: Read[Value]) -> Value | None:
+        """What `read` makes of the value of a key; None after a fault. A missing key is one."""
+        if key in self.content:
+            return self._read(key, self.content[key], read)
+        self.missing(key)
+        return None
+
+    def optional(self, key: str, read: Read[Value]) -> Value | None:
+        """What `read` makes of the value of a key; None where there is none, and after a fault."""
+        return self._read(key, self.content[key], read) if key in self.content else None
+
+    def with_default(self, key: str, read: Read[Value], default: Value) -> Value:
+        """As `optional`, with a default in place of None."""
+        value = self.optional(key, read)
+        return default if value is None else value
+
+    def entries(self, read: Read[Value]) -> dict[str, Value]:
+        """What `read` makes of each value of the table; those at fault are left out."""
+        values = {key: self._read(key, value, read) for key, value in self.content.items()}
+        return {key: value for key, value in values.items() if value is not None}
+
+    def listing(self, key: str, read: Read[Value]) -> tuple[Value, ...]:
+        """What `read` makes of each entry of a list; those at fault are left out. A list that is
+        missing is empty.
+        """
+        values = [
+            self._read_at((*self.place, key, number), entry, read)
+            for number, entry in enumerate(self._list(key))
+        ]
+        return tuple(value for value in values if value is not None)
+
+    def table(self, key: str, like: str = "") -> Table:
+        """The table under a key, empty where there is none; `like` is an example of it."""
+        return self._table_at((*self.place, key), self.content.get(key, _NOTHING), like)
+
+    def tables(self, key: str, like: str = "") -> tuple[Table, ...]:
+        """The tables of a list, none where there is no list; `like` is an example of one."""
+        return tuple(
+            self._table_at((*self.place, key, number), entry, like)
+            for number, entry in enumerate(self._list(key))
+        )
+
+    def each_table(self, like: str = "") -> dict[str, Table]:
+        """The tables under the keys of this one, whose names are free."""
+        return {key: self.table(key, like) for key in self.content}
+
+    def value(self, key: str) -> object:
+        """What stands under a key, as it was parsed; None where nothing does."""
+        return self.content.get(key)
+
+    def holds_table(self, key: str) -> bool:
+        """Whether a table stands under a key."""
+        return isinstance(self.content.get(key), dict)
+
+    def missing(self, key: str, expected: str = "") -> None:
+        """Note that a key is missing, if it is to be missed here."""
+        if self.whole and key not in self.excused:
+            self.fault(key, "missing", expected)
+
+    def fault(self, key: str | None, what: str, expected: str = "", do: str = "") -> None:
+        """Note a fault of what stands under a key, or of the table itself (None)."""
+        place = self.place if key is None else (*self.place, key)
+        self.faults.note(place, what, expected, do)
+
+    def require(self, keys: Collection[str]) -> bool:
+        """Whether all these keys are there; each that is missing is noted."""
+        missing = [key for key in keys if key not in self.content]
+        for key in missing:
+            self.missing(key)
+        return not missing
+
+    def _list(self, key: str) -> list[object]:
+        value = self.content.get(key, [])
+        if isinstance(value, list):
+            return value
+        self.fault(key, found(value), "a list [...]")
+        return []
+
+    def _table_at(self, place: Place, value: object, like: str) -> Table:
+        if isinstance(value, Mapping):
+            return Table(self.faults, place, value)
+        self.faults.note(place, found(value), f"a table like {like}" if like else "a table")
+        return Table(self.faults, place, _NOTHING, whole=False)
+
+    def _read(self, key: str, value: object, read: Read[Value]) -> Value | None:
+        return self._read_at((*self.place, key), value, read)
+
+    def _read_at(self, place: Place, value: object, read: Read[Value]) -> Value | None:
+        try:
+            return read(value)
+        except KinegradeError as error:
+            self.faults.note_error(place, error)
+        return None

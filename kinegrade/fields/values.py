@@ -1,0 +1,137 @@
+"""Readers of single values: each gives what stands under a key as a typed value, exactly, or raises
+FieldError.
+
+`Table` calls them and notes the place of what they refuse.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from datetime import date, time
+from fractions import Fraction
+from typing import TypeVar
+
+from kinegrade.errors import FieldError, short_line
+from kinegrade.fields.digits import Digits
+
+Value = TypeVar("Value")
+Word = TypeVar("Word", bound=str)
+Read = Callable[[object], Value]
+
+_LONGEST_SHOWN = 80
+_DECIMAL = r"[0-9]{1,9}(?:\.[0-9]{1,12})?"
+_AMOUNT = re.compile(_DECIMAL)
+_PERCENTAGE = re.compile(rf"({_DECIMAL})\s*%")
+_RATIO = re.compile(r"([0-9]{1,15})\s*/\s*([0-9]{0,14}[1-9][0-9]{0,14})")
+
+
+def text(value: object) -> str:
+    """A text that is not blank."""
+    if isinstance(value, str) and not isinstance(value, Digits) and value.strip():
+        return value
+    raise FieldError(found(value), 'a text in quotation marks, "..."')
+
+
+def flag(value: object) -> bool:
+    """True or false."""
+    if isinstance(value, bool):
+        return value
+    raise FieldError(found(value), "true or false")
+
+
+def whole(least: int, most: int) -> Read[int]:
+    """A reader of whole numbers from `least` to `most`."""
+
+    def read(value: object) -> int:
+        if isinstance(value, int) and not isinstance(value, bool) and least <= value <= most:
+            return value
+        raise FieldError(found(value), f"a whole number from {least} to {most}")
+
+    return read
+
+
+def amount(value: object) -> Fraction:
+    """A number of zero or more, exactly.
+
+    >>> amount(3), amount(Digits("0.10"))
+    (Fraction(3, 1), Fraction(1, 10))
+    """
+    written = _written(value)
+    if _AMOUNT.fullmatch(written):
+        return Fraction(written)
+    raise FieldError(
+        found(value),
+        "a number of zero or more like 2.5, at most 9 digits before the point and 12 after it",
+    )
+
+
+def share(value: object) -> Fraction:
+    """A share from 0 to 1, exactly.
+
+    >>> share(Digits("0.5")), share("50 %"), share("1/2")
+    (Fraction(1, 2), Fraction(1, 2), Fraction(1, 2))
+    """
+    part = _part(_written(value))
+    if part is not None and part <= 1:
+        return part
+    raise FieldError(found(value), 'a share from 0 to 1, like 0.5, "50 %" or "1/2"')
+
+
+def choice(words: Sequence[Word]) -> Read[Word]:
+    """A reader of one of some words."""
+
+    def read(value: object) -> Word:
+        for word in words:
+            if value == word:
+                return word
+        raise FieldError(found(value), " or ".join(words))
+
+    return read
+
+
+def date_text(value: object) -> str:
+    """A date as it is printed: a text, or a date of TOML."""
+    if isinstance(value, date):
+        return str(value)
+    if isinstance(value, str) and not isinstance(value, Digits):
+        return value
+    raise FieldError(found(value), 'a text or a date, like "spring 2026" or 2026-05-01')
+
+
+def found(value: object) -> str:
+    """What stands in a file, as a message shows it: texts in quotation marks, of tables and lists
+    the kind.
+
+    >>> found("1 %"), found(True), found([1])
+    ('"1 %"', 'true', 'a list')
+    """
+    match value:
+        case bool():
+            return str(value).lower()
+        case Digits() | int() | date() | time():
+            return short_line(str(value), _LONGEST_SHOWN)
+        case str():
+            return f'"{short_line(value, _LONGEST_SHOWN)}"'
+        case dict():
+            return "a table"
+        case list():
+            return "a list"
+        case _:
+            return "nothing"
+
+
+def _written(value: object) -> str:
+    """The digits of a number, or a text that may spell one; "" of anything else."""
+    plain = isinstance(value, str | int) and not isinstance(value, bool)
+    return str(value).strip() if plain else ""
+
+
+def _part(written: str) -> Fraction | None:
+    if _AMOUNT.fullmatch(written):
+        return Fraction(written)
+    if percentage := _PERCENTAGE.fullmatch(written):
+        return Fraction(percentage[1]) / 100
+    if ratio := _RATIO.fullmatch(written):
+        return Fraction(int(ratio[1]), int(ratio[2]))
+    return None
