@@ -26,6 +26,7 @@ FLOORS = {
     "exact": 0,
     "units": 0,
     "fields": 0,
+    "stated_marking": 0,
     "files": 0,
     "leftovers": 0,
     "temporary": 0,

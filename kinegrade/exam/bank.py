@@ -7,7 +7,7 @@ tolerance = { relative = "1 %" }  # or { absolute = 0.01 }, { figures = 3 }: or 
 shuffle = true  # optional: every paper has its own order of the questions
 versions = 3  # optional: versions A, B, C instead of a paper for each student
 engine = "latex"  # optional: what typesets the exam (typst)
-credit = { follow-through = "1/2" }  # optional: see bank_credit
+credit = { follow-through = "1/2" }  # optional: shares of the points, see stated_marking
 solutions = true  # optional: feedback holds the worked solutions
 lms = "canvas"  # optional: refuse draws that Canvas's four decimals cannot tell
 
@@ -27,20 +27,25 @@ points = 10  # optional: shared out as the template weighs what it asks
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import get_args
 
 from kinegrade.errors import BankError, did_you_mean, short_line
-from kinegrade.exam.bank_credit import read_credit
-from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries
-from kinegrade.exam.bank_values import Values, written
+from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
+from kinegrade.exam.bank_terms import tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, matched, wishes
-from kinegrade.exam.press import ENGINES, Engine
+from kinegrade.exam.press import ENGINES
 from kinegrade.exam.versions import LETTERS
 from kinegrade.fields.document import FileKind, read_text, toml_table
+from kinegrade.fields.table import Table
+from kinegrade.fields.values import choice, date_text, flag, whole
 from kinegrade.problem.library import shipped
-from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
+from kinegrade.problem.mistake_kinds import sentences
+from kinegrade.problem.template import Translated
+from kinegrade.problem.tolerance import ONE_PER_CENT
+from kinegrade.problem.translations import translated_or_one
+from kinegrade.stated_marking import read_credit
 
 KEYS = (
     "title",
@@ -57,6 +62,8 @@ KEYS = (
 )
 MAX_BYTES = 200_000
 _BANK_FILE = FileKind("a bank file", BankError, MAX_BYTES)
+_SYSTEMS: tuple[LMS, ...] = get_args(LMS)
+_NO_TEXT = Translated("", "")
 
 
 def bank_path(path: Path) -> Path:
@@ -89,92 +96,83 @@ def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
     Raises BankError with all faults at once.
     """
     text = read_text(path, _BANK_FILE)
-    table = toml_table(str(path), text, _BANK_FILE).content
-    return blueprint(Values(path), table, text, folder or shipped("templates"))
-
-
-def blueprint(values: Values, table: Mapping[str, Any], text: str, folder: Path) -> Blueprint:
-    """The whole of a file; raises BankError when anything is at fault."""
-    values.unknown_keys("", table, KEYS)
-    tolerance = values.tolerance("tolerance", table.get("tolerance"), ONE_PER_CENT)
-    slots = read_slots(values, table.get("questions"), Entries(values, folder), tolerance)
-    frame = Bank(
-        values.translated("title", table.get("title")),
-        values.translated("course", table.get("course")),
-        values.date("date", table.get("date", "")),
-        tolerance,
-        (),
-        text,
-        values.flag("shuffle", table.get("shuffle", False)),
-        values.whole("versions", table["versions"], 1, len(LETTERS)) if "versions" in table else 0,
-        read_engine(values, table.get("engine", "typst")),
-        read_credit(values, table.get("credit")),
-        values.flag("solutions", table.get("solutions", False)),
-        read_lms(values, table.get("lms")),
-    )
-    if values.faults:
-        raise BankError(*values.faults)
+    table = toml_table(str(path), text, _BANK_FILE).only(*KEYS)
+    entries = Entries(table.faults, folder or shipped("templates"), path.parent)
+    frame = _frame(table, text)
+    slots = _slots(table, entries, frame)
+    table.faults.require_none()
     return Blueprint(frame, slots)
 
 
-def read_engine(values: Values, value: Any) -> Engine:
-    """What typesets the exam; after a fault Typst, with which reading goes on."""
-    if value in ENGINES:
-        return cast(Engine, value)
-    values.fault("engine", f"expected {' or '.join(ENGINES)}, not {written(value)!r}")
-    return "typst"
+def _frame(table: Table, text: str) -> Bank:
+    """Everything but the questions; what is at fault is empty or left at its default."""
+    return Bank(
+        title=table.required("title", translated_or_one) or _NO_TEXT,
+        course=table.required("course", translated_or_one) or _NO_TEXT,
+        date=table.with_default("date", date_text, ""),
+        tolerance=tolerance(table, ONE_PER_CENT),
+        questions=(),
+        text=text,
+        shuffle=table.with_default("shuffle", flag, False),
+        versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
+        engine=table.with_default("engine", choice(ENGINES), "typst"),
+        credit=read_credit(table, sentences),
+        solutions=table.with_default("solutions", flag, False),
+        lms=table.optional("lms", choice(_SYSTEMS)),
+    )
 
 
-def read_lms(values: Values, value: Any) -> LMS | None:
-    """The system that the exam is put into, where its draws have to suit it."""
-    if value is None or value in get_args(LMS):
-        return cast(LMS | None, value)
-    values.fault("lms", f"expected {' or '.join(get_args(LMS))}, or no lms, not {written(value)!r}")
-    return None
-
-
-def read_slots(
-    values: Values, entries: Any, reader: Entries, tolerance: Tolerance
-) -> tuple[Slot, ...]:
+def _slots(table: Table, entries: Entries, frame: Bank) -> tuple[Slot, ...]:
     """The exam's questions q1, q2 ... in the bank's order; an entry may stand for several."""
-    if not isinstance(entries, list) or not 1 <= len(entries) <= MAX_QUESTIONS:
-        values.fault("questions", f"expected 1 to {MAX_QUESTIONS} tables [[questions]]")
+    tables = table.tables("questions")
+    if not 1 <= len(tables) <= MAX_QUESTIONS:
+        _miscounted(table, len(tables))
         return ()
-    found: dict[str, tuple[Slot, ...]] = {}
-    for number, entry in enumerate(entries, start=1):
-        place, first = f"questions[{number}]", sum(map(len, found.values())) + 1
-        found[place] = reader.slots(place, entry, first, tolerance)
-    slots = tuple(slot for group in found.values() for slot in group)
+    read: list[Entry] = []
+    for entry in tables:
+        first = sum(len(before.slots) for before in read) + 1
+        read.append(Entry(entry, entries.slots(entry, first, frame.tolerance)))
+    slots = tuple(slot for entry in read for slot in entry.slots)
     if len(slots) > MAX_QUESTIONS:
-        values.fault("questions", f"expected at most {MAX_QUESTIONS} questions, not {len(slots)}")
-    same_names(values, found)
-    enough(values, found, slots)
+        table.fault("questions", f"{len(slots)} questions", f"at most {MAX_QUESTIONS}")
+    _require_different_names(read)
+    _require_enough(read, slots)
     return slots
 
 
-def same_names(values: Values, found: Mapping[str, Sequence[Slot]]) -> None:
+def _miscounted(table: Table, count: int) -> None:
+    expected = f"1 to {MAX_QUESTIONS} tables [[questions]]"
+    if "questions" not in table:
+        table.missing("questions", expected)
+    elif isinstance(table.value("questions"), list):
+        table.fault("questions", f"{count} tables", expected)
+
+
+def _require_different_names(entries: Sequence[Entry]) -> None:
     """A fault where two different template files share a name: the exam folder keeps one file of a
     name.
     """
     texts: dict[str, str] = {}
-    for place, slots in found.items():
-        for template in (slot.candidates[0].template for slot in slots if not slot.drawn):
+    for entry in entries:
+        for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
             if texts.setdefault(template.name, template.text) != template.text:
-                values.fault(
-                    f"{place}.template",
-                    f'another template of this bank has the name "{template.name}": rename the '
-                    "file",
+                entry.table.fault(
+                    "template",
+                    f'another template of this bank has the name "{template.name}"',
+                    do="rename the file",
                 )
 
 
-def enough(values: Values, found: Mapping[str, Sequence[Slot]], slots: Sequence[Slot]) -> None:
+def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
     """A fault where no choice gives every question a template of its own."""
     chosen = matched(wishes(slots, lambda slot, name: 0))
-    for place, own in found.items():
-        left = sum(not slot.drawn or slot.identifier in chosen for slot in own)
-        if left < len(own):
-            values.fault(
-                f"{place}.number",
-                f"{len(own)} different templates are to be drawn, {left} can be had "
-                "besides those of the other questions: draw fewer",
+    for entry in entries:
+        count = len(entry.slots)
+        left = sum(not slot.drawn or slot.identifier in chosen for slot in entry.slots)
+        if left < count:
+            entry.table.fault(
+                "number",
+                f"{count} different templates are to be drawn, {left} can be had besides those of "
+                "the other questions",
+                do="draw fewer",
             )

@@ -8,16 +8,16 @@ sheet.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from typing import Literal, assert_never
 
-from kinegrade.exam.bank_credit import NO_CREDIT, Credit
 from kinegrade.exam.press import Engine
 from kinegrade.problem.drawing import address
 from kinegrade.problem.template import Template, Translated
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.stated_marking import StatedCredit
 
 LMS = Literal["canvas"]  # systems that do not take every answer
 
@@ -67,7 +67,7 @@ class Bank:
     shuffle: bool = False
     versions: int = 0
     engine: Engine = "typst"
-    credit: Credit = NO_CREDIT
+    credit: StatedCredit = field(default_factory=StatedCredit)
     solutions: bool = False
     lms: LMS | None = None
 

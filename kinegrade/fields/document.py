@@ -95,6 +95,15 @@ def json_table(name: str, text: str, kind: FileKind) -> Table:
     return Table(Faults(Document(name, text, lines_of_json), kind.error, kind.do), (), content)
 
 
+def parsed_table(name: str, content: Mapping[str, object], kind: FileKind) -> Table:
+    """A table of a file that was parsed before, of whose places no lines are known."""
+    return Table(Faults(Document(name, "", _no_lines), kind.error, kind.do), (), content)
+
+
+def _no_lines(text: str) -> Mapping[Place, int]:
+    return {}
+
+
 def _not_readable(name: str, language: str, fault: SyntaxFault, kind: FileKind) -> KinegradeError:
     where = str(Where(name, (), fault.line))
     return kind.error(message(where, str(fault), f"{kind.noun} in {language}", kind.do or "fix it"))

@@ -41,6 +41,10 @@ class Faults:
         for problem in error.problems:
             self.note(place, problem)
 
+    def within(self, place: Place) -> bool:
+        """Whether a fault is noted at a place or inside of it."""
+        return any(noted[: len(place)] == place for noted, *_ in self._noted)
+
     def require_none(self) -> None:
         """Raises the error with all faults noted, if there are any."""
         if self._noted:

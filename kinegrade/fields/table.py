@@ -16,7 +16,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
-from kinegrade.errors import KinegradeError, did_you_mean, misspelt
+from kinegrade.errors import FieldError, KinegradeError, did_you_mean, misspelt
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place
 from kinegrade.fields.values import Read, found
@@ -65,7 +65,7 @@ class Table:
         """What `read` makes of the value of a key; None after a fault. A missing key is one."""
         if key in self.content:
             return self._read(key, self.content[key], read)
-        self.missing(key)
+        self.missing(key, _expected(read))
         return None
 
     def optional(self, key: str, read: Read[Value]) -> Value | None:
@@ -82,13 +82,15 @@ class Table:
         values = {key: self._read(key, value, read) for key, value in self.content.items()}
         return {key: value for key, value in values.items() if value is not None}
 
-    def listing(self, key: str, read: Read[Value]) -> tuple[Value, ...]:
-        """What `read` makes of each entry of a list; those at fault are left out. A list that is
-        missing is empty.
+    def listing(self, key: str, read: Read[Value], like: str = "") -> tuple[Value, ...]:
+        """What `read` makes of each entry of a list; those at fault are left out.
+
+        A list that is missing is empty. `like` is an example of one.
         """
+        expected = f"a list like {like}" if like else "a list [...]"
         values = [
             self._read_at((*self.place, key, number), entry, read)
-            for number, entry in enumerate(self._list(key))
+            for number, entry in enumerate(self._list(key, expected))
         ]
         return tuple(value for value in values if value is not None)
 
@@ -98,9 +100,10 @@ class Table:
 
     def tables(self, key: str, like: str = "") -> tuple[Table, ...]:
         """The tables of a list, none where there is no list; `like` is an example of one."""
+        expected = f"a list of tables like [{like}]" if like else f"tables [[{key}]]"
         return tuple(
             self._table_at((*self.place, key, number), entry, like)
-            for number, entry in enumerate(self._list(key))
+            for number, entry in enumerate(self._list(key, expected))
         )
 
     def each_table(self, like: str = "") -> dict[str, Table]:
@@ -110,6 +113,10 @@ class Table:
     def value(self, key: str) -> object:
         """What stands under a key, as it was parsed; None where nothing does."""
         return self.content.get(key)
+
+    def is_sound(self, key: str) -> bool:
+        """Whether no fault is noted so far of what stands under a key, or of anything in it."""
+        return not self.faults.within((*self.place, key))
 
     def holds_table(self, key: str) -> bool:
         """Whether a table stands under a key."""
@@ -132,11 +139,11 @@ class Table:
             self.missing(key)
         return not missing
 
-    def _list(self, key: str) -> list[object]:
+    def _list(self, key: str, expected: str) -> list[object]:
         value = self.content.get(key, [])
         if isinstance(value, list):
             return value
-        self.fault(key, found(value), "a list [...]")
+        self.fault(key, found(value), expected)
         return []
 
     def _table_at(self, place: Place, value: object, like: str) -> Table:
@@ -154,3 +161,14 @@ class Table:
         except KinegradeError as error:
             self.faults.note_error(place, error)
         return None
+
+
+def _expected(read: Read[Value]) -> str:
+    """What a reader expects, by its refusal of nothing; "" where it does not say."""
+    try:
+        read(None)
+    except FieldError as error:
+        return error.expected
+    except KinegradeError:
+        return ""
+    return ""

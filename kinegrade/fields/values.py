@@ -78,14 +78,15 @@ def share(value: object) -> Fraction:
     raise FieldError(found(value), 'a share from 0 to 1, like 0.5, "50 %" or "1/2"')
 
 
-def choice(words: Sequence[Word]) -> Read[Word]:
-    """A reader of one of some words."""
+def choice(words: Sequence[Word], otherwise: str = "") -> Read[Word]:
+    """A reader of one of some words; `otherwise` is what else may stand there."""
+    expected = " or ".join([*words, otherwise] if otherwise else words)
 
     def read(value: object) -> Word:
         for word in words:
             if value == word:
                 return word
-        raise FieldError(found(value), " or ".join(words))
+        raise FieldError(found(value), expected)
 
     return read
 

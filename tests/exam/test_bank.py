@@ -9,18 +9,25 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.errors import BankError
+from kinegrade.errors import BankError, ExamError
 from kinegrade.exam.bank import MAX_BYTES, bank_path, read_bank, read_blueprint
 from kinegrade.exam.blueprint import Bank
+from kinegrade.fields.document import FileKind, parsed_table
 from kinegrade.problem.library import shipped
 from kinegrade.problem.tolerance import Tolerance
+from kinegrade.stated_marking import read_credit
 from tests.problem.crank import crank_text
 
 HEAD = 'title = "Midterm"\ncourse = { en = "Mechanics", zh = "力学" }\n'
-AMOUNT = "expected a number like 0.01, at most 4 digits before the point and 9 after it"
-KIND = "expected one of position, velocity, acceleration"
-ONE_OF = 'expected a table with one of template = "...", family = "..." and tag = "..."'
-SHARE = 'expected a text like "1 %" or a number like 0.01'
+AMOUNT = (
+    "expected a number of zero or more like 2.5, at most 9 digits before the point and 12 after it"
+)
+KIND = (
+    "expected position or velocity or acceleration or a table of asks with their points, "
+    "like { v_B = 3 }"
+)
+ONE_OF = 'expected one of template = "...", family = "..." and tag = "..."'
+SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
 QUESTION = '[[questions]]\ntemplate = "slider-crank"\n'
 
 
@@ -31,10 +38,10 @@ def bank(folder: Path, text: str) -> Bank:
 
 
 def faults(folder: Path, text: str) -> list[str]:
-    """The problems, without the file's name that stands before each."""
+    """The problems, without the folder that stands before each."""
     with pytest.raises(BankError) as caught:
         bank(folder, text)
-    where = f"{folder / 'bank.toml'}: "
+    where = f"{folder}/"
     assert all(
         problem.startswith(where) and "\n" not in problem for problem in caught.value.problems
     )
@@ -156,8 +163,8 @@ def test_a_template_file_may_lie_beside_the_bank(tmp_path: Path) -> None:
 )
 def test_a_template_file_lies_nowhere_else(tmp_path: Path, name: str) -> None:
     (fault,) = faults(tmp_path, HEAD + f'[[questions]]\ntemplate = "{name}"')
-    assert fault.startswith("questions[1].template: '")
-    assert fault.endswith(": expected a file beside the bank, without folders")
+    assert fault.startswith('bank.toml:4: questions[1].template: "')
+    assert fault.endswith(" - expected a file beside the bank, without folders")
 
 
 def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path: Path) -> None:
@@ -170,16 +177,18 @@ def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path:
         '[[questions]]\ntemplate = "slidercrank"\n[[questions]]\ntemplate = "../slider-crank"',
     )
     assert found[0] == (
-        "questions[1].template: crank.toml: statement.en: the parameter h is not given to the "
+        "bank.toml:4: questions[1].template: crank.toml: statement.en: the parameter h is not given to the "
         "student: write {{ h }}"
     )
     assert found[1].startswith(
-        f"questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file"
+        f"bank.toml:6: questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file"
     )
     assert found[2].startswith(
-        'questions[3].template: no template "slidercrank": did you mean "slider-crank"?'
+        'bank.toml:8: questions[3].template: no template "slidercrank": did you mean "slider-crank"?'
     )
-    assert found[3].startswith('questions[4].template: no template "../slider-crank": ')
+    assert found[3].startswith(
+        'bank.toml:10: questions[4].template: no template "../slider-crank": '
+    )
 
 
 def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) -> None:
@@ -189,8 +198,8 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
     assert len(bank(tmp_path, mine).questions) == 2
     (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
     assert faults(tmp_path, mine) == [
-        'questions[2].template: another template of this bank has the name "slider-crank": rename '
-        "the file"
+        "bank.toml:6: questions[2].template: another template of this bank has the name "
+        '"slider-crank" - rename the file'
     ]
 
 
@@ -203,7 +212,7 @@ def test_a_bank_may_say_that_it_goes_to_canvas(tmp_path: Path) -> None:
     assert not bank(tmp_path, HEAD + QUESTION).four_decimals
     assert bank(tmp_path, 'lms = "canvas"\n' + HEAD + QUESTION).four_decimals
     assert faults(tmp_path, 'lms = "Canvas"\n' + HEAD + QUESTION) == [
-        "lms: expected canvas, or no lms, not 'Canvas'"
+        'bank.toml:1: lms: "Canvas" - expected canvas'
     ]
 
 
@@ -230,118 +239,153 @@ number = 2
 """,
     )
     assert found == [
-        'unknown key "titel": did you mean "title"?',
-        'tolerance: unknown key "size": known here: absolute, figures, relative',
-        "tolerance: expected a tolerance above zero, the relative one below 100 %",
-        'questions[1]: expected a table with one of template = "...", family = "..." and tag = '
-        '"..."',
-        'questions[2]: unknown key "number": known here: asks, draw, points, template, tolerance',
-        "questions[2].tolerance: expected a tolerance above zero, the relative one below 100 %",
-        "questions[2].points: asks says the points already: leave one of the two out",
-        'questions[2].asks.v_C: slider-crank has no ask "v_C": did you mean "v_B"? '
+        'bank.toml:2: titel: unknown key - did you mean "title"?',
+        'bank.toml:3: shuffle: "yes" - expected true or false',
+        "bank.toml:4: versions: 27 - expected a whole number from 1 to 26",
+        'bank.toml:5: engine: "word" - expected typst or latex',
+        "bank.toml:6: course: a table of en - expected texts in all languages, "
+        '{ en = "...", zh = "..." }',
+        'bank.toml:7: date: 3 - expected a text or a date, like "spring 2026" or 2026-05-01',
+        "bank.toml:8: tolerance.size: unknown key - known here: absolute, figures, relative",
+        'bank.toml:10: questions[1].tempalte: unknown key - did you mean "template"?',
+        'bank.toml:13: questions[2].asks.v_C: unknown ask of slider-crank - did you mean "v_B"? '
         "(known here: a_B, alpha_AB, omega_AB, v_B)",
-        "questions[2].asks.v_B.points: expected more than 0 and at most 1000",
-        f"questions[2].asks.omega_AB.points: {AMOUNT}, not '2 %'",
-        'questions[2].asks.a_B: unknown key "weight": known here: points, tolerance',
-        "questions[2].asks.a_B.points: expected more than 0 and at most 1000",
-        'questions[2].draw: no parameter "q": known here: alpha, k, omega, phi, r',
-        "questions[2].draw.k: draw: expected 1 to 2000 values, each once",
-        'questions[2].draw.r: unknown name "x": known here: pi',
-        'questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, the last value '
-        "not before the "
-        "first, and there may be at most 2000 values",
-        'course: expected a text, or texts { en = "...", zh = "..." }',
-        'date: expected a text or a date, like "spring 2026" or 2026-05-01',
-        "shuffle: expected true or false, not 'yes'",
-        "versions: expected a whole number from 1 to 26, not '27'",
-        "engine: expected typst or latex, not 'word'",
+        "bank.toml:13: questions[2].asks.v_B: 0 - expected points above 0, at most 1000",
+        f'bank.toml:13: questions[2].asks.omega_AB: "2 %" - {AMOUNT}',
+        "bank.toml:13: questions[2].asks.a_B.weight: unknown key - known here: points, tolerance",
+        "bank.toml:13: questions[2].asks.a_B.points: 1001 - expected points above 0, at most 1000",
+        "bank.toml:14: questions[2].draw.q: unknown parameter - known here: alpha, k, omega, phi, r",
+        "bank.toml:14: questions[2].draw.k: draw: expected 1 to 2000 values, each once",
+        'bank.toml:14: questions[2].draw.r: unknown name "x": known here: pi',
+        'bank.toml:14: questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, '
+        "the last value not before the first, and there may be at most 2000 values",
+        "bank.toml:15: questions[2].tolerance: allows nothing - expected a tolerance above zero",
+        "bank.toml:16: questions[2].points: asks says the points already "
+        "- leave one of the two out",
+        "bank.toml:17: questions[2].number: unknown key "
+        "- known here: asks, draw, points, template, tolerance",
     ]
 
 
 @pytest.mark.parametrize(
     ("line", "fault"),
     [
-        ("questions = 3", "questions: expected 1 to 50 tables [[questions]]"),
-        ("questions = []", "questions: expected 1 to 50 tables [[questions]]"),
-        ("[[questions]]\n" * 51, "questions: expected 1 to 50 tables [[questions]]"),
+        ("questions = 3", ":3: questions: 3 - expected tables [[questions]]"),
+        ("questions = []", ":3: questions: 0 tables - expected 1 to 50 tables [[questions]]"),
+        (
+            "[[questions]]\n" * 51,
+            ":3: questions: 51 tables - expected 1 to 50 tables [[questions]]",
+        ),
         (
             QUESTION + "asks = 3",
-            f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}",
+            f":5: questions[1].asks: 3 - {KIND}",
         ),
         (
             QUESTION + "asks = {}",
-            f"questions[1].asks: {KIND}, or a table of asks with their points, like {{ v_B = 3 }}",
+            f":5: questions[1].asks: a table - {KIND}",
         ),
         (
             QUESTION + 'asks = "position"',
-            "questions[1].asks: slider-crank gives points to nothing of this: expected a "
+            ":5: questions[1].asks: slider-crank gives points to nothing of this - expected a "
             "table of asks with their points, like { v_B = 3 }",
         ),
         (
             QUESTION + "points = 3",
-            "questions[1].points: slider-crank asks 4 quantities: expected a point for each",
+            ":5: questions[1].points: slider-crank asks 4 quantities - expected a point for each",
         ),
         (
             QUESTION + "points = 9.5",
-            "questions[1].points: expected a whole number from 1 to 1000, not '9.5'",
+            ":5: questions[1].points: 9.5 - expected a whole number from 1 to 1000",
         ),
-        (QUESTION + 'family = "rolling"', f"questions[1]: {ONE_OF}"),
-        ("[[questions]]\ntag = 3", f"questions[1]: {ONE_OF}"),
-        (QUESTION + "draw = [1]", "questions[1].draw: expected a table like { k = [2, 3] }"),
+        (QUESTION + 'family = "rolling"', f":3: questions[1]: template and family - {ONE_OF}"),
+        ("[[questions]]\nnumber = 2", f":3: questions[1]: no template - {ONE_OF}"),
+        (
+            "[[questions]]\ntag = 3",
+            ':4: questions[1].tag: 3 - expected a text in quotation marks, "..."',
+        ),
+        (
+            '[[questions]]\ntag = "velocty"',
+            ':4: questions[1].tag: no shipped template has the tag "velocty" - did you mean '
+            '"velocity"? (known here: acceleration, position, velocity)',
+        ),
+        (
+            '[[questions]]\nfamily = "rolling"\nwithout = ["slider-crank", 3]',
+            ':5: questions[1].without[2]: 3 - expected a text in quotation marks, "..."',
+        ),
+        (
+            '[[questions]]\nfamily = "rolling"\nasks = "sped"',
+            ':5: questions[1].asks: "sped" - expected position or velocity or acceleration',
+        ),
+        (
+            QUESTION + "draw = [1]",
+            ":5: questions[1].draw: a list - expected a table like { k = [2, 3] }",
+        ),
         (
             QUESTION + "tolerance = 0.01",
-            'questions[1].tolerance: expected a table like { relative = "1 %" }, { absolute = 0.01 '
-            "} or { figures = 3 }",
+            ':5: questions[1].tolerance: 0.01 - expected a table like { relative = "1 %" }, '
+            "{ absolute = 0.01 } or { figures = 3 }",
         ),
         (
             QUESTION + "tolerance = { figures = 1 }",
-            "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '1'",
+            ":5: questions[1].tolerance.figures: 1 - expected a whole number from 2 to 6",
         ),
         (
             QUESTION + "tolerance = { figures = 3.0 }",
-            "questions[1].tolerance.figures: expected a whole number from 2 to 6, not '3.0'",
+            ":5: questions[1].tolerance.figures: 3.0 - expected a whole number from 2 to 6",
         ),
         (
             QUESTION + "tolerance = {}",
-            "questions[1].tolerance: expected a tolerance above zero, the relative one below 100 %",
+            ":5: questions[1].tolerance: allows nothing - expected a tolerance above zero",
+        ),
+        (
+            QUESTION + 'tolerance = { relative = "100 %" }',
+            ":5: questions[1].tolerance: a relative tolerance of 100 % - expected one below 100 %",
         ),
         (
             QUESTION + 'tolerance = { relative = "-1 %" }',
-            f"questions[1].tolerance.relative: {SHARE}, not '-1 %'",
+            f':5: questions[1].tolerance.relative: "-1 %" - {SHARE}',
         ),
         (
-            QUESTION + "tolerance = { relative = 0.0123456789 }",
-            f"questions[1].tolerance.relative: {SHARE}, not '0.0123456789'",
+            QUESTION + 'tolerance = { relative = "1/3" }',
+            ":5: questions[1].tolerance: too finely stated - expected decimals of at most 15 digits",
+        ),
+        (
+            QUESTION + "asks = { v_B = 999.1234567890123 }",
+            f":5: questions[1].asks.v_B: 999.1234567890123 - {AMOUNT}",
+        ),
+        (
+            QUESTION + "tolerance = { absolute = 123456.123456789012 }",
+            ":5: questions[1].tolerance: too finely stated - expected decimals of at most 15 digits",
         ),
         (
             QUESTION + "tolerance = { relative = nan }",
-            f"questions[1].tolerance.relative: {SHARE}, not 'nan'",
+            f":5: questions[1].tolerance.relative: nan - {SHARE}",
         ),
         (
             QUESTION + 'tolerance = { absolute = "1 %" }',
-            f"questions[1].tolerance.absolute: {AMOUNT}, not '1 %'",
+            f':5: questions[1].tolerance.absolute: "1 %" - {AMOUNT}',
         ),
         (
             QUESTION + "asks = { v_B = true }",
-            f"questions[1].asks.v_B.points: {AMOUNT}, not 'a bool'",
+            f":5: questions[1].asks.v_B: true - {AMOUNT}",
         ),
         (
             QUESTION + f"asks = {{ v_B = 0x{'F' * 9000} }}",
-            "a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
+            ": a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
         ),
         (
             QUESTION + f"draw = {{ k = [0x{'F' * 9000}] }}",
-            "a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
+            ": a whole number of more than 60 digits: round it - expected a bank file in TOML - fix it",
         ),
         (
             QUESTION + 'asks = { "v\\nB" = 1 }',
-            'questions[1].asks.v·B: slider-crank has no ask "v·B": did you mean "v_B"? '
+            ':5: questions[1].asks.v·B: unknown ask of slider-crank - did you mean "v_B"? '
             "(known here: a_B, alpha_AB, omega_AB, v_B)",
         ),
     ],
 )
 def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -> None:
-    assert fault in faults(tmp_path, HEAD + line)
+    assert f"bank.toml{fault}" in faults(tmp_path, HEAD + line)
 
 
 @pytest.mark.parametrize(
@@ -355,7 +399,7 @@ def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -
             b"#" * (MAX_BYTES + 1),
             f"too large - expected a bank file of at most {MAX_BYTES} bytes - check",
         ),
-        (b"", "questions: expected 1 to 50 tables"),
+        (b"", 'title: missing - expected a text, or texts { en = "...", zh = "..." }'),
     ],
 )
 def test_what_is_no_bank_is_refused(tmp_path: Path, content: bytes, problem: str) -> None:
@@ -425,7 +469,10 @@ def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
         "= 0.25 } }\n"
     )
     found = bank(tmp_path, HEAD + credit + "solutions = true\n" + QUESTION)
-    assert found.credit.alone == {"follow-through": Fraction(1, 3), "wrong-unit": Fraction(1, 2)}
+    assert (found.credit.follow_through, found.credit.wrong_unit) == (
+        Fraction(1, 3),
+        Fraction(1, 2),
+    )
     assert found.credit.record() == {
         "follow-through": "1/3",
         "wrong-unit": "1/2",
@@ -439,46 +486,48 @@ def test_credit_is_read_exactly_and_kept_as_text(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("written", "fault"),
     [
-        ('"half"', 'credit: expected a table like { follow-through = "1/2" }'),
+        ('"half"', 'credit: "half" - expected a table like { follow-through = "1/2" }'),
         (
             "{ follow-trough = 1 }",
-            'credit: unknown key "follow-trough": did you mean "follow-through"?',
+            'credit.follow-trough: unknown key - did you mean "follow-through"?',
         ),
         (
             "{ wrong-unit = 2 }",
-            'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", not \'2\'',
+            f"credit.wrong-unit: 2 - {SHARE}",
         ),
         (
             '{ wrong-unit = "1/0" }',
-            'credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 %" or "1/2", '
-            "not '1/0'",
+            f'credit.wrong-unit: "1/0" - {SHARE}',
         ),
-        ("{ mistakes = 1 }", 'credit.mistakes: expected a table like { coriolis-halved = "1/2" }'),
+        (
+            "{ mistakes = 1 }",
+            'credit.mistakes: 1 - expected a table like { coriolis-halved = "1/2" }',
+        ),
         (
             "{ mistakes = { coriolis-halfed = 1 } }",
-            'credit.mistakes: unknown mistake "coriolis-halfed": '
+            "credit.mistakes.coriolis-halfed: unknown mistake - "
             'did you mean "coriolis-halved", "coriolis-dropped" or "coriolis-reversed"?',
         ),
     ],
 )
 def test_faults_of_credit_are_told(tmp_path: Path, written: str, fault: str) -> None:
     (found,) = faults(tmp_path, f"{HEAD}credit = {written}\n{QUESTION}")
-    assert found.startswith(fault)
+    assert found.startswith(f"bank.toml:3: {fault}")
 
 
 @pytest.mark.parametrize(
     ("old", "new", "fault"),
     [
-        ("title =", "titel =", 'unknown key "titel": did you mean "title"?'),
+        ("title =", "titel =", 'bank.toml:1: titel: unknown key - did you mean "title"?'),
         (
             "[[questions]]",
             "[[question]]",
-            'unknown key "question": did you mean "questions" or "versions"?',
+            'bank.toml:4: question: unknown key - did you mean "questions" or "versions"?',
         ),
         (
             "relative =",
             "realtive =",
-            'tolerance: unknown key "realtive": did you mean "relative"? '
+            'bank.toml:3: tolerance.realtive: unknown key - did you mean "relative"? '
             "(known here: absolute, figures, relative)",
         ),
     ],
@@ -491,3 +540,11 @@ def test_one_misspelt_key_of_a_bank_is_one_message(
         '[[questions]]\ntemplate = "slider-crank"\n'
     )
     assert faults(tmp_path, text.replace(old, new)) == [fault]
+
+
+def test_credit_of_many_digits_is_read_again_as_it_was_kept(tmp_path: Path) -> None:
+    stated = "credit = { wrong-unit = 0.123456789012, follow-through = '12.345678901237 %' }\n"
+    credit = bank(tmp_path, HEAD + stated + QUESTION).credit
+    kind = FileKind("exam", ExamError, 100)
+    again = read_credit(parsed_table("exam.json", {"credit": credit.record()}, kind), list)
+    assert again == credit

@@ -38,9 +38,8 @@ def blueprint(shelf: Path, text: str) -> Blueprint:
 def faults(shelf: Path, text: str) -> list[str]:
     with pytest.raises(BankError) as caught:
         blueprint(shelf, text.replace(", ", "\n"))
-    return [
-        problem.removeprefix(f"{shelf.parent / 'bank.toml'}: ") for problem in caught.value.problems
-    ]
+    file = str(shelf.parent / "bank.toml")
+    return [problem.removeprefix(file) for problem in caught.value.problems]
 
 
 def names(bank: Bank) -> list[str]:
@@ -115,7 +114,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'family = "geer"',
             [
-                'questions[1].family: no shipped template has the family "geer": did you mean '
+                ':4: questions[1].family: no shipped template has the family "geer" - did you mean '
                 '"gear"? '
                 "(known here: cam, crank, gear)"
             ],
@@ -123,7 +122,7 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'tag = "flat"',
             [
-                'questions[1].tag: no shipped template has the tag "flat": known here: '
+                ':4: questions[1].tag: no shipped template has the tag "flat" - known here: '
                 "acceleration, round, "
                 "velocity"
             ],
@@ -131,60 +130,60 @@ def test_points_are_shared_out_as_each_template_weighs(shelf: Path) -> None:
         (
             'family = "gear", number = 3',
             [
-                "questions[1].number: 3 different templates are to be drawn, 2 can be had besides "
-                "those of the other questions: draw fewer"
+                ":5: questions[1].number: 3 different templates are to be drawn, 2 can be had besides "
+                "those of the other questions - draw fewer"
             ],
         ),
         (
             'template = "gear-1"; family = "gear"; tag = "acceleration"',
             [
-                "questions[3].number: 1 different templates are to be drawn, 0 can be had "
-                "besides those of the other questions: draw fewer"
+                ":7: questions[3].number: 1 different templates are to be drawn, 0 can be had "
+                "besides those of the other questions - draw fewer"
             ],
         ),
         (
             'family = "gear", number = 0, without = ["gear-3"], draw = { r = [1] }',
             [
-                'questions[1]: unknown key "draw": known here: asks, family, number, points, '
-                "tolerance, without",
-                "questions[1].number: expected a whole number from 1 to 50, not '0'",
-                'questions[1].without: "gear-3" would not be drawn: did you mean "gear-2"? (known '
+                ":5: questions[1].number: 0 - expected a whole number from 1 to 50",
+                ':6: questions[1].without[1]: "gear-3" would not be drawn - did you mean "gear-2"? (known '
                 "here: gear-1, gear-2)",
+                ":7: questions[1].draw: unknown key - known here: asks, family, number, points, "
+                "tolerance, without",
             ],
         ),
         (
             'family = "gear", without = ["gear-1", "gear-2"]'.replace('1", ', '1",'),
-            ['questions[1].without: leaves no template of the family "gear": leave out fewer'],
+            [':5: questions[1].without: leaves no template of the family "gear" - leave out fewer'],
         ),
         (
             'family = "gear", without = "gear-1"',
-            ['questions[1].without: expected a list of templates like ["slider-crank"]'],
+            [':5: questions[1].without: "gear-1" - expected a list like ["slider-crank"]'],
         ),
         (
             'family = "gear", points = 1; family = "crank", points = true; family = "cam", points '
             "= 1001",
             [
-                "questions[1].points: gear-1 asks 2 quantities: expected a point for each",
-                "questions[2].points: expected a whole number from 1 to 1000, not 'a bool'",
-                "questions[3].points: expected a whole number from 1 to 1000, not '1001'",
+                ":5: questions[1].points: gear-1 asks 2 quantities - expected a point for each",
+                ":8: questions[2].points: true - expected a whole number from 1 to 1000",
+                ":11: questions[3].points: 1001 - expected a whole number from 1 to 1000",
             ],
         ),
         (
             'family = "gear", asks = { v_x = 1 }',
-            ["questions[1].asks: expected one of position, velocity, acceleration"],
+            [":5: questions[1].asks: a table - expected position or velocity or acceleration"],
         ),
         (
             'family = "crank", asks = "acceleration"',
-            ['questions[1].asks: no template of the family "crank" asks this with points'],
+            [':5: questions[1].asks: no template of the family "crank" asks this with points'],
         ),
         (
             'tag = "velocity", number = 50; tag = "velocity", number = 50',
             [
-                "questions: expected at most 50 questions, not 100",
-                "questions[1].number: 50 different templates are to be drawn, 4 can be had "
-                "besides those of the other questions: draw fewer",
-                "questions[2].number: 50 different templates are to be drawn, 0 can be had "
-                "besides those of the other questions: draw fewer",
+                ":3: questions: 100 questions - expected at most 50",
+                ":5: questions[1].number: 50 different templates are to be drawn, 4 can be had "
+                "besides those of the other questions - draw fewer",
+                ":8: questions[2].number: 50 different templates are to be drawn, 0 can be had "
+                "besides those of the other questions - draw fewer",
             ],
         ),
     ],
@@ -199,7 +198,7 @@ def test_a_faulty_template_on_the_shelf_is_told(tmp_path: Path) -> None:
     shelf = write_shelf(tmp_path / "templates")
     (shelf / "gear-1.toml").write_text("title = 3", encoding="utf-8")
     found = faults(shelf, 'family = "gear"')
-    assert found[0] == "gear-1.toml: family is missing: every template needs it"
+    assert found[0] == ": gear-1.toml: family is missing: every template needs it"
     # Where nothing is drawn the shelf is not read
     assert len(blueprint(shelf, 'template = "gear-2"').slots) == 1
 

@@ -67,9 +67,9 @@ def test_all_faults_stand_in_the_order_of_the_file_with_their_lines() -> None:
     table.optional("shuffle", flag)
     table.required("title", text)
     assert faults(table) == (
-        "bank.toml: title: missing",
+        'bank.toml: title: missing - expected a text in quotation marks, "..."',
         'bank.toml:1: shuffle: "yes" - expected true or false',
-        "bank.toml:3: tolerance.relative: missing",
+        f"bank.toml:3: tolerance.relative: missing - expected {SHARE}",
         "bank.toml:4: tolerance.figures: 7 - expected a whole number from 2 to 6",
         "bank.toml:5: tolerance.size: unknown key - known here: figures, relative",
         "bank.toml:7: questions[1].number: 0 - expected a whole number from 1 to 50",
@@ -152,7 +152,8 @@ def test_json_is_read_alike() -> None:
         "exam.json:1: format: 2 - expected a whole number from 1 to 1 - restore it",
         'exam.json:3: students[1].name: nothing - expected a text in quotation marks, "..." '
         "- restore it",
-        "exam.json:3: students[1].student: missing - restore it",
+        'exam.json:3: students[1].student: missing - expected a text in quotation marks, "..." '
+        "- restore it",
     )
 
 

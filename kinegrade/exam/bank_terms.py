@@ -1,0 +1,43 @@
+"""Points and tolerances of a bank: what is stated is held to what an exam can keep and print."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from kinegrade.errors import FieldError
+from kinegrade.fields.table import Table
+from kinegrade.fields.values import amount, found, whole
+from kinegrade.problem.tolerance import Tolerance
+from kinegrade.stated_marking import read_tolerance
+
+MAX_POINTS = 1000
+_MOST_DIGITS = 15  # pass through the numbers of JSON unchanged
+_FIGURES = whole(2, 6)  # no more than the key prints
+
+
+def points(value: object) -> Fraction:
+    """The points of an ask, exactly."""
+    number = amount(value)
+    if not 0 < number <= MAX_POINTS:
+        raise FieldError(found(value), f"points above 0, at most {MAX_POINTS}")
+    return number
+
+
+def tolerance(table: Table, default: Tolerance) -> Tolerance:
+    """The tolerance that a table states; the default where it states none, and after a fault."""
+    stated = read_tolerance(table, _FIGURES)
+    if "tolerance" not in table or not table.is_sound("tolerance"):
+        return default
+    relative, absolute = stated.relative or Fraction(0), stated.absolute or Fraction(0)
+    if relative >= 1:
+        table.fault("tolerance", "a relative tolerance of 100 %", "one below 100 %")
+    if relative + absolute == 0 and stated.figures is None:
+        table.fault("tolerance", "allows nothing", "a tolerance above zero")
+    if not (_is_kept(relative) and _is_kept(absolute)):
+        table.fault("tolerance", "too finely stated", f"decimals of at most {_MOST_DIGITS} digits")
+    return Tolerance(relative, absolute, stated.figures)
+
+
+def _is_kept(number: Fraction) -> bool:
+    """Whether a number passes through JSON and onto paper unchanged."""
+    return Fraction(f"{float(number):.{_MOST_DIGITS}g}") == number

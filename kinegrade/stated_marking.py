@@ -1,0 +1,95 @@
+"""What a bank and a policy state about marking in the same words: tolerances, and credit for
+answers that are not right.
+
+    tolerance = { relative = "1 %", absolute = 0.01, figures = 3 }
+    credit = { follow-through = "1/2", wrong-unit = "50 %", mistakes = { coriolis-halved = 0.5 } }
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from kinegrade.fields.table import Table
+from kinegrade.fields.values import Read, amount, share
+
+_TOLERANCE = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
+_CREDIT = '{ follow-through = "1/2" }'
+_MISTAKES = '{ coriolis-halved = "1/2" }'
+
+
+@dataclass(frozen=True, slots=True)
+class StatedTolerance:
+    """A tolerance as it is stated; None for what is not. `relative` is a share, `absolute` in the
+    ask's unit, `figures` a number of significant figures.
+    """
+
+    relative: Fraction | None = None
+    absolute: Fraction | None = None
+    figures: int | None = None
+
+    def over(self, wider: StatedTolerance) -> StatedTolerance:
+        """This, and where it states nothing what `wider` states."""
+        return StatedTolerance(
+            wider.relative if self.relative is None else self.relative,
+            wider.absolute if self.absolute is None else self.absolute,
+            wider.figures if self.figures is None else self.figures,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class StatedCredit:
+    """Shares of the points, from 0 to 1, as they are stated; None for what is not.
+
+    `follow_through` is for what follows from an earlier mistake, `wrong_unit` for the right number
+    in a wrong unit, `mistakes` for known mistakes by identifier.
+    """
+
+    follow_through: Fraction | None = None
+    wrong_unit: Fraction | None = None
+    mistakes: Mapping[str, Fraction] = field(default_factory=dict)
+
+    def over(self, wider: StatedCredit) -> StatedCredit:
+        """This, and where it states nothing what `wider` states."""
+        return StatedCredit(
+            wider.follow_through if self.follow_through is None else self.follow_through,
+            wider.wrong_unit if self.wrong_unit is None else self.wrong_unit,
+            {**wider.mistakes, **self.mistakes},
+        )
+
+    def record(self) -> dict[str, object]:
+        """As exam.json keeps it, from which `read_credit` reads it again; empty where nothing is
+        stated.
+        """
+        record: dict[str, object] = {}
+        if self.follow_through is not None:
+            record["follow-through"] = str(self.follow_through)
+        if self.wrong_unit is not None:
+            record["wrong-unit"] = str(self.wrong_unit)
+        if self.mistakes:
+            record["mistakes"] = {name: str(share) for name, share in self.mistakes.items()}
+        return record
+
+
+def read_tolerance(table: Table, figures: Read[int]) -> StatedTolerance:
+    """What `tolerance` in a table states."""
+    stated = table.table("tolerance", _TOLERANCE).only("relative", "absolute", "figures")
+    return StatedTolerance(
+        stated.optional("relative", share),
+        stated.optional("absolute", amount),
+        stated.optional("figures", figures),
+    )
+
+
+def read_credit(table: Table, known_mistakes: Callable[[], Iterable[str]]) -> StatedCredit:
+    """What `credit` in a table states; the known mistakes are asked for only where it names one."""
+    stated = table.table("credit", _CREDIT).only("follow-through", "wrong-unit", "mistakes")
+    mistakes = stated.table("mistakes", _MISTAKES)
+    if mistakes:
+        mistakes = mistakes.only(*known_mistakes(), kind="mistake")
+    return StatedCredit(
+        stated.optional("follow-through", share),
+        stated.optional("wrong-unit", share),
+        mistakes.entries(share),
+    )
