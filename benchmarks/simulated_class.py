@@ -17,6 +17,8 @@ from tempfile import TemporaryDirectory
 from kinegrade.csv_writing import csv_text
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.keys import Exam
 from kinegrade.exam.generate import exam_record
 from kinegrade.exam.key_mistakes import mistaken_answers
 from kinegrade.exam.key_record import key_record
@@ -25,8 +27,6 @@ from kinegrade.exam.sample import sample_bank
 from kinegrade.exam.setting import SetPaper, Setting, set_exam
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.class_tally import named_mistakes
-from kinegrade.grading.exam_folder import read_exam
-from kinegrade.grading.key import Exam
 from kinegrade.grading.marks import Mark, mark
 from kinegrade.problem.honest_rounding import nearest_turn, turn_of
 from kinegrade.problem.separation import Separation
@@ -150,4 +150,4 @@ def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
         (folder / "key.jsonl").write_text(
             "".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8"
         )
-        return read_exam(folder)
+        return open_exam(folder).in_memory()

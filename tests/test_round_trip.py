@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.grading.exam_folder import read_exam
-from kinegrade.grading.key import Key
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.keys import Key
 from tests.small_class import asks_of, kinegrade, table
 from tests.spellings import SPELLINGS, Spelling, rounded, type_answers
 
@@ -61,7 +61,8 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
     small_class: Path, tmp_path: Path, side: int, beyond: int, verdict: str
 ) -> None:
     keys = {
-        examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees
+        examinee.student: examinee.keys
+        for examinee in open_exam(small_class / "EXAM").in_memory().examinees
     }
 
     def bound(student: str, column: str) -> str:
@@ -75,7 +76,8 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
 
 def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
     keys = {
-        examinee.student: examinee.keys for examinee in read_exam(small_class / "EXAM").examinees
+        examinee.student: examinee.keys
+        for examinee in open_exam(small_class / "EXAM").in_memory().examinees
     }
     finite: set[tuple[str, str]] = set()
 

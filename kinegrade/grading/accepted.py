@@ -18,9 +18,9 @@ from kinegrade.errors import ExpressionError, PolicyError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.expression import elementary, evaluate, names, read
 from kinegrade.grading.givens import Givens
-from kinegrade.grading.key import Ask, Paper, Sitting
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
 from kinegrade.grading.typed_value import PRECISION, Amount, converted, rational_amount

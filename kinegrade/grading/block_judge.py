@@ -20,6 +20,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.keys import Ask, Key, Paper, Rule, rule
+from kinegrade.exam.folder.stated_keys import StatedKeys, stated_mistakes
 from kinegrade.grading.accepted import Alternative, Alternatives
 from kinegrade.grading.bulk_comparison import Comparison, Flags, Rules, compare, may_agree, rules_of
 from kinegrade.grading.decimal_style import FileStyle
@@ -27,9 +29,7 @@ from kinegrade.grading.decision import BY_POLICY, Decision, besides, decide, voi
 from kinegrade.grading.follow import Decided, Follows, follow_through
 from kinegrade.grading.judge import Kind, judge
 from kinegrade.grading.judged_block import FULL_SHARE, NO_SHARE, JudgedBlock, Row
-from kinegrade.grading.key import Ask, Key, Paper, Rule, rule
 from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
-from kinegrade.grading.stated_keys import StatedKeys, stated_mistakes
 from kinegrade.grading.typed_cells import CellReader
 
 Places = NDArray[np.intp]

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.grading.key import Rule
+from kinegrade.exam.folder.keys import Rule
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]

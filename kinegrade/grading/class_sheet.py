@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 
 from kinegrade.answer_file import AnswerFile, LeftOut
-from kinegrade.grading.key import Sitting
+from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.sheet import Entry, Part, Place, Sheet, read_part
 from kinegrade.tables import Complaint, Table, shortened, trimmed
 

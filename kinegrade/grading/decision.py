@@ -13,10 +13,10 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import assert_never
 
+from kinegrade.exam.folder.keys import Key, Rule
 from kinegrade.grading.accepted import Alternative
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.judge import Verdict, judge
-from kinegrade.grading.key import Key, Rule
 from kinegrade.grading.policy import NO_ROOM, Ruling
 
 Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the ask's points

@@ -18,8 +18,8 @@ from typing import Any
 
 from kinegrade.errors import ExamError
 from kinegrade.exact.written import written_number, written_text
+from kinegrade.exam.folder.keys import rule
 from kinegrade.exam.roster import file_names
-from kinegrade.grading.key import rule
 from kinegrade.grading.key_lines import KeyLines
 from kinegrade.grading.pool import Put
 from kinegrade.language import Language, exam_language_of

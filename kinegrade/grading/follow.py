@@ -15,10 +15,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol
 
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Verdict, judge
-from kinegrade.grading.key import Ask, Key
 from kinegrade.grading.policy import Ruling
 from kinegrade.grading.trivial_answers import Later, is_trivial
 

@@ -8,12 +8,12 @@ from types import MappingProxyType
 from typing import assert_never
 
 from kinegrade.answer_file import AnswerFile
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.files import output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
-from kinegrade.grading.exam_folder import ExamFolder, open_exam
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.kept_totals import Kept
@@ -105,5 +105,5 @@ def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]
 def policy_for(known: ExamFolder, givens: Givens, policy: Path | None) -> Policy:
     """The policy of that file, or what the bank states where there is none. Raises PolicyError."""
     if policy is None:
-        return stated_policy(known, givens, known.credit)
-    return read_policy(policy, known, givens, known.credit)
+        return stated_policy(known, givens, known.head.credit)
+    return read_policy(policy, known, givens, known.head.credit)

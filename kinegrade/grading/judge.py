@@ -13,8 +13,8 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from typing import Literal, assert_never
 
+from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.answers import Reading
-from kinegrade.grading.key import Key
 
 Kind = Literal[
     "right",

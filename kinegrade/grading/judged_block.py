@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from kinegrade.exam.folder.keys import Paper
 from kinegrade.grading.decision import Decision
 from kinegrade.grading.judge import Kind, Verdict
-from kinegrade.grading.key import Paper
 from kinegrade.grading.sheet import Entry
 from kinegrade.grading.typed_cells import TypedCells
 

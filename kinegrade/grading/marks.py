@@ -15,6 +15,7 @@ from math import lcm
 from types import MappingProxyType
 from typing import assert_never
 
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting, questions
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.block_judge import BlockJudge
@@ -24,7 +25,6 @@ from kinegrade.grading.decimal_style import file_style
 from kinegrade.grading.follow import Follows
 from kinegrade.grading.judge import Verdict
 from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
-from kinegrade.grading.key import Ask, Paper, Sitting, questions
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, repeated

@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.exam_folder import ExamFolder
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.grading.judge import Kind
-from kinegrade.grading.key import Ask, Paper
 from kinegrade.grading.marks import MarkedBlock
 
 LOOKED_AT = 400  # students, evenly over the class: enough for a share, few enough for any class

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
 
+from kinegrade.exam.folder.keys import Ask, Key, rule
 from kinegrade.expression import Expression
-from kinegrade.grading.key import Ask, Key, rule
 from kinegrade.grading.unit_spelling import Conversion
 
 Attempts = Literal["last", "first", "best"]

@@ -39,10 +39,10 @@ from typing import Any
 
 from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, PolicyError, did_you_mean
+from kinegrade.exam.folder.keys import Ask, Sitting, questions
 from kinegrade.expression import Expression, names, read
 from kinegrade.fields.document import FileKind, read_text, toml_table
 from kinegrade.grading.givens import Givens
-from kinegrade.grading.key import Ask, Sitting, questions
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import NO_ROOM, Accepted, Attempts, Policy, Room, Ruling, Void
 from kinegrade.grading.policy_values import Values, shown, written

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from kinegrade.grading.exam_folder import ExamFolder
-from kinegrade.grading.key import Ask, Exam, Examinee, Paper, Sitting
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, Sitting
 from kinegrade.grading.sheet import Entry, Sheet
 from kinegrade.tables import written_records
 

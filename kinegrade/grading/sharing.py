@@ -28,8 +28,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.exam_folder import open_exam, read_exam
-from kinegrade.grading.key import Exam, Examinee
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.marked_class import MarkedAnswer, marked_answers
 from kinegrade.grading.pool import exam_as_put, read_put
 from kinegrade.grading.sharing_fits import Numbers, Windows, windows
@@ -93,7 +93,7 @@ def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
 
     Raises ExamError, TableError.
     """
-    known = exam_as_put(open_exam(exam), read_exam(exam), read_put(marks))
+    known = exam_as_put(open_exam(exam), open_exam(exam).in_memory(), read_put(marks))
     return sharing(known, marked_answers(marks), level)
 
 

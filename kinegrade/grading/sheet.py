@@ -18,9 +18,9 @@ from unicodedata import normalize
 from kinegrade.answer_file import AnswerFile, Sources
 from kinegrade.csv_writing import csv_text
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.exam.roster import COLUMN_NAMES, student_key
 from kinegrade.exam.student_ids import StudentIds, restoration
-from kinegrade.grading.key import Ask, Sitting
 from kinegrade.tables import (
     Complaint,
     Row,

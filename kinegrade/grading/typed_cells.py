@@ -15,10 +15,10 @@ from math import nan
 import msgspec
 import numpy as np
 
+from kinegrade.exam.folder.keys import Ask
 from kinegrade.grading.answers import PLAIN, Reading, read
 from kinegrade.grading.bulk_comparison import Numbers
 from kinegrade.grading.decimal_style import FileStyle
-from kinegrade.grading.key import Ask
 from kinegrade.grading.number_text import DecimalStyle
 
 _PLAIN = re.compile(PLAIN)

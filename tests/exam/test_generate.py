@@ -19,9 +19,9 @@ from pypdf import PdfReader
 
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.text import decimal_text
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.word import MISSING
 from kinegrade.expression import elementary, evaluate, read
-from kinegrade.grading.exam_folder import read_exam
 from kinegrade.problem.library import load_template, shipped
 from tests.problem.crank import crank_text
 from tests.small_class import (
@@ -230,7 +230,7 @@ def test_zero_answers_carry_an_absolute_tolerance(exam: Path) -> None:
 
 
 def test_grading_reads_the_exam(exam: Path) -> None:
-    known = read_exam(exam)
+    known = open_exam(exam).in_memory()
     assert [examinee.student for examinee in known.examinees] == list(STUDENTS)
     assert [ask.column for ask in known.asks] == [
         "q1.v_B",

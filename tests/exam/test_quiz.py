@@ -16,6 +16,7 @@ import pytest
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.quiz import PLAIN, QuizOrder, by_workers, read_quiz
 from kinegrade.exam.quiz_document import QuizAsk, QuizPaper
@@ -24,7 +25,6 @@ from kinegrade.exam.quiz_source import key_lines, key_record, read_quiz_source
 from kinegrade.exam.roster import read_roster
 from kinegrade.exam.setting import set_exam
 from kinegrade.figure.svg import to_svg
-from kinegrade.grading.exam_folder import read_exam
 from kinegrade.lms.responses.exam_asks import read_exam_asks
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.library import load_template, template_names
@@ -63,7 +63,7 @@ def first_line(exam: Path) -> dict[str, Any]:
 
 
 def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -> None:
-    exam = read_exam(small_class / "EXAM")
+    exam = open_exam(small_class / "EXAM").in_memory()
     found = {paper.student: asks(paper) for paper in papers(small_class / "EXAM")}
     assert list(found) == list(STUDENTS)
     for examinee in exam.examinees:

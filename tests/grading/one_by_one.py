@@ -8,12 +8,12 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import groupby
 
+from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import read
 from kinegrade.grading.decimal_style import FileStyle, file_style
 from kinegrade.grading.decision import decide, voided
 from kinegrade.grading.follow import Decided, Follows, follow_through
-from kinegrade.grading.key import Exam, Examinee
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.sheet import Entry, Sheet

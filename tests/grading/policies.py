@@ -7,11 +7,11 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, rule
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade
-from kinegrade.grading.key import Ask, Exam, Examinee, rule
 from kinegrade.grading.marks import Mark, Marks, mark
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.policy_reading import read_policy

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from kinegrade.grading.key import Ask, Exam, Examinee, Key, rule
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, rule
 from kinegrade.grading.marked_class import MarkedAnswer
 
 ASKS = {

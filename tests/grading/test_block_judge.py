@@ -14,10 +14,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading import marks as marking
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.exam_folder import open_exam, read_exam
 from kinegrade.grading.follow import Follows, Own
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade
@@ -155,7 +155,7 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
         folder, random = Path(name), Random(seed)
         write_class(folder, random, 12)
         (folder / "policy.toml").write_text(policy, encoding="utf-8")
-        exam, whole = open_exam(folder), read_exam(folder)
+        exam, whole = open_exam(folder), open_exam(folder).in_memory()
         sheet = read_sheet(parse_table((folder / "answers.csv").read_bytes(), "answers.csv"), exam)
         rules = read_policy(folder / "policy.toml", exam, Givens(folder))
         accepted, follows = (

@@ -12,17 +12,17 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
-from kinegrade.grading import exam_folder as exam_folder_reading
-from kinegrade.grading.exam_folder import read_exam
+from kinegrade.exam.folder import key_stream
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.grade import grade
-from kinegrade.grading.key import Ask, Key
 from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
 
 Change = Callable[[dict[str, Any], list[Any]], object]
 
 
 def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
-    found = read_exam(exam_folder)
+    found = open_exam(exam_folder).in_memory()
     assert found.asks == (
         Ask("q1", "v_B", "m/s", Fraction(4)),
         Ask("q1", "omega_AB", "rad/s", Fraction(3)),
@@ -40,15 +40,16 @@ def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
 def test_a_sign_convention_is_kept(tmp_path: Path) -> None:
     head = exam()
     head["questions"][1]["asks"][0]["sign"] = "counter-clockwise positive"
-    found = read_exam(write_exam(tmp_path / "EXAM", head, [paper(student) for student in STUDENTS]))
+    found = open_exam(write_exam(tmp_path / "EXAM", head, [paper(student) for student in STUDENTS]))
     assert [ask.sign for ask in found.asks] == ["", "", "counter-clockwise positive"]
 
 
-def test_a_unit_that_is_no_proper_text_is_the_exam_s_all_the_same(tmp_path: Path) -> None:
+def test_a_unit_that_is_no_proper_text_is_a_fault_of_the_key(tmp_path: Path) -> None:
     head, papers = exam(), [paper(student) for student in STUDENTS]
     for entry in (head["questions"][1]["asks"][0], *(asks(each, 1)["a_B"] for each in papers)):
         entry["unit"] = "\ud800"
-    assert read_exam(write_exam(tmp_path / "EXAM", head, papers)).asks[2].unit == "\ud800"
+    with pytest.raises(ExamError, match=r"key.jsonl: line 1: is broken \(.*\) - expected it as"):
+        open_exam(write_exam(tmp_path / "EXAM", head, papers)).in_memory()
 
 
 def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
@@ -56,7 +57,7 @@ def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
     change(head, papers)
     folder = write_exam(tmp_path / "EXAM", head, papers)
     with pytest.raises(ExamError) as caught:
-        read_exam(folder)
+        open_exam(folder).in_memory()
     return tuple(problem.removeprefix(f"{folder}/") for problem in caught.value.problems)
 
 
@@ -66,8 +67,8 @@ def asks(paper: dict[str, Any], question: int = 0) -> dict[str, Any]:
 
 
 CHANGES: list[tuple[Change, str]] = [
-    (lambda head, _: head.update(format=2), 'exam.json: "format" is 2 - expected 1'),
-    (lambda head, _: head.pop("format"), 'exam.json: no "format" that is a number'),
+    (lambda head, _: head.update(format=3), 'exam.json: "format" is 3 - expected 1 or 2'),
+    (lambda head, _: head.pop("format"), 'exam.json: no "format" - expected the number'),
     (
         lambda head, _: head.pop("questions"),
         'exam.json: no list "questions" - expected one that is not empty',
@@ -75,7 +76,7 @@ CHANGES: list[tuple[Change, str]] = [
     (lambda head, _: head.update(students=[]), 'exam.json: no list "students"'),
     (
         lambda head, _: head["students"].append(7),
-        'exam.json: students 5: no "student" that is a text',
+        "exam.json: students 5: is broken (Expected `object`, got `int`) - expected it as",
     ),
     (
         lambda head, _: head["students"][1].update(student=" "),
@@ -104,7 +105,7 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(sign=1),
-        'questions 2: no "sign" that is a text',
+        "questions 2: is broken (Expected `str`, got `int` - at `$.asks[0].sign`) - expected",
     ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points="many"),
@@ -158,7 +159,7 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"].pop("tolerance"),
-        'q1.v_B: no "tolerance" that is an object',
+        "line 2: is broken (Object missing required field `tolerance` - at `$.questions[0].asks[",
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(relative=-1),
@@ -166,17 +167,20 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(figures=0),
-        "\"figures\" is Decimal('0') - expected a whole number from 1 to 15",
+        '"figures" is 0 - expected a whole number from 1 to 15',
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"]["tolerance"].update(figures="3"),
-        "\"figures\" is '3' - expected a whole number from 1 to 15",
+        "line 2: is broken (Expected `int | null`, got `str` - at",
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"].update(value=float("nan")),
-        "line 2: broken JSON (NaN is not a number)",
+        "line 2: is broken (JSON is malformed: invalid character",
     ),
-    (lambda _, papers: papers.__setitem__(1, "text"), 'line 2: no "student" that is a text'),
+    (
+        lambda _, papers: papers.__setitem__(1, "text"),
+        "line 2: is broken (Expected `object`, got `str`) - expected it as",
+    ),
 ]
 
 
@@ -209,8 +213,8 @@ def test_papers_come_in_the_order_of_the_roster_however_many_lines_are_read_at_o
     folder = write_exam(tmp_path / "EXAM", exam(), papers)
     lines = (folder / "key.jsonl").read_text(encoding="utf-8").splitlines()
     (folder / "key.jsonl").write_text("\n \n".join(lines), encoding="utf-8")
-    monkeypatch.setattr(exam_folder_reading, "_BUFFER", size)
-    found = read_exam(folder)
+    monkeypatch.setattr(key_stream, "_BUFFER", size)
+    found = open_exam(folder).in_memory()
     assert found.students == tuple(STUDENTS)
     exact = [each.keys["q1.v_B"].value == Fraction(HALF_ROOT_12) for each in found.examinees]
     assert exact == [True, True, False, True]
@@ -220,7 +224,7 @@ def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
     papers = [paper(student) for student in STUDENTS]
     for each in papers:
         del asks(each)["v_B"]["decimal"]
-    found = read_exam(write_exam(tmp_path / "EXAM", exam(), papers))
+    found = open_exam(write_exam(tmp_path / "EXAM", exam(), papers)).in_memory()
     assert found.examinees[0].keys["q1.v_B"].value == Fraction("1.7320508075688772")
 
 
@@ -245,10 +249,10 @@ def test_broken_files_are_named(
     (exam_folder / name).unlink()
     if content is not None:
         (exam_folder / name).write_bytes(content)
-    if name == "key.jsonl" and content is not None and b"format" in content:
-        fault = 'no "student" that is a text'
+    if name == "key.jsonl" and content and content.startswith((b"{", b"[")):
+        fault = "line 1: is broken ("
     with pytest.raises(ExamError) as caught:
-        read_exam(exam_folder)
+        open_exam(exam_folder).in_memory()
     assert str(exam_folder / name) in str(caught.value)
     assert fault in str(caught.value)
 
@@ -259,7 +263,7 @@ def test_a_number_too_large_to_be_one_is_refused(exam_folder: Path) -> None:
     )
     (exam_folder / "exam.json").write_text(text)
     with pytest.raises(ExamError, match="expected a number"):
-        read_exam(exam_folder)
+        open_exam(exam_folder).in_memory()
     assert json.loads(text)["format"] == 1
 
 
@@ -268,7 +272,7 @@ def test_significant_figures_give_the_numbers_that_agree(tmp_path: Path) -> None
     for each in papers:
         asks(each)["v_B"]["tolerance"] = {"relative": 0, "absolute": 0, "figures": 3}
         asks(each)["omega_AB"]["tolerance"]["figures"] = 3
-    keys = read_exam(write_exam(tmp_path / "EXAM", exam(), papers)).examinees[0].keys
+    keys = open_exam(write_exam(tmp_path / "EXAM", exam(), papers)).in_memory().examinees[0].keys
     assert keys["q1.v_B"].interval == (Fraction("1.725"), Fraction("1.735"))  # of 1.73205
     assert keys["q1.omega_AB"].interval == (
         Fraction("-0.002"),
@@ -286,7 +290,7 @@ def folder_with_mistakes(tmp_path: Path, mistakes: Any) -> Path:
     ("mistakes", "fault"),
     [
         ({"sense-reversed": "fast"}, "\"sense-reversed\" is 'fast'"),
-        (3, 'no "mistakes" that is an object'),
+        (3, "mistakes: is broken (Expected `object`, got `int`)"),
     ],
 )
 def test_what_is_wrong_with_mistakes_is_found_where_an_answer_is_held_against_them(
@@ -294,7 +298,7 @@ def test_what_is_wrong_with_mistakes_is_found_where_an_answer_is_held_against_th
 ) -> None:
     folder = folder_with_mistakes(tmp_path, mistakes)
     with pytest.raises(ExamError) as caught:
-        read_exam(folder)
+        open_exam(folder).in_memory()
     assert str(caught.value).startswith(
         f'{folder}/key.jsonl: line 2: student "0012": q1.v_B: {fault} - expected '
     )

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.exam.folder.keys import Ask, rule
 from kinegrade.grading.answers import read
 from kinegrade.grading.decision import Decision, decide
 from kinegrade.grading.follow import Decided, Follows, follow_through
 from kinegrade.grading.judge import Verdict
-from kinegrade.grading.key import Ask, rule
 from kinegrade.grading.policy import Room, Ruling
 from tests.grading.policies import policy_of
 

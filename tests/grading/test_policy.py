@@ -10,12 +10,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExamError, PolicyError
+from kinegrade.exam.folder.keys import rule
 from kinegrade.grading.answers import Reading
 from kinegrade.grading.decision import decide
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judge import judge
-from kinegrade.grading.key import rule
 from kinegrade.grading.marks import Marks
 from kinegrade.grading.policy import Ruling
 from kinegrade.grading.policy_reading import read_policy, stated_policy

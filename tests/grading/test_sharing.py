@@ -19,7 +19,7 @@ from click.testing import CliRunner, Result
 
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
-from kinegrade.grading.key import rule
+from kinegrade.exam.folder.keys import rule
 from kinegrade.grading.sharing import MOST, Pair, sharing, tail
 from kinegrade.grading.sharing_fits import windows
 from kinegrade.grading.sharing_report import HEADER, NOTE, sharing_csv, sharing_text

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.exam_folder import read_exam
 from kinegrade.grading.givens import Givens
 from kinegrade.grading.marks import Marks, mark
 from kinegrade.grading.policy import AS_PRINTED
@@ -121,7 +121,7 @@ def written(path: Path, header: Sequence[str], rows: Sequence[Sequence[str]]) ->
 
 
 def marked(exam: Path, table: Table) -> Marks:
-    known = read_exam(exam)
+    known = open_exam(exam).in_memory()
     return mark(
         known,
         read_sheet(table, known),

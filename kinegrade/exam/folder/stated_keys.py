@@ -16,13 +16,14 @@ from math import isfinite
 
 import msgspec
 
-from kinegrade.errors import ExamError
-from kinegrade.grading.json_fields import RATIONAL, FieldError, parsed
-from kinegrade.grading.key import Ask, Rule, StatedKey
-from kinegrade.grading.key_line import mistakes_of
+from kinegrade.exam.folder.exact_keys import mistakes_of
+from kinegrade.exam.folder.faults import FieldError, broken, damaged
+from kinegrade.exam.folder.keys import Ask, Rule, StatedKey
+from kinegrade.exam.folder.numbers import RATIONAL
 
 _all_decoded = msgspec.json.Decoder(list[dict[str, float]], strict=False).decode
 _decoded = msgspec.json.Decoder(dict[str, float], strict=False).decode
+_exactly_decoded = msgspec.json.Decoder(dict[str, str]).decode
 
 
 class Entry(msgspec.Struct, frozen=True, gc=False):
@@ -95,13 +96,13 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
                 return usual
         except (msgspec.MsgspecError, ValueError):
             pass
+        where = f"{self.place}: {self.terms.asks[ask].column}"
         try:
-            return mistakes_of({"mistakes": parsed(bytes(written).decode())})
-        except (FieldError, ValueError) as fault:
-            raise ExamError(
-                f"{self.place}: {self.terms.asks[ask].column}: {fault} "
-                "- restore the exam folder as it was generated"
-            ) from fault
+            return mistakes_of(_exactly_decoded(written))
+        except FieldError as fault:
+            raise broken(where, [str(fault)]) from fault
+        except ValueError as fault:
+            raise broken(where, [f"mistakes: {damaged(fault)}"]) from fault
 
 
 def stated_mistakes(

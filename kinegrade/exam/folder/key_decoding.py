@@ -1,8 +1,8 @@
 """Lines of key.jsonl as `generate` writes them, decoded by their types: a class of 100,000 has a
 million keys.
 
-`PaperDecoder` is used by `exam_folder`, with many lines at once. What is not of the usual shape,
-and every fault, is left to `key_line`, so that a line means the same whichever reads it. Only
+`PaperDecoder` is used by `key_stream`, with many lines at once. What is not of the usual shape, and
+every fault, is left to `exact_keys`, so that a line means the same whichever reads it. Only
 mistakes are looked at later, by `stated_keys`: a fault in them is found where an answer is held
 against them.
 """
@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from fractions import Fraction
 from itertools import chain, groupby, islice
 from math import isclose, nan
 from operator import attrgetter
@@ -21,10 +23,11 @@ import msgspec
 from msgspec.structs import astuple
 
 from kinegrade.csv_writing import encoded
-from kinegrade.grading.json_fields import MOST_DIGITS, FieldError, not_negative, parsed
-from kinegrade.grading.key import Ask, Paper
-from kinegrade.grading.key_line import exact_paper, rule_of
-from kinegrade.grading.stated_keys import Entry, StatedKeys, Terms
+from kinegrade.exam.folder.exact_keys import exact_keys, key_line, rule_of
+from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.numbers import MOST_DIGITS, not_negative
+from kinegrade.exam.folder.records import Candidate, StatedTolerance
+from kinegrade.exam.folder.stated_keys import Entry, StatedKeys, Terms
 
 _REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten with which no number is taken
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each
@@ -35,22 +38,16 @@ class _UnusualError(Exception):
     """A line that has to be read with more patience."""
 
 
-_UNUSUAL = (
-    _UnusualError,
-    FieldError,
-    msgspec.MsgspecError,
-    AttributeError,
-    ArithmeticError,
-    RecursionError,
-    ValueError,
-)
+_UNUSUAL = (_UnusualError, AttributeError, ArithmeticError, RecursionError, ValueError)
+_decoded_tolerance = msgspec.json.Decoder(StatedTolerance).decode
+_decoded_period = msgspec.json.Decoder(Decimal | None).decode
 
 
 class PaperDecoder:
-    """Reads the lines of one key.jsonl; `names` give the students'."""
+    """Reads the lines of one file of keys; the names are those of the candidates."""
 
-    def __init__(self, asks: Sequence[Ask], names: Mapping[str, str]) -> None:
-        self._asks, self._names = asks, names
+    def __init__(self, asks: Sequence[Ask], candidates: Mapping[str, Candidate]) -> None:
+        self._asks, self._candidates = asks, candidates
         self._decode = msgspec.json.Decoder(_line_type(asks), strict=False).decode
         self._terms: dict[bytes, Terms] = {}
 
@@ -69,8 +66,13 @@ class PaperDecoder:
         """
         for paper in self.usual([line], [place]) or ():
             return paper
-        student, keys = exact_paper(self._asks, line.decode("utf-8"))
-        return Paper(student, self._names.get(student, ""), keys)
+        record = key_line(line)
+        keys = exact_keys(self._asks, record)
+        return Paper(record.student, self._name(record.student), keys)
+
+    def _name(self, student: str) -> str:
+        candidate = self._candidates.get(student)
+        return candidate.name if candidate else ""
 
     def _papers(self, lines: Sequence[bytes], places: Sequence[str]) -> list[Paper]:
         found = [self._decode(line) for line in lines if line.isascii() or line.decode("utf-8")]
@@ -83,7 +85,7 @@ class PaperDecoder:
         return [
             Paper(
                 line.student,
-                self._names.get(line.student, ""),
+                self._name(line.student),
                 self._keys(
                     f'{place}: student "{line.student}"', keys, [*islice(centres, len(keys))]
                 ),
@@ -105,12 +107,15 @@ class PaperDecoder:
         if stated not in self._terms:
             if len(self._terms) > _MOST_TERMS:
                 self._terms.clear()
-            parts = [parsed(part.decode()) for part in stated.split(b"\0")]
-            periods = tuple(
-                None if period is None else not_negative({"": period}, "") for period in parts[1::2]
-            )
-            self._terms[stated] = Terms(self._asks, tuple(map(rule_of, parts[::2])), periods)
+            parts = stated.split(b"\0")
+            rules = tuple(rule_of(_decoded_tolerance(part)) for part in parts[::2])
+            self._terms[stated] = Terms(self._asks, rules, tuple(map(_period, parts[1::2])))
         return self._terms[stated]
+
+
+def _period(stated: bytes) -> Fraction | None:
+    period = _decoded_period(stated)
+    return None if period is None else not_negative("period", period)
 
 
 def _line_type(asks: Sequence[Ask]) -> Any:
@@ -171,7 +176,7 @@ def _centres(entries: Sequence[Entry]) -> list[float]:
     close = all(map(isclose, centres, rounded)) and all(
         map(isclose, centres, [entry.value for entry in entries])
     )
-    # Isclose compares to 1e-9 of itself, as key_line does; to be told so makes it four times slower
+    # Isclose compares to 1e-9 of itself, as exact_keys does; stating it would be four times slower
     if not close:
         raise _UnusualError
     return centres

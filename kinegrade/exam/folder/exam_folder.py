@@ -1,0 +1,215 @@
+"""An exam folder as `generate` writes it: its head, its key, the lines of a pool, its templates and
+its bank.
+
+A command opens it once, by `open_exam`, and passes it on; nothing else knows the files. Only the
+head is read at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exact_keys import key_line
+from kinegrade.exam.folder.faults import FieldError, broken, unreadable
+from kinegrade.exam.folder.head import read_head
+from kinegrade.exam.folder.key_decoding import PaperDecoder
+from kinegrade.exam.folder.key_index import KeyIndex, index_of
+from kinegrade.exam.folder.key_stream import papers_in_roster_order
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, questions
+from kinegrade.exam.folder.records import ExamHead, KeyLine
+from kinegrade.language import Language
+
+if TYPE_CHECKING:
+    from kinegrade.exam.folder.kept_templates import KeptTemplates
+
+KEY = "key.jsonl"
+POOL = "variants.jsonl"  # the lines of the key that a pool was made of
+BANK = "bank.toml"
+TEMPLATES = "templates"
+_KEPT_LINES = 4  # an ask at a time comes back to its paper
+
+
+@dataclass(frozen=True)
+class ExamFolder:
+    """An exam folder, of which the head was read."""
+
+    path: Path
+    head: ExamHead
+
+    @property
+    def language(self) -> Language:
+        """The language of the papers."""
+        return self.head.language
+
+    @property
+    def asks(self) -> tuple[Ask, ...]:
+        """The asks in the order of the bank."""
+        return self.head.asks
+
+    @property
+    def questions(self) -> tuple[str, ...]:
+        """The questions in the order of the bank."""
+        return questions(self.asks)
+
+    @property
+    def students(self) -> tuple[str, ...]:
+        """The ids of the candidates, in the order of the roster."""
+        return tuple(self.head.candidates)
+
+    @property
+    def key(self) -> Path:
+        """The file of the key, to be named in messages."""
+        return self.path / KEY
+
+    @property
+    def pool(self) -> Path:
+        """The file of the pool's lines, to be named in messages."""
+        return self.path / POOL
+
+    @property
+    def has_pool(self) -> bool:
+        """Whether a pool was made of the exam."""
+        return self.pool.exists()
+
+    def papers(self) -> Iterator[Paper]:
+        """The papers in the order of the roster, read while they are asked for.
+
+        Raises ExamError with all faults of the key, after the last line is read.
+        """
+        return papers_in_roster_order(self.key, self.asks, self.head.candidates)
+
+    def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
+        """The papers of these students, by student. Raises ExamError where one is missing."""
+        return {student: self._paper(student) for student in students}
+
+    def variants(self) -> tuple[Paper, ...]:
+        """The papers of a pool that was made of the exam, none where none was made. Raises
+        ExamError.
+        """
+        return tuple(self._decoded(self.pool, *line) for line in self.pool_texts())
+
+    def in_memory(self) -> Exam:
+        """The whole exam. Raises ExamError."""
+        columns = [ask.column for ask in self.asks]
+
+        def examinee(paper: Paper) -> Examinee:
+            keys = map(paper.key, range(len(columns)))
+            return Examinee(paper.student, paper.name, dict(zip(columns, keys, strict=True)))
+
+        return Exam(self.asks, tuple(map(examinee, self.papers())))
+
+    def line_of(self, student: str) -> KeyLine:
+        """The key of a student's paper, or, of one who left the roster, that of a pool's variant.
+
+        Raises ExamError where there is none.
+        """
+        return self._recent_line(student)
+
+    def lines(self) -> Iterator[KeyLine]:
+        """The keys of all papers, in the order of the file. Raises ExamError."""
+        return (self.read_line(*line) for line in self.texts())
+
+    def read_line(self, number: int, text: bytes) -> KeyLine:
+        """The key on a line of `texts`. Raises ExamError."""
+        return _record(self.key, number, text)
+
+    def texts(self) -> Iterator[tuple[int, bytes]]:
+        """The lines of the key as they stand, with their numbers. Raises ExamError."""
+        return _texts(self.key)
+
+    def pool_lines(self) -> Iterator[KeyLine]:
+        """The keys of a pool's variants, none where no pool was made. Raises ExamError."""
+        return (_record(self.pool, *line) for line in self.pool_texts())
+
+    def pool_texts(self) -> Iterator[tuple[int, bytes]]:
+        """The lines of a pool as they stand, with their numbers. Raises ExamError."""
+        return _texts(self.pool) if self.has_pool else iter(())
+
+    @cached_property
+    def templates(self) -> KeptTemplates:
+        """The folder's copies of its templates."""
+        # Takes a second to load, and most exports need no template
+        from kinegrade.exam.folder.kept_templates import read_kept_templates  # noqa: PLC0415
+
+        return read_kept_templates(self.path / TEMPLATES, self.head.questions)
+
+    @cached_property
+    def bank(self) -> str:
+        """The text of the folder's copy of its bank. Raises ExamError."""
+        path = self.path / BANK
+        try:
+            return path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as fault:
+            raise unreadable(path, fault) from fault
+
+    @cached_property
+    def _indices(self) -> tuple[KeyIndex, ...]:
+        """Where lines are looked for: in the key, then in the pool."""
+        return (index_of(self.key), index_of(self.pool)) if self.has_pool else (index_of(self.key),)
+
+    @cached_property
+    def _decoder(self) -> PaperDecoder:
+        return PaperDecoder(self.asks, self.head.candidates)
+
+    @cached_property
+    def _recent_line(self) -> Callable[[str], KeyLine]:
+        return lru_cache(maxsize=_KEPT_LINES)(self._line)
+
+    def _line(self, student: str) -> KeyLine:
+        path, text = self._text(student)
+        try:
+            return key_line(text)
+        except (FieldError, UnicodeDecodeError) as fault:
+            raise broken(path, [f'the line of student "{student}" {fault}']) from fault
+
+    def _paper(self, student: str) -> Paper:
+        path, text = self._text(student)
+        try:
+            return self._decoder.paper(text, f"{path}: the line")
+        except (FieldError, UnicodeDecodeError) as fault:
+            raise broken(path, [str(fault)]) from fault
+
+    def _text(self, student: str) -> tuple[Path, bytes]:
+        """A student's line as it stands, and the file. Raises ExamError where there is none."""
+        for index in self._indices:
+            if student in index.beginnings:
+                return index.path, index.text(student)
+        raise ExamError(
+            f'{self.key}: no line for student "{student}" - expected one for everybody who is '
+            "marked - name the exam folder by which these marks were made"
+        )
+
+    def _decoded(self, path: Path, number: int, text: bytes) -> Paper:
+        try:
+            return self._decoder.paper(text, f"{path}: line {number}")
+        except FieldError as fault:
+            raise broken(path, [f"line {number}: {fault}"]) from fault
+        except UnicodeDecodeError as fault:
+            raise unreadable(path, fault) from fault
+
+
+def open_exam(path: Path) -> ExamFolder:
+    """The exam folder there. Raises ExamError with all faults of its head."""
+    return ExamFolder(path, read_head(path))
+
+
+def _texts(path: Path) -> Iterator[tuple[int, bytes]]:
+    try:
+        with path.open("rb") as lines:
+            yield from ((number, line) for number, line in enumerate(lines, 1) if line.strip())
+    except OSError as fault:
+        raise unreadable(path, fault) from fault
+
+
+def _record(path: Path, number: int, text: bytes) -> KeyLine:
+    try:
+        return key_line(text)
+    except FieldError as fault:
+        raise broken(path, [f"line {number}: {fault}"]) from fault
+    except UnicodeDecodeError as fault:
+        raise unreadable(path, fault) from fault

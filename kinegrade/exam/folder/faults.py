@@ -1,0 +1,34 @@
+"""What is said of an exam folder that is missing, damaged or of an unknown format."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from kinegrade.errors import ExamError
+
+AS_GENERATED = "expected it as kinegrade generate wrote it"
+_REMEDY = "restore the exam folder as it was generated"
+
+
+class FieldError(ValueError):
+    """One fault in a file, to become one line of an ExamError."""
+
+
+def broken(where: Path | str, faults: Iterable[str]) -> ExamError:
+    """The refusal of a file, or a line of it, with these faults; each says what was expected."""
+    return ExamError(*(f"{where}: {fault} - {_REMEDY}" for fault in faults))
+
+
+def damaged(fault: Exception) -> str:
+    """A fault of form, as `broken` takes it."""
+    return f"is broken ({fault}) - {AS_GENERATED}"
+
+
+def unreadable(path: Path, fault: OSError | UnicodeDecodeError) -> ExamError:
+    """The refusal of a file that cannot be read at all."""
+    reason = fault.strerror if isinstance(fault, OSError) else "not UTF-8"
+    return ExamError(
+        f"{path}: cannot be read ({reason}) "
+        "- expected an exam folder made by kinegrade generate - check the name"
+    )

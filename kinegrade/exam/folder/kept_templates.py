@@ -1,0 +1,43 @@
+"""The templates of which an exam folder keeps copies, by question.
+
+One that this version cannot read any more stops what needs it, and costs others its words only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinegrade.errors import ExamError, TemplateError
+from kinegrade.exam.folder.records import ExamQuestion
+from kinegrade.problem.library import kept_template
+from kinegrade.problem.template import Template
+
+
+@dataclass(frozen=True)
+class KeptTemplates:
+    """The templates that can be read, by question, and what is wrong with the others."""
+
+    readable: Mapping[str, Template]
+    faults: tuple[str, ...]
+
+    def all(self) -> Mapping[str, Template]:
+        """The templates of all questions. Raises ExamError with the faults of those that cannot be
+        read.
+        """
+        if self.faults:
+            raise ExamError(*self.faults)
+        return self.readable
+
+
+def read_kept_templates(folder: Path, questions: Sequence[ExamQuestion]) -> KeptTemplates:
+    """The templates of these questions, of which the folder holds the files."""
+    readable: dict[str, Template] = {}
+    faults: list[str] = []
+    for each in questions:
+        try:
+            readable[each.question] = kept_template(each.template, folder)
+        except TemplateError as error:
+            faults += (f"{folder.parent}: {problem}" for problem in error.problems)
+    return KeptTemplates(readable, tuple(faults))

@@ -1,0 +1,64 @@
+"""Where the line of each student stands: found once, so that single lines are read when they are
+wanted.
+
+A class of any size needs a number for each student, and memory for one paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from kinegrade.exam.folder.faults import broken, damaged, unreadable
+
+
+class _Owner(msgspec.Struct, gc=False):
+    student: str
+
+
+@dataclass(frozen=True, slots=True)
+class KeyIndex:
+    """The lines of a file with a key on each line; `beginnings` are their first bytes by
+    student.
+    """
+
+    path: Path
+    beginnings: Mapping[str, int]
+
+    def text(self, student: str) -> bytes:
+        """The line of a student. Raises KeyError, ExamError."""
+        begin = self.beginnings[student]
+        try:
+            with self.path.open("rb") as stream:
+                stream.seek(begin)
+                return stream.readline()
+        except OSError as fault:
+            raise unreadable(self.path, fault) from fault
+
+
+def index_of(path: Path) -> KeyIndex:
+    """The index of a file. Raises ExamError."""
+    try:
+        found: dict[str, int] = {}
+        for begin, student in _owners(path):
+            found.setdefault(student, begin)
+        return KeyIndex(path, found)
+    except OSError as fault:
+        raise unreadable(path, fault) from fault
+
+
+def _owners(path: Path) -> Iterator[tuple[int, str]]:
+    """Where each line begins that is not empty, and whose it is."""
+    decode = msgspec.json.Decoder(_Owner).decode
+    begin = 0
+    with path.open("rb") as stream:
+        for number, line in enumerate(stream, 1):
+            if not line.isspace():
+                try:
+                    yield begin, decode(line).student
+                except (ValueError, RecursionError) as fault:
+                    raise broken(path, [f"line {number}: {damaged(fault)}"]) from fault
+            begin += len(line)

@@ -1,0 +1,128 @@
+"""The papers of a key, one after the other in the order of the roster, so that a class of any size
+needs the memory of a few.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import BinaryIO, NamedTuple
+
+from kinegrade.exam.folder.faults import FieldError, broken, unreadable
+from kinegrade.exam.folder.key_decoding import PaperDecoder
+from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.records import Candidate
+
+# Bytes: some lines, which are long, and not more than stays in the fast memory of a processor
+_BUFFER = 2**17
+
+
+def papers_in_roster_order(
+    path: Path, asks: Sequence[Ask], candidates: Mapping[str, Candidate]
+) -> Iterator[Paper]:
+    """The papers of all candidates, read while they are asked for.
+
+    Raises ExamError with all faults of the file, after its last line is read.
+    """
+    try:
+        with path.open("rb", _BUFFER) as stream:
+            yield from _Papers(path, asks, candidates, stream).in_roster_order()
+    except (OSError, UnicodeDecodeError) as fault:
+        raise unreadable(path, fault) from fault
+
+
+class _Line(NamedTuple):
+    """A line of the key: its number, and where it begins in the file."""
+
+    number: int
+    begin: int
+    text: bytes
+
+
+class _Papers:
+    """Puts the lines of a key into the order of the roster; where one is early, its place is kept,
+    not its text.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        asks: Sequence[Ask],
+        candidates: Mapping[str, Candidate],
+        stream: BinaryIO,
+    ) -> None:
+        self.path, self.candidates, self.stream = path, candidates, stream
+        self.decoder = PaperDecoder(asks, candidates)
+        self.early: dict[str, _Line] = {}
+        self.seen: list[str] = []
+        self.faults: list[str] = []
+
+    def in_roster_order(self) -> Iterator[Paper]:
+        """All papers. Raises ExamError, after the last."""
+        waiting = iter(self.candidates)
+        due = next(waiting, None)
+        for line, paper in self._in_file_order():
+            self.seen.append(paper.student)
+            if paper.student != due:
+                self.early.setdefault(paper.student, line._replace(text=b""))
+                continue
+            yield paper
+            due = next(waiting, None)
+            while due is not None and due in self.early:
+                yield self._early(self.early[due])
+                due = next(waiting, None)
+        faults = self.faults or [*self._repetitions(), *self._strangers()]
+        if faults:
+            raise broken(self.path, faults)
+
+    def _in_file_order(self) -> Iterator[tuple[_Line, Paper]]:
+        """Each line with the paper on it; none any more after the first fault."""
+        for lines in self._lines():
+            papers = self.decoder.usual(
+                [line.text for line in lines], [self._place(line) for line in lines]
+            )
+            if papers is not None and not self.faults:
+                yield from zip(lines, papers, strict=True)
+                continue
+            for line in lines:
+                try:
+                    paper = self.decoder.paper(line.text, self._place(line))
+                    if not self.faults:
+                        yield line, paper
+                except FieldError as fault:
+                    self.faults.append(f"line {line.number}: {fault}")
+
+    def _lines(self) -> Iterator[list[_Line]]:
+        """The lines that are not empty, some at a time."""
+        begin = number = 0
+        while texts := self.stream.readlines(_BUFFER):
+            lines = []
+            for text in texts:
+                if not text.isspace():
+                    number += 1
+                    lines.append(_Line(number, begin, text))
+                begin += len(text)
+            yield lines
+
+    def _early(self, line: _Line) -> Paper:
+        now = self.stream.tell()
+        self.stream.seek(line.begin)
+        text = self.stream.readline()
+        self.stream.seek(now)
+        return self.decoder.paper(text, self._place(line))
+
+    def _place(self, line: _Line) -> str:
+        return f"{self.path}: line {line.number}"
+
+    def _repetitions(self) -> Iterator[str]:
+        for student, count in Counter(self.seen).items():
+            if count > 1:
+                yield f'student "{student}" stands there {count} times - expected once'
+
+    def _strangers(self) -> Iterator[str]:
+        seen = set(self.seen)
+        for student in sorted(self.candidates.keys() - seen):
+            yield f'no line for student "{student}" - expected one'
+        for student in sorted(seen - self.candidates.keys()):
+            yield f'student "{student}" is not in exam.json - expected only its students'

@@ -1,0 +1,187 @@
+"""What stands in the files of an exam folder: its head (exam.json) and the lines of its key
+(key.jsonl), each a typed record.
+
+Numbers are exact, digit by digit as they stand. What format 1 did not have yet is empty in its
+records: paper size and engine, places, and the values as they were drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property
+
+import msgspec
+
+from kinegrade.exam.exam_secret import ExamSecret, secret_of
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.roster import file_names
+from kinegrade.language import Language
+
+
+class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
+    """A student of the exam: `paper` is the code on the paper, `version` its letter where there are
+    versions, `file` where the paper stands in the folder.
+    """
+
+    student: str
+    name: str
+    email: str = ""
+    paper: str = ""
+    version: str = ""
+    file: str = ""
+
+
+class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
+    """A question of the exam: `combinations` can be drawn, `refused` says how often a draw was, by
+    reason.
+    """
+
+    question: str
+    template: str = ""
+    points: Fraction = Fraction(0)
+    combinations: int = 0
+    refused: dict[str, int] = {}
+    asks: tuple[Ask, ...]
+
+
+class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, dict=True):
+    """The head of an exam: `language` is that of the papers, `students` stand in the order of the
+    roster.
+
+    What its numbers are drawn from is `secret`, `label` and `codes`, or the words `reproducible`,
+    which earlier versions called `seed`; it is not shown with the head. `credit` is the bank's
+    table for answers that are not right, `solutions` whether feedback holds the worked solutions,
+    `editable` a digest of each file that people edit, as it was generated. `paper_size` and
+    `engine` printed the papers.
+    """
+
+    format: int
+    kinegrade: str = ""
+    warning: str = ""
+    title: str = ""
+    course: str = ""
+    date: str = ""
+    language: Language
+    paper_size: str = ""
+    engine: str = ""
+    secret: str | None = None
+    label: str | None = None
+    codes: str | None = None
+    reproducible: str | None = None
+    seed: str | None = None
+    versions: tuple[str, ...] = ()
+    credit: dict[str, object] | None = None
+    solutions: bool = False
+    questions: tuple[ExamQuestion, ...]
+    students: tuple[Candidate, ...]
+    editable: dict[str, str] | None = None
+
+    def __repr__(self) -> str:
+        return f"ExamHead({self.title!r}, {self.date!r})"
+
+    @property
+    def drawn_from(self) -> ExamSecret | None:
+        """The secret of the numbers; None where it was taken out of the folder, or is damaged."""
+        words = self.seed if self.reproducible is None else self.reproducible
+        return secret_of(
+            {
+                "reproducible": words,
+                "secret": self.secret,
+                "label": self.label,
+                "codes": self.codes,
+            }
+        )
+
+    @cached_property
+    def asks(self) -> tuple[Ask, ...]:
+        """The asks of all questions, in the order of the bank."""
+        return tuple(ask for question in self.questions for ask in question.asks)
+
+    @cached_property
+    def candidates(self) -> Mapping[str, Candidate]:
+        """The students by id."""
+        return {each.student: each for each in self.students}
+
+    @cached_property
+    def file_stems(self) -> Mapping[str, str]:
+        """How the files of each student are called, by id."""
+        return file_names(each.student for each in self.students)
+
+
+class StatedTolerance(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
+    """Right within max(relative*|answer|, absolute), or what agrees with it to so many significant
+    figures.
+    """
+
+    relative: Decimal
+    absolute: Decimal
+    figures: int | None = None
+
+
+class StatedNumber(msgspec.Struct, frozen=True, gc=False):
+    """A number with its unit: as an exact expression where it has one, to double precision, and
+    with many correct digits.
+    """
+
+    exact: str | None
+    value: Decimal
+    unit: str
+    decimal: str | None = None
+
+    @property
+    def text(self) -> str:
+        """The number as it is written out: exactly, or to double precision."""
+        return self.exact or str(self.value)
+
+
+class StatedAnswer(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
+    """What is right for an ask, and what known mistakes lead to, by the mistake's id.
+
+    `period` is a full turn for an angle that is right with any number of turns more or less.
+    """
+
+    exact: str | None = None
+    value: Decimal | None = None
+    unit: str
+    decimal: str | None = None
+    tolerance: StatedTolerance
+    period: Decimal | None = None
+    points: Decimal
+    mistakes: dict[str, str] = {}
+
+
+class KeyQuestion(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
+    """A question of one paper: `drawn` are the values of its parameters as they were drawn, texts
+    in the parameters' units; none in a folder of format 1.
+    """
+
+    question: str
+    template: str = ""
+    parameters: dict[str, StatedNumber] = {}
+    drawn: dict[str, str] = {}
+    asks: dict[str, StatedAnswer]
+
+    @property
+    def values(self) -> Mapping[str, str]:
+        """The parameters' values as texts in their units: as drawn, else as the key states them."""
+        return self.drawn or {name: each.text for name, each in self.parameters.items()}
+
+
+class KeyLine(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
+    """The key of one paper. `printed` are its questions in their order on the paper, empty where
+    that is the bank's; `place` is the one dealt to the student.
+    """
+
+    student: str
+    paper: str = ""
+    version: str = ""
+    place: int | None = None
+    printed: tuple[str, ...] = ()
+    questions: tuple[KeyQuestion, ...]
+
+    @property
+    def order(self) -> tuple[str, ...]:
+        """The questions as they follow on the paper."""
+        return self.printed or tuple(each.question for each in self.questions)
