@@ -21,6 +21,7 @@ from time import process_time
 from benchmarks.figure_of_merit import Figure
 from benchmarks.large_class import COLUMNS, write_class
 from benchmarks.memory import peak_of_tree
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import grade
 
 STUDENTS = 20_000
@@ -63,7 +64,9 @@ def figures() -> Iterator[Figure]:
 def ours(folder: Path) -> float:
     """Seconds for an answer by `grade`."""
     return seconds_per_answer(
-        lambda: grade(folder / "EXAM", folder / "answers.csv", folder / "MARKS", force=True)
+        lambda: grade(
+            open_exam(folder / "EXAM"), folder / "answers.csv", folder / "MARKS", force=True
+        )
     )
 
 

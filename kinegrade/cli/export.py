@@ -126,10 +126,11 @@ def export(
             )
         _write_workbook(marks, output, force=force)
         return
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.lms.dialect import ExportOptions
     from kinegrade.lms.grades import read_grades
 
-    grades = read_grades(marks, exam)
+    grades = read_grades(marks, None if exam is None else open_exam(exam))
     named = _columns(columns, grades, per_question=per_question)
     _write(
         _dialect(system, language or grades.language),

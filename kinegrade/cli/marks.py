@@ -103,6 +103,7 @@ def grade(
     Again:   kinegrade grade EXAM answers.csv -o MARKS2 --policy policy.toml --never-lower MARKS
     """
     from kinegrade.cli.shortlist import shortlist
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.follow_through import FollowThrough
     from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.follow import Follows
@@ -113,12 +114,12 @@ def grade(
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
     if never_lower is not None:
         refuse_changed_totals(never_lower)
-    follow_through = FollowThrough(exam)
+    folder, follow_through = open_exam(exam), FollowThrough(exam)
     how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
-    read = read_class(answers, exam, how)
+    read = read_class(answers, folder, how)
     _say(read.assumed)
     marks = mark_class(
-        exam,
+        folder,
         read.files,
         output,
         force=force,
@@ -198,15 +199,17 @@ def class_report(
     \b
     Example: kinegrade report EXAM MARKS -o report.html
     """
-    from kinegrade.exam.exam_wording import exam_language, exam_wording
+    from kinegrade.exam.exam_wording import exam_wording
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
     from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.class_report import class_report as report_on
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     refuse_changed_totals(marks)
-    chosen = language or exam_language(exam)
-    page = report_on(marks, exam, exam_wording(exam, chosen), chosen)
+    folder = open_exam(exam)
+    chosen = language or folder.language
+    page = report_on(marks, folder, exam_wording(exam, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
 
 
@@ -253,16 +256,17 @@ def feedback(
     \b
     Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html
     """
-    from kinegrade.exam.exam_wording import exam_language, exam_wording
+    from kinegrade.exam.exam_wording import exam_wording
     from kinegrade.exam.feedback_pages import FeedbackPress
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.checked_totals import refuse_changed_totals
-    from kinegrade.grading.exam_record import read_exam_record
     from kinegrade.grading.feedback_folder import write_feedback
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     refuse_changed_totals(marks)
-    wanted = read_exam_record(exam).solutions if solutions is None else solutions
-    chosen = language or exam_language(exam)
+    folder = open_exam(exam)
+    wanted = folder.head.solutions if solutions is None else solutions
+    chosen = language or folder.language
     printed: Text | Press
     match form:
         case "pdf":
@@ -272,7 +276,7 @@ def feedback(
         case _:
             assert_never(form)
     count = write_feedback(
-        exam,
+        folder,
         marks,
         output,
         exam_wording(exam, chosen),

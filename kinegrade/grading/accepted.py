@@ -18,9 +18,9 @@ from kinegrade.errors import ExpressionError, PolicyError
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.exact.balls import Balls
 from kinegrade.exact.field import Field
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.expression import elementary, evaluate, names, read
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import Accepted, Policy
 from kinegrade.grading.typed_value import PRECISION, Amount, converted, rational_amount
@@ -49,7 +49,7 @@ _NO_SOURCES: Mapping[str, Paper] = MappingProxyType({})
 def alternatives(
     exam: Sitting,
     policy: Policy,
-    givens: Givens,
+    folder: ExamFolder,
     pooled: Iterable[Paper] = (),
     sources: Mapping[str, Paper] = _NO_SOURCES,
 ) -> Alternatives:
@@ -70,7 +70,7 @@ def alternatives(
     for ask, accepted, whole, place in _places(exam, wanted, papers, sources):
         which = ask.column, accepted.number
         try:
-            alternative = constant.get(which) or _on_paper(exam, ask, accepted, whole, givens)
+            alternative = constant.get(which) or _on_paper(exam, ask, accepted, whole, folder)
         except (ExpressionError, Unreadable, ArithmeticError) as fault:
             failing.setdefault(which, []).append((place[0], fault))
             continue
@@ -125,13 +125,13 @@ def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]
 
 
 def _on_paper(
-    exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, givens: Givens
+    exam: Sitting, ask: Ask, accepted: Accepted, paper: Paper, folder: ExamFolder
 ) -> Alternative:
-    return _alternative(accepted, _numbers(exam, ask, paper, givens, _used(accepted)))
+    return _alternative(accepted, _numbers(exam, ask, paper, folder, _used(accepted)))
 
 
 def _numbers(
-    exam: Sitting, ask: Ask, paper: Paper, givens: Givens, used: set[str]
+    exam: Sitting, ask: Ask, paper: Paper, folder: ExamFolder, used: set[str]
 ) -> Mapping[str, Number]:
     """What the names stand for, each with its unit: a text for a parameter, a number for a right
     answer.
@@ -141,8 +141,8 @@ def _numbers(
         if other.question == ask.question and other.ask in used:
             found[other.ask] = paper.key(number, ()).value, other.unit
     if used - found.keys():
-        drawn = givens.of(paper.student, ask.question)
-        found |= {name: given for name, given in drawn.items() if name in used}
+        drawn = folder.parameters(paper.student, ask.question)
+        found |= {name: (each.text, each.unit) for name, each in drawn.items() if name in used}
     return found
 
 

@@ -14,6 +14,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.class_tally import ClassTally, tally
 from kinegrade.grading.equal_hardness import (
     ENOUGH,
@@ -22,7 +23,6 @@ from kinegrade.grading.equal_hardness import (
     kruskal_wallis,
     parameter_trends,
 )
-from kinegrade.grading.exam_record import ExamRecord, read_exam_record
 from kinegrade.grading.html_layout import layout
 from kinegrade.grading.item_statistics import (
     Summary,
@@ -59,16 +59,15 @@ LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that 
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
 
-def class_report(marks: Path, exam: Path, wording: Wording, language: Language) -> str:
+def class_report(marks: Path, exam: ExamFolder, wording: Wording, language: Language) -> str:
     """The page of a marks folder, by the exam folder it was made from. Raises TableError,
     ExamError.
     """
-    record = read_exam_record(exam)
-    counts, words = tally(marks, exam, record), report_words_of(language)
+    counts, words = tally(marks, exam), report_words_of(language)
     page: Page = {
         "words": words,
-        "exam": record,
-        "heads": [words.numbered.format(bank_number(name)) for name in record.questions],
+        "exam": exam.head,
+        "heads": [words.numbered.format(bank_number(name)) for name in exam.questions],
         "answered": len(counts.answered),
         "silent": [f"{each.name} ({each.student})" for each in counts.silent],
         "roster": len(counts.answered) + len(counts.silent),
@@ -83,7 +82,7 @@ def class_report(marks: Path, exam: Path, wording: Wording, language: Language) 
             "asks": list(ask_rows(counts, wording, words)),
             "legend": legend(counts, words),
             "losses": list(loss_rows(counts, wording, words)),
-            **hardness_part(counts, record, wording, words),
+            **hardness_part(counts, exam, wording, words),
         }
     return layout("class_report.html").render(page)
 
@@ -237,7 +236,7 @@ def reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
 
 
 def hardness_part(
-    counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords
+    counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords
 ) -> Page:
     """Whether papers were equally hard: versions against each other, or drawn numbers against
     points.
@@ -245,8 +244,8 @@ def hardness_part(
     enough = len(counts.answered) >= ENOUGH
     part: Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
     if any(counts.versions):
-        return part | versions_part(counts, record, wording, words, enough)
-    shares = {question: counts.share(question) for question in record.questions}
+        return part | versions_part(counts, exam, wording, words, enough)
+    shares = {question: counts.share(question) for question in exam.questions}
     trends = parameter_trends(counts.parameters, shares) if enough else ()
     if not enough:
         verdict = words.too_few.format(ENOUGH)
@@ -262,7 +261,7 @@ def hardness_part(
 
 
 def versions_part(
-    counts: ClassTally, record: ExamRecord, wording: Wording, words: ReportWords, enough: bool
+    counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords, enough: bool
 ) -> Page:
     """The versions of an exam held against each other."""
     letters = sorted(set(counts.versions))
@@ -290,7 +289,7 @@ def versions_part(
             "figures": figures,
             "mean": percent(figures.mean),
             "sd": "–" if figures.sd is None else percent(figures.sd),
-            "questions": [version_share(counts, letter, question) for question in record.questions],
+            "questions": [version_share(counts, letter, question) for question in exam.questions],
         }
         for letter, figures in groups
     ]

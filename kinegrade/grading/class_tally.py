@@ -1,6 +1,6 @@
 """A marked class as arrays: who got how many points where, and for what reasons points were lost.
 
-One pass over marks.csv and key.jsonl; the class report is made of this.
+One pass over marks.csv and the key; the class report is made of this.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 
 from kinegrade.errors import TableError
 from kinegrade.exact.written import written_number
-from kinegrade.grading.exam_record import ExamRecord, PaperRecord, PaperRecords
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.hints import Hint, hint
 from kinegrade.grading.item_statistics import Points
 from kinegrade.grading.marked_class import (
@@ -27,6 +27,7 @@ from kinegrade.grading.marked_class import (
     answers_by_student,
     student_totals,
 )
+from kinegrade.grading.paper_record import PaperRecord, PaperRecords
 from kinegrade.grading.pool import read_put
 
 RIGHT, BLANK = "right", "blank"
@@ -103,7 +104,7 @@ class _Count:
                 self.losses[answer.column][loss(answer, paper)] += 1
 
 
-def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
+def tally(marks: Path, exam: ExamFolder) -> ClassTally:
     """Counts a marks folder by the exam folder it was made from. Raises TableError, ExamError."""
     papers, totals, count = PaperRecords(exam, read_put(marks)), student_totals(marks), _Count()
     for student, answers in answers_by_student(marks):
@@ -116,12 +117,12 @@ def tally(marks: Path, exam: Path, record: ExamRecord) -> ClassTally:
                 "others - expected the same asks for everybody - grade again"
             )
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
-            sitter = record.students.get(student)
+            candidate = exam.head.candidates.get(student)
             count.include(
                 totals[student],
                 answers,
                 papers.marked(student, columns),
-                sitter.version if sitter else "",
+                candidate.version if candidate else "",
             )
         else:
             count.silent.append(totals[student])

@@ -19,19 +19,15 @@ from typing import assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exact.written import written_number
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.amounts import PLACES, amount_text
 from kinegrade.grading.class_tally import hint_of, mistakes_of
-from kinegrade.grading.exam_record import (
-    PaperRecord,
-    PaperRecords,
-    RightAnswer,
-    Sitter,
-    read_exam_record,
-)
 from kinegrade.grading.feedback_words import FULL, FeedbackWords, feedback_words_of
 from kinegrade.grading.hints import Hint
 from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
 from kinegrade.grading.math_html import unit_text
+from kinegrade.grading.paper_record import PaperRecord, PaperRecords, RightAnswer
 from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
@@ -96,37 +92,36 @@ class FeedbackSheet:
 
 
 def feedback_sheets(
-    marks: Path, exam: Path, wording: Wording, language: Language
-) -> Iterator[tuple[Sitter, FeedbackSheet]]:
+    marks: Path, exam: ExamFolder, wording: Wording, language: Language
+) -> Iterator[tuple[Candidate, FeedbackSheet]]:
     """The sheets in the order of the roster, each with whose it is. Raises TableError,
     ExamError.
     """
-    record, totals = read_exam_record(exam), student_totals(marks)
+    head, totals = exam.head, student_totals(marks)
     papers = PaperRecords(exam, read_put(marks))
     words = feedback_words_of(language)
     for student, answers in answers_by_student(marks):
-        if student not in record.students or student not in totals:
+        if student not in head.candidates or student not in totals:
             raise ExamError(
                 f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the '
-                "marks of "
-                f"this exam - grade again with {exam}"
+                f"marks of this exam - grade again with {exam.path}"
             )
-        sitter, total = record.students[student], totals[student]
+        candidate, total = head.candidates[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))
         # Every amount is written with four places, so that three thirds of a point fall short of
         # one.
         rounding = Fraction(len(answers) + 1, 2 * 10**PLACES)
         kept = total.total - sum(answer.points for answer in answers) > rounding
         yield (
-            sitter,
+            candidate,
             FeedbackSheet(
                 words,
-                record.course,
-                record.title,
-                record.date,
+                head.course,
+                head.title,
+                head.date,
                 student,
-                sitter.name,
-                sitter.code,
+                candidate.name,
+                candidate.paper,
                 share_of(total.total, total.out_of),
                 kept,
                 tuple(_questions(answers, paper, wording, words)),

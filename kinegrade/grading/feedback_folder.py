@@ -13,8 +13,8 @@ from typing import Literal, assert_never
 
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files import output_folder
-from kinegrade.grading.exam_record import Sitter
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
@@ -29,7 +29,7 @@ MARKER, SHEETS = "feedback.csv", "sheets"
 
 
 def write_feedback(
-    exam: Path,
+    exam: ExamFolder,
     marks: Path,
     output: Path,
     wording: Wording,
@@ -47,40 +47,35 @@ def write_feedback(
     """
     if solutions and read_put(marks):
         raise ExamError(
-            f"{marks}: the answers were given to questions from a pool, and {exam} has worked "
+            f"{marks}: the answers were given to questions from a pool, and {exam.path} has worked "
             "solutions of the students' own papers - expected no solutions - add --no-solutions"
         )
     with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
         (folder / SHEETS).mkdir()
         rows = []
-        for sitter, sheet in feedback_sheets(marks, exam, wording, language):
-            solution = _solution(exam, sitter) if solutions else None
-            files = dict(_files(sitter, sheet, solution, form))
+        for candidate, sheet in feedback_sheets(marks, exam, wording, language):
+            stem = exam.head.file_stems[candidate.student]
+            solution = exam.solution(stem) if solutions else None
+            files = dict(_files(stem, sheet, solution, form))
             for name, content in files.items():
                 (folder / SHEETS / name).write_bytes(content)
-            rows.append(
-                (
-                    sitter.student,
-                    neutralised(sitter.name),
-                    neutralised(sitter.email),
-                    f"{SHEETS}/{next(iter(files))}",
-                )
-            )
+            whose = candidate.student, neutralised(candidate.name), neutralised(candidate.email)
+            rows.append((*whose, f"{SHEETS}/{next(iter(files))}"))
         write_for_people(folder / MARKER, ("student", "name", "email", "file"), rows)
     return len(rows)
 
 
 def _files(
-    sitter: Sitter, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
+    stem: str, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
 ) -> Iterator[tuple[str, bytes]]:
     """The names and contents of one student's files, the sheet first."""
     if callable(form):
-        yield f"{sitter.stem}.pdf", form(sheet, solution)
+        yield f"{stem}.pdf", form(sheet, solution)
         return
-    beside = f"{sitter.stem}-solution.pdf" if solution is not None else ""
+    beside = f"{stem}-solution.pdf" if solution is not None else ""
     sheet = replace(sheet, solution=beside)
     text = _text(sheet, form)
-    yield f"{sitter.stem}.{form}", text.encode("utf-8", "backslashreplace")
+    yield f"{stem}.{form}", text.encode("utf-8", "backslashreplace")
     if solution is not None:
         yield beside, solution
 
@@ -93,14 +88,3 @@ def _text(sheet: FeedbackSheet, form: Text) -> str:
             return feedback_html(sheet)
         case _:
             assert_never(form)
-
-
-def _solution(exam: Path, sitter: Sitter) -> bytes:
-    path = exam / "solutions" / f"{sitter.stem}.pdf"
-    try:
-        return path.read_bytes()
-    except OSError as fault:
-        raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected the student's worked solutions "
-            "- generate the exam with --solutions, or leave them out"
-        ) from fault

@@ -8,14 +8,13 @@ from types import MappingProxyType
 from typing import assert_never
 
 from kinegrade.answer_file import AnswerFile
-from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files import output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.follow import Follows
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.kept_totals import Kept
 from kinegrade.grading.kept_totals import never_lower as with_kept_totals
 from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
@@ -35,7 +34,7 @@ _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 
 def grade(
-    exam: Path,
+    exam: ExamFolder,
     answers: Path | Table | Sequence[AnswerFile],
     output: Path,
     *,
@@ -60,17 +59,17 @@ def grade(
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
     with bulk_work(), written as folder:
-        known, givens, files = open_exam(exam), Givens(exam), _files(answers)
-        sheet, rules = class_sheet(files, known), policy_for(known, givens, policy)
-        pool, others = pool_of(known, sheet), OtherPapers(known.asks)
-        accepted = alternatives(known, rules, givens, pool.put_together(known, sheet), pool.papers)
-        blocks = marked_blocks(known, sheet, decimal, rules, accepted, follows=follows, pool=pool)
-        grades = class_grades(known, sheet, write_marks(folder, others.watched(blocks)))
+        files = _files(answers)
+        sheet, rules = class_sheet(files, exam), _policy_for(exam, policy)
+        pool, others = pool_of(exam, sheet), OtherPapers(exam.asks)
+        accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
+        blocks = marked_blocks(exam, sheet, decimal, rules, accepted, follows=follows, pool=pool)
+        grades = class_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
-            others.refuse(known, ", ".join(each.table.file for each in files))
+            others.refuse(exam, ", ".join(each.table.file for each in files))
         grades, kept = _with_kept_totals(grades, never_lower)
         write_grades(folder, grades, rules, kept)
-        write_printed(folder, exam, grades.questions)
+        write_printed(folder, exam.printed_orders())
         _write_exports(folder, exports)
     return grades
 
@@ -102,8 +101,6 @@ def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]
             assert_never(answers)
 
 
-def policy_for(known: ExamFolder, givens: Givens, policy: Path | None) -> Policy:
+def _policy_for(exam: ExamFolder, policy: Path | None) -> Policy:
     """The policy of that file, or what the bank states where there is none. Raises PolicyError."""
-    if policy is None:
-        return stated_policy(known, givens, known.head.credit)
-    return read_policy(policy, known, givens, known.head.credit)
+    return stated_policy(exam) if policy is None else read_policy(policy, exam)

@@ -39,10 +39,10 @@ from typing import Any
 
 from kinegrade.angular import is_angle
 from kinegrade.errors import ExpressionError, PolicyError, did_you_mean
-from kinegrade.exam.folder.keys import Ask, Sitting, questions
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.keys import Ask, questions
 from kinegrade.expression import Expression, names, read
 from kinegrade.fields.document import FileKind, read_text, toml_table
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.number_text import Unreadable
 from kinegrade.grading.policy import NO_ROOM, Accepted, Attempts, Policy, Room, Ruling, Void
 from kinegrade.grading.policy_values import Values, shown, written
@@ -76,30 +76,23 @@ class _Level:
 _CREDITS = ("follow-through", "wrong-unit", "mistakes")
 
 
-def read_policy(
-    path: Path, exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None = None
-) -> Policy:
-    """The policy in a file, for the asks of that exam.
-
-    `stated` is the credit table of the exam's bank.
-
-    Raises PolicyError with all faults at once.
+def read_policy(path: Path, exam: ExamFolder) -> Policy:
+    """The policy in a file, for the asks of that exam. Raises PolicyError with all faults at
+    once.
     """
     text = read_text(path, _POLICY_FILE)
     table = toml_table(str(path), text, _POLICY_FILE).content
-    return _Reader(Values(path), exam, givens).policy(table, text, _stated(givens.folder, stated))
+    return _Reader(Values(path), exam).policy(table, text, _stated(exam))
 
 
-def stated_policy(exam: Sitting, givens: Givens, stated: Mapping[str, Any] | None) -> Policy:
+def stated_policy(exam: ExamFolder) -> Policy:
     """What holds without a policy, by the credit table of the exam's bank. Raises PolicyError."""
-    return _Reader(Values(givens.folder / "exam.json"), exam, givens).policy(
-        {}, "", _stated(givens.folder, stated)
-    )
+    return _Reader(Values(exam.head_file), exam).policy({}, "", _stated(exam))
 
 
-def _stated(folder: Path, credit: Mapping[str, Any] | None) -> _Level:
-    values = Values(folder / "exam.json")
-    table = values.table("credit", credit, _CREDITS)
+def _stated(exam: ExamFolder) -> _Level:
+    values = Values(exam.head_file)
+    table = values.table("credit", exam.head.credit, _CREDITS)
     level = _credited(values, "", table, table.get("mistakes") or ())
     if values.faults:
         raise PolicyError(
@@ -124,8 +117,8 @@ def _credited(
 class _Reader:
     """Reads one policy for one exam."""
 
-    def __init__(self, values: Values, exam: Sitting, givens: Givens) -> None:
-        self.values, self.exam, self.givens = values, exam, givens
+    def __init__(self, values: Values, exam: ExamFolder) -> None:
+        self.values, self.exam = values, exam
         self.students = set(exam.students)
 
     @cached_property
@@ -252,7 +245,8 @@ class _Reader:
         units = {other.ask: other.unit for other in question}
         used = [name for name in names(tree) if name != "pi"]
         if set(used) - units.keys():
-            units |= self.givens.units(ask.question)
+            drawn = self.exam.parameters(self.exam.students[0], ask.question)
+            units |= {name: each.unit for name, each in drawn.items()}
         for name in sorted(set(used) - units.keys()):
             self.values.fault(
                 f"{place}.value", f'unknown name "{name}": {did_you_mean(name, units)}'

@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Exam, Examinee
 from kinegrade.grading.marked_class import MarkedAnswer, marked_answers
 from kinegrade.grading.pool import exam_as_put, read_put
@@ -87,13 +87,13 @@ class Sharing:
     level: float
 
 
-def find_sharing(exam: Path, marks: Path, level: float = LEVEL) -> Sharing:
+def find_sharing(exam: ExamFolder, marks: Path, level: float = LEVEL) -> Sharing:
     """Looks through a folder of marks by its exam folder; questions from a pool count as they were
     put.
 
     Raises ExamError, TableError.
     """
-    known = exam_as_put(open_exam(exam), open_exam(exam).in_memory(), read_put(marks))
+    known = exam_as_put(exam, exam.in_memory(), read_put(marks))
     return sharing(known, marked_answers(marks), level)
 
 

@@ -8,7 +8,6 @@ files.
 
 from __future__ import annotations
 
-import json
 import re
 from collections import defaultdict
 from collections.abc import Mapping
@@ -18,11 +17,12 @@ from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, assert_never
+from typing import assert_never
 
 from kinegrade.csv_writing import restored
 from kinegrade.errors import ExamError, TableError, one_line
-from kinegrade.language import Language, exam_language_of
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.language import Language
 from kinegrade.lms.dialect import Field
 from kinegrade.printed_order import read_printed
 from kinegrade.question_numbers import bank_number
@@ -34,7 +34,6 @@ _NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent", "status"}
 ABSENT = "absent"  # in the column status, which folders of earlier versions have not
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
-_MENDING = "expected an exam folder made by kinegrade generate - restore it, or name the right one"
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +84,7 @@ def known_as(grade: StudentGrade, field: Field) -> str:
             assert_never(field)
 
 
-def read_grades(folder: Path, exam: Path | None = None) -> ClassGrades:
+def read_grades(folder: Path, exam: ExamFolder | None = None) -> ClassGrades:
     """Reads grades.csv and marks.csv of a folder; e-mails and the title from an exam folder.
 
     Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an
@@ -213,29 +212,19 @@ def _available(worth: Worth) -> Mapping[str, Fraction]:
     return MappingProxyType(dict(available))
 
 
-def _with_exam(grades: ClassGrades, folder: Path) -> ClassGrades:
-    path = folder / "exam.json"
-    try:
-        exam: Any = json.loads(path.read_text(encoding="utf-8"))
-        emails = {str(entry["student"]): str(entry.get("email", "")) for entry in exam["students"]}
-        title = str(exam.get("title", ""))
-    except OSError as fault:
-        raise ExamError(f"{path}: cannot be read ({fault.strerror}) - {_MENDING}") from fault
-    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as fault:
-        raise ExamError(f"{path}: is broken ({type(fault).__name__}) - {_MENDING}") from fault
-    language = exam_language_of(exam, path)
-    strangers = [each.student for each in grades.students if each.student not in emails]
+def _with_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:
+    candidates = exam.head.candidates
+    strangers = [each.student for each in grades.students if each.student not in candidates]
     if strangers:
         raise ExamError(
-            f'{path}: no student "{strangers[0]}" ({len(strangers)} of the marked class are not '
-            "there) "
-            "- expected the exam by which these marks were made - name that folder"
+            f'{exam.head_file}: no student "{strangers[0]}" ({len(strangers)} of the marked class '
+            "are not there) - expected the exam by which these marks were made - name that folder"
         )
     return replace(
         grades,
-        title=" ".join(title.split()),
-        language=language,
+        title=" ".join(exam.head.title.split()),
+        language=exam.language,
         students=tuple(
-            replace(each, email=trimmed(emails[each.student])) for each in grades.students
+            replace(each, email=trimmed(candidates[each.student].email)) for each in grades.students
         ),
     )

@@ -17,6 +17,7 @@ from pypdf import PdfReader
 from kinegrade.errors import ExamError, TypesetError
 from kinegrade.exam.exam_wording import ExamWording, exam_language, exam_wording
 from kinegrade.exam.feedback_pages import FeedbackPress
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_folder import write_feedback
 from tests.grading.marked_folder import RIGHT, mark_class
@@ -33,7 +34,7 @@ def sheet_of(
     folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
 ) -> FeedbackSheet:
     exam, marks = mark_class(folder, {"7": cells})
-    ((_, sheet),) = feedback_sheets(marks, exam, wording, language)  # type: ignore[arg-type]
+    ((_, sheet),) = feedback_sheets(marks, open_exam(exam), wording, language)  # type: ignore[arg-type]
     return sheet
 
 
@@ -139,9 +140,9 @@ def test_a_whole_class_gets_its_sheets(
     from kinegrade.grading.grade import grade
 
     exam = small_class / "EXAM"
-    grade(exam, exam / "answers.csv", tmp_path / "MARKS")
+    grade(open_exam(exam), exam / "answers.csv", tmp_path / "MARKS")
     count = write_feedback(
-        exam,
+        open_exam(exam),
         tmp_path / "MARKS",
         tmp_path / "OUT",
         exam_wording(exam, "en"),

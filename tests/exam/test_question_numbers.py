@@ -148,5 +148,5 @@ def test_a_damaged_order_of_questions_is_one_line(tmp_path: Path) -> None:
     assert refused.exit_code == 2
     assert refused.stderr.strip() == (
         f'error: {key}: line 1: "printed" is not an order of the questions - expected it as '
-        "kinegrade generate wrote it - restore the exam folder"
+        "kinegrade generate wrote it - restore the exam folder as it was generated"
     )

@@ -25,7 +25,6 @@ from kinegrade.exam.quiz_source import key_lines, key_record, read_quiz_source
 from kinegrade.exam.roster import read_roster
 from kinegrade.exam.setting import set_exam
 from kinegrade.figure.svg import to_svg
-from kinegrade.lms.responses.exam_asks import read_exam_asks
 from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.mistake_kinds import mistake_sentence
@@ -241,7 +240,7 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
         ("B", "", "Version B"),
     ]
     orders = {tuple(json.loads(line)["printed"]) for _, line in key_lines(folder / "EXAM")}
-    read = list(read_exam_asks(folder / "EXAM").questions)
+    read = list(open_exam(folder / "EXAM").questions)
     assert orders - {tuple(read)}
     assert [[question.question for question in paper.questions] for paper in put] == [read, read]
     assert len(papers(folder / "EXAM", variants=2)) == 2

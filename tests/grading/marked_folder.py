@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import grade
 from tests.grading.small_exam import exam, paper, write_exam
 
@@ -49,7 +50,7 @@ def graded(folder: Path, answers: Answers) -> Path:
         writer = csv.writer(stream)
         writer.writerow(["student", *COLUMNS])
         writer.writerows([student, *cells] for student, cells in answers.items() if cells)
-    grade(folder / "EXAM", folder / "answers.csv", folder / "MARKS")
+    grade(open_exam(folder / "EXAM"), folder / "answers.csv", folder / "MARKS")
     return folder / "MARKS"
 
 

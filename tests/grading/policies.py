@@ -4,13 +4,16 @@ follows from them.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.exam.folder.keys import Ask, Exam, Examinee, rule
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, rule
+from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import Mark, Marks, mark
 from kinegrade.grading.policy import AS_PRINTED, Policy
@@ -33,11 +36,34 @@ KEYS = {
 CLASS = Exam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
 
 
+@dataclass(frozen=True)
+class _InMemory(ExamFolder):
+    """An exam folder whose papers are not read from its key."""
+
+    exam: Exam
+
+    def papers(self) -> Iterator[Paper]:
+        return self.exam.papers()
+
+
+def folder_of(
+    path: Path, exam: Exam = CLASS, credit: dict[str, object] | None = None
+) -> ExamFolder:
+    """The folder of an exam in memory, of which `path` holds the key; `credit` is the bank's."""
+    questions = tuple(
+        ExamQuestion(question=name, asks=tuple(ask for ask in exam.asks if ask.question == name))
+        for name in exam.questions
+    )
+    students = tuple(Candidate(each.student, each.name) for each in exam.examinees)
+    head = ExamHead(format=2, language="en", questions=questions, students=students, credit=credit)
+    return _InMemory(path, head, exam)
+
+
 def policy_of(text: str, folder: Path, exam: Exam = CLASS) -> Policy:
     """The policy in a text; `folder` is where it is written, and the exam's folder."""
     file = folder / "policy.toml"
     file.write_text(text, encoding="utf-8")
-    return read_policy(file, exam, Givens(folder))
+    return read_policy(file, folder_of(folder, exam))
 
 
 def marked(
@@ -46,7 +72,7 @@ def marked(
     """The marks of CLASS for rows of: student, q1.v_B, q1.omega_AB, q2.phi."""
     header = ",".join(("student", *(ask.column for ask in exam.asks)))
     sheet = read_sheet(parse_table(f"{header}\n{rows}".encode(), "answers.csv"), exam)
-    return mark(exam, sheet, None, policy, alternatives(exam, policy, Givens(givens)))
+    return mark(exam, sheet, None, policy, alternatives(exam, policy, folder_of(givens, exam)))
 
 
 def marks_of(marks: Marks, student: str) -> list[Mark]:
@@ -87,7 +113,7 @@ def regraded(exam: Path, name: str, policy: str | None = None, before: Path | No
         file.write_text(policy, encoding="utf-8")
     marks = exam.parent / name
     grade(
-        exam,
+        open_exam(exam),
         exam.parent / "answers.csv",
         marks,
         policy=None if policy is None else file,

@@ -19,7 +19,6 @@ from kinegrade.grading import marks as marking
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.follow import Follows, Own
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import mark
 from kinegrade.grading.policy_reading import read_policy
@@ -119,6 +118,7 @@ def write_class(folder: Path, random: Random, students: int) -> None:
     ]
     head = {
         "format": 1,
+        "language": "en",
         "students": [{"student": name, "name": f"=x{name}"} for name in names],
         "questions": [
             {
@@ -157,9 +157,9 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
         (folder / "policy.toml").write_text(policy, encoding="utf-8")
         exam, whole = open_exam(folder), open_exam(folder).in_memory()
         sheet = read_sheet(parse_table((folder / "answers.csv").read_bytes(), "answers.csv"), exam)
-        rules = read_policy(folder / "policy.toml", exam, Givens(folder))
+        rules = read_policy(folder / "policy.toml", exam)
         accepted, follows = (
-            alternatives(exam, rules, Givens(folder)),
+            alternatives(exam, rules, exam),
             Follows(one_and_a_half) if follow else None,
         )
         expected = marks_one_by_one(whole, sheet, rules, accepted, follows)
@@ -177,7 +177,7 @@ def test_the_size_of_blocks_changes_nothing(
         monkeypatch.setattr(marking, "BLOCK", size)
         folder = tmp_path / f"MARKS{number}"
         grade(
-            tmp_path,
+            open_exam(tmp_path),
             tmp_path / "answers.csv",
             folder,
             policy=tmp_path / "policy.toml",

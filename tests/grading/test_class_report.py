@@ -11,9 +11,9 @@ import pytest
 
 from kinegrade.errors import TableError
 from kinegrade.exam.exam_wording import ExamWording
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_report import class_report
 from kinegrade.grading.class_tally import ClassTally, tally
-from kinegrade.grading.exam_record import read_exam_record
 from kinegrade.grading.marked_class import marked_answers
 from kinegrade.grading.math_html import prose_html, symbol_html
 from kinegrade.grading.report_words import CHINESE, ENGLISH
@@ -35,11 +35,11 @@ def report(
     folder: Path, answers: Answers, language: Literal["en", "zh"] = "en", **more: object
 ) -> str:
     exam, marks = mark_class(folder, answers, **more)  # type: ignore[arg-type]
-    return class_report(marks, exam, WORDING, language)
+    return class_report(marks, open_exam(exam), WORDING, language)
 
 
 def tallied(exam: Path, marks: Path) -> ClassTally:
-    return tally(marks, exam, read_exam_record(exam))
+    return tally(marks, open_exam(exam))
 
 
 def in_turns(count: int, *rows: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
@@ -78,7 +78,9 @@ def test_the_same_marks_give_the_same_page(tmp_path: Path) -> None:
     exam, marks = mark_class(
         tmp_path, in_turns(31, RIGHT, WRONG), parameters=lambda student: {"r": float(student)}
     )
-    assert class_report(marks, exam, WORDING, "zh") == class_report(marks, exam, WORDING, "zh")
+    assert class_report(marks, open_exam(exam), WORDING, "zh") == class_report(
+        marks, open_exam(exam), WORDING, "zh"
+    )
 
 
 def test_who_answered_nothing_is_named_and_not_counted(tmp_path: Path) -> None:
@@ -119,7 +121,7 @@ def test_mistakes_that_the_marks_name_are_counted_by_their_sentences(tmp_path: P
     named = re.sub(r"(q1,v_B,.*),wrong,0,4,.*", r"\1,mistake,1,4,wrong-pole: leads to 99", text)
     (marks / "marks.csv").write_text(named.replace("wrong-pole", "brand-new", 1), encoding="utf-8")
     assert tallied(exam, marks).losses["q1.v_B"] == {"wrong-pole": 2, "brand-new": 1}
-    page = Page(class_report(marks, exam, WORDING, "en"))
+    page = Page(class_report(marks, open_exam(exam), WORDING, "en"))
     assert "The pole lies elsewhere." in page.text
     assert "brand-new" in page.text
     assert "known mistake\u00a03" in page.text
@@ -202,7 +204,7 @@ def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> No
     with pytest.raises(
         TableError, match='the lines of student "2" do not fit grades.csv or the others - expected'
     ):
-        class_report(marks, exam, PLAIN, "en")
+        class_report(marks, open_exam(exam), PLAIN, "en")
 
 
 @pytest.mark.parametrize(

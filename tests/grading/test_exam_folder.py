@@ -357,7 +357,7 @@ def mark_of(folder: Path, typed: str) -> dict[str, str]:
     sheet.write_text(
         f"student,q1.v_B,q1.omega_AB,q2.a_B\n0012,{typed},0,-0.125\n", encoding="utf-8"
     )
-    grade(folder, sheet, folder.parent / "MARKS")
+    grade(open_exam(folder), sheet, folder.parent / "MARKS")
     with (folder.parent / "MARKS" / "marks.csv").open(encoding="utf-8") as stream:
         return next(
             row for row in csv.DictReader(stream) if (row["student"], row["ask"]) == ("0012", "v_B")

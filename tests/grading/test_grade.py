@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExamError, OutputError, TableError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import ClassGrades, Grade
@@ -32,7 +33,11 @@ def marked(exam: Path, content: str | bytes, *, force: bool = False) -> ClassGra
     answers = exam.parent / "answers.csv"
     answers.write_bytes(content.encode() if isinstance(content, str) else content)
     return grade(
-        exam, answers, exam.parent / "MARKS", force=force, exports={"moodle.csv": moodle.export}
+        open_exam(exam),
+        answers,
+        exam.parent / "MARKS",
+        force=force,
+        exports={"moodle.csv": moodle.export},
     )
 
 
@@ -254,7 +259,7 @@ def test_a_student_s_own_answers_or_a_declaration_say_what_a_comma_is(exam_folde
     marked(exam_folder, sheet)
     assert [verdicts(exam_folder, student)[0] for student in ("007", "0012")] == ["wrong", "wrong"]
     declared = grade(
-        exam_folder,
+        open_exam(exam_folder),
         exam_folder.parent / "answers.csv",
         exam_folder.parent / "AGAIN",
         decimal="comma",
@@ -343,4 +348,4 @@ def test_the_sheet_of_another_exam_is_refused(exam_folder: Path) -> None:
     with pytest.raises(
         TableError, match=r"most answer columns are not asked in this exam \(q1.v_d, q2.omega_de"
     ):
-        grade(exam_folder, sheet, exam_folder.parent / "MARKS")
+        grade(open_exam(exam_folder), sheet, exam_folder.parent / "MARKS")

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from kinegrade.csv_writing import csv_text
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.cells import Cell, read_cells
 from kinegrade.lms.dialect import Dialect, ExportOptions
 from kinegrade.lms.fill_in import Filled, fill_in
@@ -75,15 +76,27 @@ def write_marks(folder: Path, *, students: Mapping[str, str] | None = None) -> P
 def write_exam(folder: Path, title: str = "Kinematics quiz", language: str = "en") -> Path:
     """An exam folder with what an export reads of it."""
     folder.mkdir(parents=True, exist_ok=True)
-    students = [{"student": student, "email": email} for student, (_, email) in STUDENTS.items()]
-    text = json.dumps({"title": title, "language": language, "students": students})
+    head = {
+        "format": 1,
+        "title": title,
+        "language": language,
+        "questions": [
+            {"question": question, "asks": [{"ask": "v_B", "unit": "m/s", "points": int(points)}]}
+            for question, points in OUT_OF.items()
+        ],
+        "students": [
+            {"student": student, "name": name, "email": email}
+            for student, (name, email) in STUDENTS.items()
+        ],
+    }
+    text = json.dumps(head)
     (folder / "exam.json").write_text(text, encoding="utf-8")
     return folder
 
 
 def grades_of(folder: Path) -> ClassGrades:
     """The class with titles and e-mails."""
-    return read_grades(write_marks(folder / "MARKS"), write_exam(folder / "EXAM"))
+    return read_grades(write_marks(folder / "MARKS"), open_exam(write_exam(folder / "EXAM")))
 
 
 def fresh(folder: Path, dialect: Dialect, options: ExportOptions | None = None) -> Fresh:

@@ -11,6 +11,7 @@ from typing import Any
 
 from openpyxl import Workbook
 
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import Responses, read_responses
 
 SAMPLES = Path(__file__).parent / "samples" / "moodle"
@@ -25,8 +26,10 @@ def write_asks(
     exam = folder / "EXAM"
     exam.mkdir(exist_ok=True)
     record = {
+        "format": 1,
+        "language": "en",
         "questions": [
-            {"question": name, "asks": [{"ask": ask} for ask in each]}
+            {"question": name, "asks": [{"ask": ask, "unit": "", "points": 1} for ask in each]}
             for name, each in asks.items()
         ],
         "students": [
@@ -34,6 +37,7 @@ def write_asks(
         ],
     }
     (exam / "exam.json").write_text(json.dumps(record), encoding="utf-8")
+    (exam / "key.jsonl").touch()
     return exam
 
 
@@ -55,7 +59,7 @@ def responses(
         write_asks(folder)
     file = folder / "download.csv"
     file.write_bytes(content.encode() if isinstance(content, str) else content)
-    return read_responses(file, exam, source, **options)
+    return read_responses(file, open_exam(exam), source, **options)
 
 
 def cells(read: Responses) -> list[tuple[str, ...]]:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExamError, TableError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.grades import read_grades
 from tests.lms.marked_folder import write_exam, write_marks
 
@@ -25,7 +26,9 @@ def test_points_without_an_answer_count_as_handed_in(tmp_path: Path) -> None:
 
 
 def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
-    grades = read_grades(write_marks(tmp_path), write_exam(tmp_path / "EXAM", " A\n title "))
+    grades = read_grades(
+        write_marks(tmp_path), open_exam(write_exam(tmp_path / "EXAM", " A\n title "))
+    )
     assert grades.title == "A title"
     assert [each.email for each in grades.students][::3] == ["w1@example.invalid", ""]
 
@@ -34,18 +37,20 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
     ("content", "message"),
     [
         (None, r"exam.json: cannot be read \(No such file"),
-        ("[", r"exam.json: is broken \(JSONDecodeError\) - expected an exam"),
-        ('{"students": [1]}', r"exam.json: is broken \(TypeError\)"),
+        ("[", r"exam.json: broken JSON \(.*\) - expected one JSON object - restore the exam"),
+        ('{"format": 1, "students": [1]}', r"exam.json: students 1: is broken \(Expected `object`"),
         (
-            '{"language": "fr", "students": []}',
-            'exam.json: language: "fr" - expected one of en, zh - restore the exam folder',
+            '{"format": 1, "language": "fr", "students": []}',
+            'exam.json: language: "fr" - expected one of en, zh, which this version of kinegrade '
+            "knows - restore the exam folder",
         ),
         (
-            '{"title": "x", "students": []}',
-            "exam.json: language: no language - expected one of en, zh - restore the exam folder",
+            '{"format": 1, "title": "x", "students": []}',
+            "exam.json: language: no language - expected one of en, zh, which this version",
         ),
         (
-            '{"language": "en", "students": []}',
+            '{"format": 1, "language": "en", "questions": [{"question": "q1", "asks": [{"ask": "v",'
+            ' "unit": "m/s", "points": 1}]}], "students": [{"student": "7", "name": "x"}]}',
             r'no student "0012345" \(4 of the marked class are not there\) - expected the exam by '
             r"which",
         ),
@@ -57,7 +62,7 @@ def test_a_damaged_or_another_exam_is_refused(
     if content is not None:
         (tmp_path / "exam.json").write_text(content, encoding="utf-8")
     with pytest.raises(ExamError, match=message):
-        read_grades(write_marks(tmp_path / "MARKS"), tmp_path)
+        read_grades(write_marks(tmp_path / "MARKS"), open_exam(tmp_path))
 
 
 def test_a_total_that_is_no_number_is_refused(tmp_path: Path) -> None:

@@ -12,13 +12,12 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.accepted import alternatives
 from kinegrade.grading.class_sheet import read_sheet
-from kinegrade.grading.givens import Givens
 from kinegrade.grading.marks import Marks, mark
 from kinegrade.grading.policy import AS_PRINTED
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.other_paper import right_answers
 from kinegrade.tables import Table, read_table
-from tests.lms.response_files import csv_text, workbook
+from tests.lms.response_files import csv_text, workbook, write_asks
 from tests.small_class import STUDENTS, asks_of
 
 Way = Callable[[Path, dict[str, list[str]], list[str]], Path]
@@ -127,7 +126,7 @@ def marked(exam: Path, table: Table) -> Marks:
         read_sheet(table, known),
         None,
         AS_PRINTED,
-        alternatives(known, AS_PRINTED, Givens(exam)),
+        alternatives(known, AS_PRINTED, open_exam(exam)),
     )
 
 
@@ -152,7 +151,7 @@ def test_marks_are_those_of_the_answer_sheet(
         [[who, *each] for who, each in cells.items()],
     )
     expected = marked(exam, read_table(plain))
-    read = read_responses(way(tmp_path, cells, columns), exam)
+    read = read_responses(way(tmp_path, cells, columns), open_exam(exam))
     found = marked(exam, read.table)
     assert read.source == source
     assert read.table.complaints == ()
@@ -163,7 +162,7 @@ def test_marks_are_those_of_the_answer_sheet(
 
 
 def test_the_blank_answer_sheet_of_the_exam_is_read(small_class: Path) -> None:
-    read = read_responses(small_class / "EXAM" / "answers.csv", small_class / "EXAM")
+    read = read_responses(small_class / "EXAM" / "answers.csv", open_exam(small_class / "EXAM"))
     with (small_class / "EXAM" / "answers.csv").open(encoding="utf-8-sig", newline="") as file:
         assert [tuple(row) for row in csv.reader(file)] == [
             read.table.header,
@@ -205,7 +204,8 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
     ]
     rows = [asked(exam, "007", "007"), asked(exam, "0012", "a/b")]
     read = read_responses(
-        written(tmp_path / "moodle.csv", [*IDENTITY[:-1], "Bewertung/10,00", *names], rows), exam
+        written(tmp_path / "moodle.csv", [*IDENTITY[:-1], "Bewertung/10,00", *names], rows),
+        open_exam(exam),
     )
     assert [row.cells[0] for row in read.table.rows] == ["007"]
     (complaint,) = read.table.complaints
@@ -220,17 +220,18 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
     [
         (
             b"{}",
-            r"key.jsonl: is broken \(KeyError: 'student'\) - expected it as kinegrade generate "
-            r"wrote it",
+            r"key.jsonl: line 1: is broken \(Object missing required field `student`\) - expected "
+            r"it as kinegrade generate wrote it",
         ),
-        (None, r"key.jsonl: cannot be read \(Is a directory\) - expected the key - check the file"),
+        (None, r"key.jsonl: cannot be read \(Is a directory\) - expected an exam folder made by"),
     ],
 )
 def test_a_broken_key_is_told(tmp_path: Path, content: bytes | None, message: str) -> None:
-    key = tmp_path / "key.jsonl"
+    exam = open_exam(write_asks(tmp_path))
+    exam.key.unlink()
     if content is None:
-        key.mkdir()
+        exam.key.mkdir()
     else:
-        key.write_bytes(content)
+        exam.key.write_bytes(content)
     with pytest.raises(ExamError, match=message):
-        right_answers(tmp_path)
+        right_answers(exam, "S9")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import ExamError, TableError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import SOURCES, read_responses
 from tests.lms.response_files import cells, csv_text, responses, told, workbook, write_asks
 
@@ -187,7 +188,7 @@ def test_a_microsoft_form_as_the_workbook_it_comes_as(tmp_path: Path) -> None:
         0,
     ]
     path = workbook(tmp_path / "Form(1-1).xlsx", header, row)
-    read = read_responses(path, write_asks(tmp_path))
+    read = read_responses(path, open_exam(write_asks(tmp_path)))
     assert read.source == "ms-forms"
     assert cells(read)[1] == ("0012345", "0.5", "1,5", "")
     assert told(read) == [
@@ -235,7 +236,7 @@ def test_the_answer_sheet_goes_on_as_it_is(tmp_path: Path, kind: str) -> None:
         path.write_text(csv_text(*rows), encoding="utf-8")
     else:
         workbook(path, *rows)
-    read = read_responses(path, exam)
+    read = read_responses(path, open_exam(exam))
     assert read.source == "sheet"
     assert cells(read) == [
         ("student", "name", "q1.v_B", "q1.omega_AB", "q2.a_B", "note"),
@@ -317,9 +318,9 @@ def test_a_cell_of_ten_megabytes_is_passed_on(tmp_path: Path, source: str) -> No
 
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     exam = write_asks(tmp_path)
-    (exam / "exam.json").write_text('{"questions": [1]}')
+    (exam / "exam.json").write_text('{"format": 1, "questions": [1]}')
     with pytest.raises(
-        ExamError, match=r"exam.json: is broken \(TypeError.*\) - expected it as kinegrade generate"
+        ExamError, match=r"exam.json: questions 1: is broken \(.*\) - expected it as kinegrade gen"
     ):
         responses(tmp_path, "student,q1.v_B\n")
     (exam / "exam.json").unlink()

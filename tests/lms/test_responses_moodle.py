@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording
 from tests.lms.response_files import SAMPLES, cells, csv_text, responses, told, write_asks
@@ -72,7 +73,7 @@ def sample(folder: Path, language: str, kept: tuple[int, ...]) -> Path:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_moodle_wrote_is_read_as_it_was_typed(tmp_path: Path, language: str) -> None:
     exam = write_asks(tmp_path, SAMPLE_ASKS, SAMPLE_STUDENTS)
-    read = read_responses(SAMPLES / f"{language}-responses.csv", exam)
+    read = read_responses(SAMPLES / f"{language}-responses.csv", open_exam(exam))
     assert read.source == "moodle"
     assert cells(read) == [
         ("student", "q1.omega_3", "q2.v_B", "q3.a_B", "q4.v", "q4.a", "q4.dir"),
@@ -89,7 +90,7 @@ def test_text_and_right_answer_need_not_be_there(
     tmp_path: Path, language: str, kept: tuple[int, ...]
 ) -> None:
     exam = write_asks(tmp_path, SAMPLE_ASKS, SAMPLE_STUDENTS)
-    read = read_responses(sample(tmp_path, language, kept), exam)
+    read = read_responses(sample(tmp_path, language, kept), open_exam(exam))
     assert [row.cells for row in read.table.rows] == SAMPLE_ROWS
 
 
@@ -102,7 +103,7 @@ def test_a_download_without_responses_is_refused(
     with pytest.raises(
         TableError, match=r"but no responses - expected a column of them - download the quiz's"
     ):
-        read_responses(sample(tmp_path, language, kept), exam)
+        read_responses(sample(tmp_path, language, kept), open_exam(exam))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -111,7 +112,7 @@ def test_the_report_of_grades_is_told_from_that_of_responses(tmp_path: Path, lan
     with pytest.raises(
         TableError, match="is Moodle's report of grades, without responses - expected the quiz's"
     ):
-        read_responses(SAMPLES / f"{language}-grades.csv", exam)
+        read_responses(SAMPLES / f"{language}-grades.csv", open_exam(exam))
 
 
 def test_each_ask_may_be_a_question_of_its_own(tmp_path: Path) -> None:

@@ -16,12 +16,13 @@ from typing import TYPE_CHECKING
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exact_keys import key_line
 from kinegrade.exam.folder.faults import FieldError, broken, unreadable
-from kinegrade.exam.folder.head import read_head
+from kinegrade.exam.folder.head import HEAD, read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, index_of
 from kinegrade.exam.folder.key_stream import papers_in_roster_order
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, questions
-from kinegrade.exam.folder.records import ExamHead, KeyLine
+from kinegrade.exam.folder.printed_orders import printed_orders
+from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.language import Language
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ KEY = "key.jsonl"
 POOL = "variants.jsonl"  # the lines of the key that a pool was made of
 BANK = "bank.toml"
 TEMPLATES = "templates"
+SOLUTIONS = "solutions"
 _KEPT_LINES = 4  # an ask at a time comes back to its paper
 
 
@@ -60,6 +62,11 @@ class ExamFolder:
     def students(self) -> tuple[str, ...]:
         """The ids of the candidates, in the order of the roster."""
         return tuple(self.head.candidates)
+
+    @property
+    def head_file(self) -> Path:
+        """The file of the head, to be named in messages."""
+        return self.path / HEAD
 
     @property
     def key(self) -> Path:
@@ -103,12 +110,33 @@ class ExamFolder:
 
         return Exam(self.asks, tuple(map(examinee, self.papers())))
 
+    def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
+        """The questions as they follow on papers, by student, where that is not the bank's order.
+
+        Raises ExamError.
+        """
+        return printed_orders(self.key, self.questions)
+
     def line_of(self, student: str) -> KeyLine:
         """The key of a student's paper, or, of one who left the roster, that of a pool's variant.
 
         Raises ExamError where there is none.
         """
+        line = self.find_line(student)
+        if line is None:
+            raise self._no_paper(student)
+        return line
+
+    def find_line(self, student: str) -> KeyLine | None:
+        """The same, or None where there is none. Raises ExamError where it is damaged."""
         return self._recent_line(student)
+
+    def parameters(self, student: str, question: str) -> Mapping[str, StatedNumber]:
+        """The numbers drawn for a question of a student's paper, by parameter. Raises
+        ExamError.
+        """
+        asked = (each for each in self.line_of(student).questions if each.question == question)
+        return next((each.parameters for each in asked), {})
 
     def lines(self) -> Iterator[KeyLine]:
         """The keys of all papers, in the order of the file. Raises ExamError."""
@@ -147,6 +175,19 @@ class ExamFolder:
         except (OSError, UnicodeDecodeError) as fault:
             raise unreadable(path, fault) from fault
 
+    def solution(self, stem: str) -> bytes:
+        """The worked solutions of a student whose files have that stem, as PDF. Raises
+        ExamError.
+        """
+        path = self.path / SOLUTIONS / f"{stem}.pdf"
+        try:
+            return path.read_bytes()
+        except OSError as fault:
+            raise ExamError(
+                f"{path}: cannot be read ({fault.strerror}) - expected the student's worked "
+                "solutions - generate the exam with --solutions, or leave them out"
+            ) from fault
+
     @cached_property
     def _indices(self) -> tuple[KeyIndex, ...]:
         """Where lines are looked for: in the key, then in the pool."""
@@ -157,30 +198,34 @@ class ExamFolder:
         return PaperDecoder(self.asks, self.head.candidates)
 
     @cached_property
-    def _recent_line(self) -> Callable[[str], KeyLine]:
+    def _recent_line(self) -> Callable[[str], KeyLine | None]:
         return lru_cache(maxsize=_KEPT_LINES)(self._line)
 
-    def _line(self, student: str) -> KeyLine:
-        path, text = self._text(student)
+    def _line(self, student: str) -> KeyLine | None:
+        index = self._index(student)
+        if index is None:
+            return None
         try:
-            return key_line(text)
+            return key_line(index.text(student))
         except (FieldError, UnicodeDecodeError) as fault:
-            raise broken(path, [f'the line of student "{student}" {fault}']) from fault
+            raise broken(index.path, [f'the paper of student "{student}" {fault}']) from fault
 
     def _paper(self, student: str) -> Paper:
-        path, text = self._text(student)
+        index = self._index(student)
+        if index is None:
+            raise self._no_paper(student)
         try:
-            return self._decoder.paper(text, f"{path}: the line")
+            return self._decoder.paper(index.text(student), str(index.path))
         except (FieldError, UnicodeDecodeError) as fault:
-            raise broken(path, [str(fault)]) from fault
+            raise broken(index.path, [str(fault)]) from fault
 
-    def _text(self, student: str) -> tuple[Path, bytes]:
-        """A student's line as it stands, and the file. Raises ExamError where there is none."""
-        for index in self._indices:
-            if student in index.beginnings:
-                return index.path, index.text(student)
-        raise ExamError(
-            f'{self.key}: no line for student "{student}" - expected one for everybody who is '
+    def _index(self, student: str) -> KeyIndex | None:
+        """Where the line of a student is found."""
+        return next((index for index in self._indices if student in index.beginnings), None)
+
+    def _no_paper(self, student: str) -> ExamError:
+        return ExamError(
+            f'{self.key}: no paper of student "{student}" - expected one for everybody who is '
             "marked - name the exam folder by which these marks were made"
         )
 

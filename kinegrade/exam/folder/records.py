@@ -100,6 +100,16 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
         return tuple(ask for question in self.questions for ask in question.asks)
 
     @cached_property
+    def columns(self) -> tuple[str, ...]:
+        """The columns of the asks in the answer sheet."""
+        return tuple(ask.column for ask in self.asks)
+
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """The units of the asks, by column."""
+        return {ask.column: ask.unit for ask in self.asks}
+
+    @cached_property
     def candidates(self) -> Mapping[str, Candidate]:
         """The students by id."""
         return {each.student: each for each in self.students}

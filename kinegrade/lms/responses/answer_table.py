@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 
 from kinegrade.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.student_ids import restoration
 from kinegrade.lms.responses.detection import DIALECTS, detected
-from kinegrade.lms.responses.exam_asks import Person, read_exam_asks
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
@@ -57,18 +58,18 @@ class Responses:
 
 def answer_table(
     path: Path,
-    exam_folder: Path,
+    exam: ExamFolder,
     source: str | None = None,
     attempts: Attempts = "finished",
     encoding: str | None = None,
 ) -> Table:
     """The answer sheet of `read_responses`, with the same errors."""
-    return read_responses(path, exam_folder, source, attempts, encoding).table
+    return read_responses(path, exam, source, attempts, encoding).table
 
 
 def read_responses(
     path: Path,
-    exam_folder: Path,
+    exam: ExamFolder,
     source: str | None = None,
     attempts: Attempts = "finished",
     encoding: str | None = None,
@@ -84,13 +85,12 @@ def read_responses(
     Where a pool was made of the exam, responses of a quiz are recognised by it, unless they are to
     `own_papers`. `name` stands for the file's name in messages. Raises TableError, ExamError.
     """
-    asks = read_exam_asks(exam_folder)
     table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
     table = replace(table, file=name or table.file, rows=without_headers(table))
     system = detected(table) if source is None else _known(source, path)
-    typed = DIALECTS[system].read(table, asks, attempts)
+    typed = DIALECTS[system].read(table, exam.head, attempts)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
-    people = People(asks.students)
+    people = People(exam.head.students)
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(
@@ -98,9 +98,9 @@ def read_responses(
             "e-mail addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
-    _refuse_another_class(table, everybody, columns, found, asks.students)
-    variants = None if own_papers or system not in POOLED else pool_of(exam_folder)
-    answers = _answers(_Read(table, typed, columns, found), variants, exam_folder)
+    _refuse_another_class(table, everybody, columns, found, exam.head.students)
+    variants = None if own_papers or system not in POOLED else pool_of(exam)
+    answers = _answers(_Read(table, typed, columns, found), variants, exam)
     assumed = (*_assumed(table, system, source, typed, columns), *_restored(table.file, found))
     return Responses(answers, system, assumed)
 
@@ -110,7 +110,7 @@ def _refuse_another_class(
     rows: Sequence[Row],
     columns: Columns,
     found: Sequence[Found],
-    students: Sequence[Person],
+    students: Sequence[Candidate],
 ) -> None:
     """Raises TableError where a file has rows and none is of a student who can be found."""
     if len(found) < FEW or any(each.student is not None or each.hint for each in found):
@@ -137,7 +137,7 @@ class _Read:
     found: Sequence[Found]
 
 
-def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile:
+def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> AnswerFile:
     """The answer sheet. Raises TableError where it is not certain to which questions the answers
     are.
     """
@@ -145,9 +145,9 @@ def _answers(read: _Read, variants: Variants | None, folder: Path) -> AnswerFile
     pairs: Pairs = list(zip(typed.rows, read.found, strict=False))
     put: Mapping[int, Sources] = {}
     if variants is None:
-        pairs = own_papers_only(table.file, typed, pairs, folder)
+        pairs = own_papers_only(table.file, typed, pairs, exam)
     else:
-        put = put_to(table.file, typed, pairs, variants, folder)
+        put = put_to(table.file, typed, pairs, variants, exam)
     left = list(_left_out(table, typed, read.found[len(typed.rows) :]))
     complaints = (
         *_about_answers(table, typed, read.columns),

@@ -9,7 +9,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 from kinegrade.errors import TableError
-from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.tables import Table, header_key
 
 _ADVICE = "write the ask's name into each question's title, like [q1.v_B]"
@@ -18,26 +18,26 @@ _MOST_DERIVED = 2
 
 
 def asks_by_name(
-    header: Sequence[str], places: Sequence[int], asks: ExamAsks
+    header: Sequence[str], places: Sequence[int], head: ExamHead
 ) -> Mapping[str, tuple[int, ...]]:
     """The columns whose titles hold an ask's name, alone or in brackets: q1.v_B, or v_B where only
     one ask has it.
     """
-    names = _names(asks)
+    names = _names(head)
     found: dict[str, list[int]] = defaultdict(list)
     for place in places:
         named = _named(header[place], names)
         if len(named) == 1:
             found[named.pop()].append(place)
-    return {column: tuple(found[column]) for column in asks.columns if column in found}
+    return {column: tuple(found[column]) for column in head.columns if column in found}
 
 
-def _names(asks: ExamAsks) -> Mapping[str, str]:
+def _names(head: ExamHead) -> Mapping[str, str]:
     """The asks by their full names and, where it is theirs alone, by their own in brackets."""
     short: dict[str, list[str]] = defaultdict(list)
-    for column in asks.columns:
+    for column in head.columns:
         short[f"[{column.partition('.')[2]}]"].append(column)
-    return {column: column for column in asks.columns} | {
+    return {column: column for column in head.columns} | {
         name: columns[0] for name, columns in short.items() if len(columns) == 1
     }
 
@@ -60,14 +60,20 @@ def _holds(title: str, name: str) -> bool:
     return name in title and re.search(f"{before}{re.escape(name)}{after}", title) is not None
 
 
-def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapping[str, int]:
+def summary(head: ExamHead) -> str:
+    """The exam's questions in a few words, for messages."""
+    counts = ", ".join(f"{each.question}: {len(each.asks)}" for each in head.questions)
+    return f"{len(head.columns)} asks in {len(head.questions)} questions ({counts})"
+
+
+def columns_of_asks(table: Table, places: Sequence[int], head: ExamHead) -> Mapping[str, int]:
     """The column of each ask among those that hold answers; asks without one are left out where
     others are named.
 
     Raises TableError where titles name no ask and there are not as many columns as asks, or an ask
     has two.
     """
-    named = asks_by_name(table.header, places, asks)
+    named = asks_by_name(table.header, places, head)
     twice = [
         f"{table.file}: {column} is named by the columns {', '.join(_shown(table, found))} - "
         f"expected one column for each ask - {_ADVICE}"
@@ -78,13 +84,13 @@ def columns_of_asks(table: Table, places: Sequence[int], asks: ExamAsks) -> Mapp
         raise TableError(*twice)
     if named:
         return {column: places[0] for column, places in named.items()}
-    if len(places) != len(asks.columns):
+    if len(places) != len(head.columns):
         shown = ": " + ", ".join(_shown(table, places[:6])) if places else ""
         raise TableError(
             f"{table.file}: {len(places)} columns may hold answers{shown} - the exam has "
-            f"{asks.summary} - {_ADVICE}"
+            f"{summary(head)} - {_ADVICE}"
         )
-    return dict(zip(asks.columns, places, strict=True))
+    return dict(zip(head.columns, places, strict=True))
 
 
 def _shown(table: Table, places: Sequence[int]) -> list[str]:

@@ -14,9 +14,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
 from kinegrade.lms.responses.asked_units import asked_unit, in_unit
-from kinegrade.lms.responses.exam_asks import ExamAsks
 from kinegrade.lms.responses.people import Kind, People
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 from kinegrade.tables import Row, Table, header_key, trimmed
@@ -43,7 +43,7 @@ def recognises(header: Sequence[str]) -> bool:
     return bool(_questions(header))
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """The responses, attempts in the order of their submission. Canvas lists none that is not
     submitted.
 
@@ -57,12 +57,12 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
             f"{TITLE} "
             "- download that of a classic quiz"
         )
-    columns = _columns(table, questions, asks)
+    columns = _columns(table, questions, head)
     people = range(1, questions[0])  # the first is the name
     named = _named(table.header, people)
-    known = People(asks.students)
+    known = People(head.students)
     rows = [row for row in table.rows if not _is_test_student(row, people, named, known)]
-    sources = [_sources(table.header, column, places, asks) for column, places in columns.items()]
+    sources = [_sources(table.header, column, places, head) for column, places in columns.items()]
     typed = (
         TypedRow(
             row,
@@ -83,10 +83,10 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
 
 
 def _sources(
-    header: Sequence[str], column: str, places: Sequence[int], asks: ExamAsks
+    header: Sequence[str], column: str, places: Sequence[int], head: ExamHead
 ) -> tuple[_Source, ...]:
     """The columns of an ask, each with the unit that its text asks for."""
-    unit = asks.units.get(column, "")
+    unit = head.units.get(column, "")
     return tuple(_Source(place, asked_unit(header[place], unit)) for place in places)
 
 
@@ -116,12 +116,12 @@ def _questions(header: Sequence[str]) -> list[int]:
 
 
 def _columns(
-    table: Table, questions: Sequence[int], asks: ExamAsks
+    table: Table, questions: Sequence[int], head: ExamHead
 ) -> Mapping[str, tuple[int, ...]]:
-    named = asks_by_name(table.header, questions, asks)
+    named = asks_by_name(table.header, questions, head)
     if any(len(places) > 1 for places in named.values()):
         return named
-    return {column: (place,) for column, place in columns_of_asks(table, questions, asks).items()}
+    return {column: (place,) for column, place in columns_of_asks(table, questions, head).items()}
 
 
 def _response(row: Row, sources: Sequence[_Source]) -> str:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from kinegrade.answer_file import AnswerFile
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.lms.responses.answer_table import read_responses
 from kinegrade.lms.responses.typed_rows import Attempts
 
@@ -35,7 +36,7 @@ class ClassFiles:
     assumed: tuple[str, ...]
 
 
-def read_class(paths: Sequence[Path], exam: Path, wishes: ReadingWishes) -> ClassFiles:
+def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -> ClassFiles:
     """Reads the files of one class. Raises TableError, ExamError."""
     _refuse_one_file_twice(paths)
     read = [

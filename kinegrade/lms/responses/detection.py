@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError, one_line
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses import canvas, google_forms, moodle, ms_forms, sheet, wjx
-from kinegrade.lms.responses.exam_asks import ExamAsks
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table
 
@@ -20,7 +20,7 @@ class Dialect:
 
     title: str
     recognises: Callable[[Sequence[str]], bool]
-    read: Callable[[Table, ExamAsks, Attempts], TypedRows]
+    read: Callable[[Table, ExamHead, Attempts], TypedRows]
 
 
 DIALECTS: Mapping[str, Dialect] = {

@@ -7,9 +7,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks, without_derived
-from kinegrade.lms.responses.exam_asks import ExamAsks
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
 from kinegrade.tables import Table, header_key
@@ -24,7 +24,7 @@ _COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
 
 
 def form_rows(
-    table: Table, asks: ExamAsks, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
+    table: Table, head: ExamHead, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
 ) -> TypedRows:
     """The responses of a form of which these columns are questions; `known` are other columns that
     say who it is.
@@ -33,7 +33,7 @@ def form_rows(
     """
     questions = without_derived(table.header, questions)
     taken = {
-        place for places in asks_by_name(table.header, questions, asks).values() for place in places
+        place for places in asks_by_name(table.header, questions, head).values() for place in places
     }
     about = {
         kind: [
@@ -44,7 +44,7 @@ def form_rows(
         for kind in _TITLES
     }
     personal = {place for places in about.values() for place in places}
-    columns = columns_of_asks(table, [place for place in questions if place not in personal], asks)
+    columns = columns_of_asks(table, [place for place in questions if place not in personal], head)
     named: dict[Kind, Sequence[int]] = {
         "id": about["id"],
         "email": [*known["email"], *about["email"]] if "email" in known else about["email"],

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table, header_key
@@ -21,7 +21,7 @@ def recognises(header: Sequence[str]) -> bool:
     return bool(header) and header_key(header[0]) == "timestamp"
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """The responses in the order of the file. The first column is the timestamp in whatever
     language.
 
@@ -31,4 +31,4 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
     address = [place for place in (1, 2) if place < len(keys) and keys[place] in _ADDRESS][:1]
     score = [place for place in (1, 2) if place < len(keys) and keys[place] == _SCORE][:1]
     questions = [place for place in range(1, len(table.header)) if place not in {*address, *score}]
-    return form_rows(table, asks, questions=questions, known={"email": address})
+    return form_rows(table, head, questions=questions, known={"email": address})

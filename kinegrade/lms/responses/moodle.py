@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.lms.responses.ask_headers import summary
 from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording
-from kinegrade.lms.responses.exam_asks import ExamAsks
 from kinegrade.lms.responses.moodle_columns import (
     NOTHING,
     MoodleColumns,
@@ -49,12 +50,12 @@ def recognises(header: Sequence[str]) -> bool:
     )
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """The responses of finished attempts, or of all. Raises TableError where questions and asks do
     not agree.
     """
     columns = moodle_columns(table)
-    slots = _slots(table, columns, asks)
+    slots = _slots(table, columns, head)
     rows, complaints, not_taken = [], [], []
     for row in table.rows:
         if not any(trimmed(row.cell(index)) for index in range(_NAMES, columns.grade)):
@@ -69,7 +70,7 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
         complaints += faults
     assumed = "; ".join(f"{table.header[slot.column]} is {', '.join(slot.asks)}" for slot in slots)
     return TypedRows(
-        asks.columns,
+        head.columns,
         frozenset(slot.column for slot in slots),
         tuple(rows),
         tuple(range(_NAMES, columns.grade)),
@@ -126,30 +127,30 @@ def _response(row: Row, question: QuestionColumns) -> str:
     return trimmed(row.cell(question.response))
 
 
-def _slots(table: Table, columns: MoodleColumns, asks: ExamAsks) -> tuple[_Slot, ...]:
+def _slots(table: Table, columns: MoodleColumns, head: ExamHead) -> tuple[_Slot, ...]:
     found = [_parts_of(table, question) for question in columns.questions]
-    by_question = len(found) == len(asks.questions)
-    sizes = [len(each) for each in asks.questions.values()] if by_question else [1] * len(found)
+    by_question = len(found) == len(head.questions)
+    sizes = [len(each.asks) for each in head.questions] if by_question else [1] * len(found)
     counts = [
         size if count is None else count for (_, count), size in zip(found, sizes, strict=True)
     ]
-    if sum(counts) != len(asks.columns):
-        raise _disagreement(table, counts, asks)
+    if sum(counts) != len(head.columns):
+        raise _disagreement(table, counts, head)
     slots, first = [], 0
     for question, (words, _), count in zip(columns.questions, found, counts, strict=True):
-        mine = asks.columns[first : first + count]
+        mine = head.columns[first : first + count]
         if len({name.partition(".")[0] for name in mine}) > 1:
-            raise _disagreement(table, counts, asks)
+            raise _disagreement(table, counts, head)
         slots.append(_Slot(question.response, question.right_answer, question.text, mine, words))
         first += count
     return tuple(slots)
 
 
-def _disagreement(table: Table, counts: Sequence[int], asks: ExamAsks) -> TableError:
+def _disagreement(table: Table, counts: Sequence[int], head: ExamHead) -> TableError:
     shown = ", ".join(map(str, counts))
     return TableError(
         f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has "
-        f"{asks.summary} - download the responses of the quiz that was made of this exam"
+        f"{summary(head)} - download the responses of the quiz that was made of this exam"
     )
 
 

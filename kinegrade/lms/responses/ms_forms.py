@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table, header_key
@@ -24,7 +24,7 @@ def recognises(header: Sequence[str]) -> bool:
     return tuple(map(header_key, header[: len(_FIRST)])) == _FIRST
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """The responses in the order of the file. The first five columns are those of the form in
     whatever language.
 
@@ -35,4 +35,4 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
         for place in range(len(_FIRST), len(table.header))
         if header_key(table.header[place]) not in _BETWEEN
     ]
-    return form_rows(table, asks, questions=questions, known={"email": [_ADDRESS]})
+    return form_rows(table, head, questions=questions, known={"email": [_ADDRESS]})

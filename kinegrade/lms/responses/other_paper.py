@@ -7,14 +7,10 @@ student's own key such answers would all be wrong, so they are told instead.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import Any
 
-from kinegrade.errors import ExamError
-from kinegrade.lms.responses.exam_asks import BROKEN, MENDING
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.tables import trimmed
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")
@@ -22,32 +18,16 @@ _SHARE = 0.02  # a quiz may state the middle of what is right to three figures
 _NEXT_TO_NOTHING = 1e-6
 
 
-def right_answers(folder: Path) -> Mapping[str, Mapping[str, float]]:
-    """The right answers by student and column; none where the folder has no key.jsonl. Raises
-    ExamError.
+def right_answers(exam: ExamFolder, student: str) -> Mapping[str, float]:
+    """The right answers on a student's paper by column; none where the key has no line of that
+    student's. Raises ExamError.
     """
-    path = folder / "key.jsonl"
-    try:
-        with path.open(encoding="utf-8") as lines:
-            papers = [json.loads(line) for line in lines if line.strip()]
-        return {paper["student"]: _values(paper) for paper in papers}
-    except FileNotFoundError:
-        return {}
-    except OSError as fault:
-        raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected the key - check the file"
-        ) from fault
-    except BROKEN as fault:
-        raise ExamError(
-            f"{path}: is broken ({type(fault).__name__}: {fault}) - {MENDING}"
-        ) from fault
-
-
-def _values(paper: Mapping[str, Any]) -> Mapping[str, float]:
+    line = exam.find_line(student)
     return {
-        f"{question['question']}.{name}": float(ask["value"])
-        for question in paper["questions"]
-        for name, ask in question["asks"].items()
+        f"{question.question}.{name}": float(answer.value)
+        for question in (line.questions if line else ())
+        for name, answer in question.asks.items()
+        if answer.value is not None
     }
 
 

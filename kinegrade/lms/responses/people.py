@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster import student_key
 from kinegrade.exam.student_ids import StudentIds
-from kinegrade.lms.responses.exam_asks import Person
 from kinegrade.tables import Row, header_key, shortened, trimmed
 
 Kind = Literal["id", "email"]
@@ -47,7 +47,7 @@ class Columns:
 class People:
     """The students of an exam by what files call them."""
 
-    def __init__(self, students: Iterable[Person]) -> None:
+    def __init__(self, students: Iterable[Candidate]) -> None:
         known = list(students)
         self._ids = StudentIds(person.student for person in known)
         self._by_email = _grouped(known, lambda person: header_key(person.email))
@@ -174,7 +174,7 @@ class People:
 
 
 def _grouped(
-    people: Iterable[Person], key: Callable[[Person], str]
+    people: Iterable[Candidate], key: Callable[[Candidate], str]
 ) -> Mapping[str, tuple[str, ...]]:
     groups: dict[str, list[str]] = defaultdict(list)
     for person in people:

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinegrade.answer_file import POOL, Sources
+from kinegrade.answer_file import Sources
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.lms.responses.other_paper import agree, difference, right_answers, value_of
 from kinegrade.lms.responses.people import Found
 from kinegrade.lms.responses.typed_rows import TypedRow, TypedRows
@@ -33,28 +33,28 @@ _ADVICE = (
 )
 
 
-def pool_of(folder: Path) -> Variants | None:
+def pool_of(exam: ExamFolder) -> Variants | None:
     """The pool that was made of an exam, None where none was made. Raises ExamError."""
-    if not (folder / POOL).exists():
+    if not exam.has_pool:
         return None
     from kinegrade.exam.variants import read_variants  # noqa: PLC0415  # takes seconds to load
 
-    return read_variants(folder)
+    return read_variants(exam.path)
 
 
 def own_papers_only(
-    file: str, typed: TypedRows, pairs: Pairs, folder: Path
+    file: str, typed: TypedRows, pairs: Pairs, exam: ExamFolder
 ) -> list[tuple[TypedRow, Found]]:
     """Each row with its student, or with none where other questions were put than those of the
     student's paper.
 
     Raises TableError where that is so of most of the students.
     """
-    keys = right_answers(folder) if any(each.right for each, _ in pairs) else {}
     checked: list[tuple[TypedRow, Found]] = []
     others = []
     for each, who in pairs:
-        other = difference(typed.columns, each.right, keys.get(who.student or "", {}))
+        right = right_answers(exam, who.student) if each.right and who.student else {}
+        other = difference(typed.columns, each.right, right)
         problem = f'student "{who.student}" was put another paper: {other}'
         checked.append((each, Found(None, "", problem) if other else who))
         if other:
@@ -72,14 +72,14 @@ def own_papers_only(
 
 
 def put_to(
-    file: str, typed: TypedRows, pairs: Pairs, variants: Variants, folder: Path
+    file: str, typed: TypedRows, pairs: Pairs, variants: Variants, exam: ExamFolder
 ) -> Mapping[int, Sources]:
     """By line whose line of the key each question of a student is. Raises TableError where that
     cannot be known.
     """
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
         raise TableError(
-            f"{file}: the exam has a pool of {variants.count} variants ({folder / POOL}), and "
+            f"{file}: the exam has a pool of {variants.count} variants ({exam.pool}), and "
             "nothing here says who was put which - expected the texts of the questions or the "
             f"right answers - {_ADVICE}"
         )

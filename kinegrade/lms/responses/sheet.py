@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster import COLUMN_NAMES
-from kinegrade.lms.responses.exam_asks import ExamAsks
 from kinegrade.lms.responses.people import Kind
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
 from kinegrade.tables import Table, header_key
@@ -21,7 +21,7 @@ def recognises(header: Sequence[str]) -> bool:
     return bool(_places(header, "student") or _places(header, "email"))
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """All columns but the one of ids. Raises TableError where nothing says who it is."""
     if not recognises(table.header):
         raise TableError(

@@ -8,7 +8,7 @@ import re
 from collections.abc import Sequence
 
 from kinegrade.errors import TableError
-from kinegrade.lms.responses.exam_asks import ExamAsks
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.lms.responses.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 from kinegrade.tables import Table, trimmed
@@ -23,7 +23,7 @@ def recognises(header: Sequence[str]) -> bool:
     return bool(header) and trimmed(header[0]) == _NUMBER and bool(_questions(header))
 
 
-def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
+def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """The responses in the order of the file. Raises TableError where questions and asks do not
     agree.
     """
@@ -33,7 +33,7 @@ def read(table: Table, asks: ExamAsks, attempts: Attempts) -> TypedRows:
             f"{table.file}: has no questions like 1、学号 - expected {TITLE} "
             "- download its answers as texts"
         )
-    return form_rows(table, asks, questions=questions, known={})
+    return form_rows(table, head, questions=questions, known={})
 
 
 def _questions(header: Sequence[str]) -> list[int]:

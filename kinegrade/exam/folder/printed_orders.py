@@ -1,0 +1,51 @@
+"""In which order the questions stand on papers that were shuffled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import msgspec
+
+from kinegrade.exam.folder.faults import AS_GENERATED, broken, unreadable
+
+_STATED = b'"printed"'
+
+
+class _Order(msgspec.Struct, gc=False):
+    student: str
+    printed: tuple[str, ...]
+
+
+def printed_orders(key: Path, questions: tuple[str, ...]) -> Mapping[str, tuple[str, ...]]:
+    """The orders that differ from that of the bank's `questions`, by student.
+
+    Raises ExamError for a paper that states other questions.
+    """
+    try:
+        with key.open("rb") as lines:
+            orders = dict(_orders(key, enumerate(lines, 1), sorted(questions)))
+    except OSError as fault:
+        raise unreadable(key, fault) from fault
+    return {student: order for student, order in orders.items() if order != questions}
+
+
+def _orders(
+    key: Path, lines: Iterator[tuple[int, bytes]], questions: list[str]
+) -> Iterator[tuple[str, tuple[str, ...]]]:
+    decode = msgspec.json.Decoder(_Order).decode
+    for number, line in lines:
+        if line.isspace():
+            continue
+        # All papers of an exam state their order or none does; reading on would cost as much as
+        # marking
+        if _STATED not in line:
+            return
+        try:
+            found = decode(line)
+            if sorted(found.printed) != questions:
+                raise ValueError
+        except (ValueError, RecursionError) as fault:
+            wrong = f'line {number}: "printed" is not an order of the questions'
+            raise broken(key, [f"{wrong} - {AS_GENERATED}"]) from fault
+        yield found.student, found.printed

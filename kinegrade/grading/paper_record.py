@@ -1,0 +1,126 @@
+"""What was right on a marked paper, for reports and feedback: of a student's line of the key, or of
+those of a pool whose questions were put to the student.
+
+Marks are not decided here: that is `judge`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import nan
+
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exact_keys import exact_value, rule_of
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import FieldError, broken
+from kinegrade.exam.folder.numbers import number
+from kinegrade.exam.folder.records import KeyLine, StatedAnswer
+from kinegrade.grading.pool import Put
+
+
+@dataclass(frozen=True, slots=True)
+class RightAnswer:
+    """What was right: `exact` as an expression where it has one; `allowed` is how far off was right
+    by the paper.
+    """
+
+    value: Fraction
+    exact: str | None
+    unit: str
+    allowed: Fraction
+
+
+@dataclass(frozen=True)
+class PaperRecord:
+    """One paper: the questions as printed, right answers by column, drawn numbers by question and
+    parameter.
+
+    A number is NaN where the question's asks were put with different ones.
+    """
+
+    printed: tuple[str, ...]
+    answers: Mapping[str, RightAnswer]
+    parameters: Mapping[tuple[str, str], float]
+
+
+@dataclass(frozen=True)
+class PaperRecords:
+    """The papers of an exam, each read when it is wanted.
+
+    `put` says which answers were marked by other lines than the student's own, where questions came
+    from a pool.
+    """
+
+    exam: ExamFolder
+    put: Put = field(default_factory=dict)
+
+    def paper(self, student: str) -> PaperRecord:
+        """The paper of a student. Raises ExamError where the exam has none of that student's."""
+        line = self.exam.line_of(student)
+        try:
+            return PaperRecord(line.order, dict(_answers(line)), dict(_parameters(line)))
+        except FieldError as fault:
+            whose = f'the paper of student "{student}"'
+            raise broken(self.exam.key, [f"{whose}: {fault}"]) from fault
+
+    def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
+        """The paper of a student whose answers stand in these columns. Raises ExamError where it
+        does not ask them.
+        """
+        paper = self._as_put(self.paper(student), self.put.get(student, {}))
+        unknown = next((column for column in columns if column not in paper.answers), None)
+        if unknown is not None:
+            raise ExamError(
+                f'{self.exam.key}: the paper of student "{student}" does not ask {unknown}, which '
+                "was marked - expected the marks of this exam - name the exam folder by which they "
+                "were made"
+            )
+        return paper
+
+    def _as_put(self, own: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
+        """The paper with those answers, and the numbers of their questions, that were put to the
+        student.
+
+        A question whose asks come from several variants has several numbers for each parameter, so
+        it has none.
+        """
+        answers, parameters = dict(own.answers), dict(own.parameters)
+        sources: dict[str, set[str]] = {}
+        for column, source in put.items():
+            other = self.paper(source)
+            if column in other.answers:
+                answers[column] = other.answers[column]
+            question = column.partition(".")[0]
+            sources.setdefault(question, set()).add(source)
+            parameters |= {
+                place: number if len(sources[question]) == 1 else nan
+                for place, number in other.parameters.items()
+                if place[0] == question
+            }
+        return PaperRecord(own.printed, answers, parameters)
+
+
+def _answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
+    """What is right, by column. Raises FieldError."""
+    for question in line.questions:
+        for name, stated in question.asks.items():
+            column = f"{question.question}.{name}"
+            try:
+                yield column, _right_answer(stated)
+            except FieldError as fault:
+                raise FieldError(f"{column}: {fault}") from fault
+
+
+def _right_answer(stated: StatedAnswer) -> RightAnswer:
+    value = exact_value(stated)
+    low, high = rule_of(stated.tolerance).key(value).interval
+    return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value))
+
+
+def _parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:
+    """The numbers drawn, by question and parameter. Raises FieldError."""
+    for question in line.questions:
+        for name, stated in question.parameters.items():
+            yield (question.question, name), float(number(name, stated.value))
