@@ -27,7 +27,8 @@ points = 10  # optional: shared out as the template weighs what it asks
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
@@ -90,14 +91,37 @@ def read_bank(path: Path, secret: str = "") -> Bank:
     return read_blueprint(path).bank(secret)
 
 
-def read_blueprint(path: Path, folder: Path | None = None) -> Blueprint:
-    """The blueprint in a file; `folder` holds the templates, by default the shipped ones.
+def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
+    """The bank of an exam from the copy at `path` that is kept with it; `chosen` names the template
+    of each question, and `folder` holds copies of those.
+
+    Raises BankError with all faults at once.
+    """
+    kept = read_blueprint(path, folder, kept=True)
+    found = tuple(
+        candidate
+        for slot in kept.slots
+        for candidate in slot.candidates
+        if candidate.template.name == chosen.get(slot.identifier)
+    )
+    if [question.identifier for question in found] != list(chosen):
+        raise BankError(
+            f"{path}: the questions differ from those of exam.json - expected "
+            f"{', '.join(chosen)} with the same templates - restore the exam folder as it was "
+            "generated"
+        )
+    return replace(kept.frame, questions=found)
+
+
+def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False) -> Blueprint:
+    """The blueprint in a file; `folder` holds the templates, by default the shipped ones; of a bank
+    that is `kept` with an exam, those of the exam.
 
     Raises BankError with all faults at once.
     """
     text = read_text(path, _BANK_FILE)
     table = toml_table(str(path), text, _BANK_FILE).only(*KEYS)
-    entries = Entries(table.faults, folder or shipped("templates"), path.parent)
+    entries = Entries(table.faults, folder or shipped("templates"), path.parent, kept)
     frame = _frame(table, text)
     slots = _slots(table, entries, frame)
     table.faults.require_none()

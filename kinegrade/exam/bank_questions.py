@@ -24,7 +24,7 @@ from kinegrade.fields.table import Table
 from kinegrade.fields.values import found, text, whole
 from kinegrade.problem.assemble import parameter_value
 from kinegrade.problem.domain import read_choices
-from kinegrade.problem.library import load_template
+from kinegrade.problem.library import kept_template, load_template
 from kinegrade.problem.statement import check_statements
 from kinegrade.problem.template import Parameter, Template
 from kinegrade.problem.tolerance import Tolerance
@@ -51,11 +51,16 @@ class Entry:
 
 @dataclass(frozen=True)
 class Entries:
-    """Reads entries; `folder` holds the shipped templates, further ones lie `beside` the bank."""
+    """Reads entries; `folder` holds the shipped templates, further ones lie `beside` the bank.
+
+    Of a bank that is `kept` with an exam, `folder` holds the templates that were chosen and no
+    others, those beside the bank too; rules that came after the exam do not refuse them.
+    """
 
     faults: Faults
     folder: Path
     beside: Path
+    kept: bool = False
 
     def slots(self, entry: Table, first: int, wider: Tolerance) -> tuple[Slot, ...]:
         """The questions of one entry, numbered from `first`; none where it cannot be made out."""
@@ -99,7 +104,8 @@ class Entries:
         if not pool:
             return []
         names = [template.name for template in pool]
-        without = entry.listing("without", partial(_left_out, names), '["slider-crank"]')
+        named = text if self.kept else partial(_left_out, names)
+        without = entry.listing("without", named, '["slider-crank"]')
         if set(names) <= set(without):
             what = f'leaves no template of the {by} "{entry.value(by)}"'
             entry.fault("without", what, do="leave out fewer")
@@ -117,17 +123,19 @@ class Entries:
     def _shelf(self) -> Shelf:
         """All shipped templates, read when an entry first draws from them; none after a fault."""
         try:
-            return read_shelf(self.folder)
+            return read_shelf(self.folder, kept=self.kept)
         except KinegradeError as error:
             self.faults.note_error((), error)
         return Shelf({}, {"family": {}, "tag": {}})
 
     def _template(self, value: object) -> Template:
-        """A shipped template, or a file beside the bank."""
+        """A shipped template, or a file beside the bank; the exam's copy where the bank is kept."""
         name = text(value)
         beside = name.endswith(".toml")
         if beside and not _TEMPLATE_FILE.fullmatch(name):
             raise FieldError(found(name), "a file beside the bank, without folders")
+        if self.kept:
+            return kept_template(name.removesuffix(".toml"), self.folder)
         template = load_template(str(self.beside / name) if beside else name, self.folder)
         check_statements(template)
         return template
