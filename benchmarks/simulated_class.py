@@ -7,7 +7,6 @@ marks.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import floor, log10
@@ -17,11 +16,14 @@ from tempfile import TemporaryDirectory
 from kinegrade.csv_writing import csv_text
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_folder import KEY, open_exam
+from kinegrade.exam.folder.head import HEAD
 from kinegrade.exam.folder.keys import Exam
-from kinegrade.exam.generate import exam_record
+from kinegrade.exam.folder.writing import head_json, line_json
+from kinegrade.exam.head_record import exam_head
 from kinegrade.exam.key_mistakes import mistaken_answers
-from kinegrade.exam.key_record import key_record
+from kinegrade.exam.key_record import key_line
+from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
 from kinegrade.exam.setting import SetPaper, Setting, set_exam
@@ -139,15 +141,12 @@ def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
     """The exam, written into a folder as generate writes it and read again as grade reads it."""
     keys = [KeyPaper(paper.student.student, paper.student.name, paper.code, ()) for paper in papers]
     lines = (
-        key_record(paper, mistakes)
+        key_line(paper, mistakes)
         for paper, mistakes in zip(papers, mistaken_answers(papers), strict=True)
     )
     with TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "exam.json").write_text(
-            json.dumps(exam_record(setting, keys, "en")), encoding="utf-8"
-        )
-        (folder / "key.jsonl").write_text(
-            "".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8"
-        )
+        order = PressOrder(setting.bank.engine, "a4")
+        (folder / HEAD).write_bytes(head_json(exam_head(setting, keys, "en", order)))
+        (folder / KEY).write_bytes(b"".join(map(line_json, lines)))
         return open_exam(folder).in_memory()

@@ -10,7 +10,8 @@ import re
 import pytest
 
 from kinegrade.exam.bank import Bank
-from kinegrade.exam.key_record import key_record
+from kinegrade.exam.folder.writing import line_json
+from kinegrade.exam.key_record import key_line
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.typst_source import paper_source
 from kinegrade.figure.sketch import sketch
@@ -37,8 +38,8 @@ def readable(source: str) -> str:
 
 
 def test_the_key_of_a_tiny_exam(golden_bank: Bank, hold: Hold) -> None:
-    records = (key_record(paper) for paper in papers(golden_bank))
-    hold("key.jsonl", "".join(json.dumps(record, ensure_ascii=False) + "\n" for record in records))
+    lines = (line_json(key_line(paper)) for paper in papers(golden_bank))
+    hold("key.jsonl", b"".join(lines).decode())
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

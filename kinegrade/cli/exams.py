@@ -199,10 +199,11 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     \b
     Example: kinegrade papers EXAM -o PAPERS
     """
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.handout import hand_out
 
     expect_folders((exam, "EXAM"))
-    count = hand_out(exam, output, force=force)
+    count = hand_out(open_exam(exam), output, force=force)
     click.echo(
         f"{output}: {counted(count, 'paper')}, and nothing that gives the key away", err=True
     )

@@ -114,7 +114,8 @@ def grade(
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
     if never_lower is not None:
         refuse_changed_totals(never_lower)
-    folder, follow_through = open_exam(exam), FollowThrough(exam)
+    folder = open_exam(exam)
+    follow_through = FollowThrough(folder)
     how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
     read = read_class(answers, folder, how)
     _say(read.assumed)
@@ -209,7 +210,7 @@ def class_report(
     refuse_changed_totals(marks)
     folder = open_exam(exam)
     chosen = language or folder.language
-    page = report_on(marks, folder, exam_wording(exam, chosen), chosen)
+    page = report_on(marks, folder, exam_wording(folder, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
 
 
@@ -279,7 +280,7 @@ def feedback(
         folder,
         marks,
         output,
-        exam_wording(exam, chosen),
+        exam_wording(folder, chosen),
         printed,
         language=chosen,
         solutions=wanted,

@@ -117,6 +117,7 @@ def quiz(
     from fractions import Fraction
     from os import cpu_count
 
+    from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
     from kinegrade.exam.variants import store_variants
@@ -127,8 +128,9 @@ def quiz(
     wishes = QuizWishes(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
+    folder = open_exam(exam)
     written = read_quiz(
-        exam,
+        folder,
         language,
         variants=variants,
         wishes=wishes,
@@ -136,7 +138,7 @@ def quiz(
         progress=progress,
     )
     if variants is not None:
-        store_variants(exam, variants)
+        store_variants(folder, variants)
     remarks = writer(written, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(

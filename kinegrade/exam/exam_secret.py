@@ -1,25 +1,20 @@
 """What an exam's numbers are drawn from: a random secret that lives in the exam folder and that
 nobody has to know.
 
-`generate` makes one, or takes that of the folder which it replaces; `kept_secret` reads it from an
-exam folder, also from folders of earlier versions, whose secret was a word that somebody typed.
+`generate` makes one, or takes that of the folder which it replaces; in folders of earlier versions
+it was a word that somebody typed.
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from hmac import digest
-from pathlib import Path
 from secrets import token_hex
 from typing import Any, assert_never
 
-from kinegrade.errors import ExamError
-
 BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 gives back
 LEAST = 32  # hexadecimal digits of a secret that is believed: 128 bits
-MARKER = "exam.json"
 EARLIER = "seed"  # under which earlier versions kept the words typed
 
 
@@ -125,27 +120,6 @@ def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
             assert_never(secret)
 
 
-def kept_secret(folder: Path) -> ExamSecret:
-    """The secret of an exam folder, of earlier versions too.
-
-    Raises ExamError; its message does not tell the secret.
-    """
-    path = folder / MARKER
-    try:
-        head = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as fault:
-        raise ExamError(
-            f"{path}: cannot be read ({fault.strerror}) - expected an exam folder made by "
-            "kinegrade generate - check the name"
-        ) from fault
-    except (ValueError, RecursionError) as fault:
-        raise without_secret(path) from fault
-    found = secret_of(head) if isinstance(head, dict) else None
-    if found is None:
-        raise without_secret(path)
-    return found
-
-
 def secret_of(head: Mapping[str, Any]) -> ExamSecret | None:
     """The secret that exam.json states; None where it states none that is whole."""
     words = head.get("reproducible", head.get(EARLIER))
@@ -165,11 +139,3 @@ def hexadecimal(text: object) -> bool:
         return len(bytes.fromhex(text)) * 2 == len(text)
     except ValueError:
         return False
-
-
-def without_secret(path: Path) -> ExamError:
-    """The refusal of an exam.json that does not state a secret."""
-    return ExamError(
-        f"{path}: does not hold the secret that its numbers are drawn from - expected it as "
-        "kinegrade generate wrote it - restore the exam folder"
-    )

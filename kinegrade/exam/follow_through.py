@@ -1,38 +1,38 @@
 """What follows from students' own answers, worked out from an exam folder: its templates and the
 numbers drawn.
 
-`FollowThrough` is what `kinegrade.grading.follow` asks for. Of key.jsonl it keeps where each
-paper's line begins, and reads the lines of those papers only that are asked about. From a template
-that this version cannot read any more, and from a key without the numbers drawn, nothing follows.
+`FollowThrough` is what `kinegrade.grading.follow` asks for. Only the lines of those papers are read
+that are asked about. From a template that this version cannot read any more, and from a key without
+the numbers drawn, nothing follows; where template and key contradict each other, nothing is marked.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
-from pathlib import Path
-from typing import Any
+from math import remainder
 
-from kinegrade.answer_file import POOL
-from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.exam.folder.contradictions import contradicted, other_value
+from kinegrade.exam.folder.exact_keys import exact_value
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import Follower, connections, generic_plan, in_plan_order
-from kinegrade.problem.library import kept_template
 from kinegrade.problem.mistakes import in_float
 from kinegrade.problem.template import Template
 
 KEPT = 256  # instances kept in memory, so that a student's next answers find theirs
-BEGINNING = '{"student": '
+AGREEMENT = (
+    1e-6  # relative, of doubles with the key: rounding is smaller, an edited template larger
+)
 
 
 @dataclass(frozen=True)
 class FollowThrough:
-    """Tells what follows from own answers on the papers of an exam folder."""
+    """Tells what follows from own answers on the papers of an exam."""
 
-    exam: Path
+    exam: ExamFolder
     plans: dict[str, Plan | None] = field(default_factory=dict, repr=False)
     connected: dict[str, frozenset[tuple[str, str]]] = field(default_factory=dict, repr=False)
     instances: dict[tuple[str, str], Follower | None] = field(default_factory=dict, repr=False)
@@ -81,21 +81,33 @@ class FollowThrough:
         return self.instances[place]
 
     def follower(self, student: str, question: str) -> Follower | None:
-        """The instance, with the plan of its template."""
+        """The instance, with the plan of its template. Raises ExamError where it gives other
+        answers than the key.
+        """
         template = self.templates.get(question)
-        texts = self.drawn(student, question)
-        if (
-            template is None
-            or not template.drivers
-            or texts is None
-            or texts.keys() < template.parameters.keys()
-        ):
+        kept = self.kept(student, question)
+        if template is None or not template.drivers or kept is None:
+            return None
+        texts = kept.values
+        if texts.keys() < template.parameters.keys():
             return None
         values = {
             name: in_float(parameter, texts[name])
             for name, parameter in template.parameters.items()
         }
-        return Follower(template, values, self.plan(question, template))
+        follower = Follower(template, values, self.plan(question, template))
+        self.require_same(follower, kept, f'student "{student}", {question}')
+        return follower
+
+    def require_same(self, follower: Follower, kept: KeyQuestion, where: str) -> None:
+        """Raises ExamError where an answer of the instance is another one than the key's: what
+        followed would be of another mechanism.
+        """
+        for name, answer in kept.asks.items():
+            derived = follower.right(name) if name in follower.template.asks else None
+            if derived is not None and not same(derived, answer):
+                difference = other_value(name, answer.decimal or answer.value, f"{derived:.12g}")
+                raise contradicted(f"{self.exam.key}: {where}", [difference])
 
     def plan(self, question: str, template: Template) -> Plan | None:
         """The plan of a question's template, found once, and the same whoever is asked about."""
@@ -103,105 +115,22 @@ class FollowThrough:
             self.plans[question] = generic_plan(template)
         return self.plans[question]
 
-    def drawn(self, student: str, question: str) -> Mapping[str, str] | None:
-        """The parameters of a question on a student's paper as texts in their units; None where
-        they are not there.
-        """
-        line = self.line(student)
-        try:
-            (found,) = (each for each in line["questions"] if each["question"] == question)
-            return {
-                name: str(each["exact"] or each["value"])
-                for name, each in found["parameters"].items()
-            }
-        except (KeyError, TypeError, ValueError, AttributeError):
-            return None
-
-    def line(self, student: str) -> Any:
-        """A student's line of key.jsonl, or else of variants.jsonl; None where there is none.
-
-        Raises ExamError where it cannot be read.
-        """
-        if student not in self.beginnings:
-            return self.pooled.get(student)
-        with self.key.open("rb") as file:
-            file.seek(self.beginnings[student])
-            return _json(file.readline(), self.key)
+    def kept(self, student: str, question: str) -> KeyQuestion | None:
+        """A question as the key of a student's paper keeps it; None where it is not there."""
+        line = self.exam.line_of(student)
+        return next((each for each in line.questions if each.question == question), None)
 
     @property
-    def key(self) -> Path:
-        """The file of the key."""
-        return self.exam / "key.jsonl"
-
-    @cached_property
-    def beginnings(self) -> Mapping[str, int]:
-        """Where each student's line begins in key.jsonl, in bytes. Raises ExamError where it cannot
-        be read.
-        """
-        try:
-            with self.key.open("rb") as file:
-                return dict(_beginnings(file, self.key))
-        except OSError as fault:
-            raise _unreadable(self.key, fault) from fault
-
-    @cached_property
-    def pooled(self) -> Mapping[str, Any]:
-        """The lines of a pool's variants by student, of students who may have left the roster
-        since. Raises ExamError.
-        """
-        file = self.exam / POOL
-        try:
-            lines = file.read_bytes().splitlines()
-        except FileNotFoundError:
-            return {}
-        except OSError as fault:
-            raise _unreadable(file, fault) from fault
-        papers = [_json(line, file) for line in lines if line.strip()]
-        return {str(each.get("student")): each for each in papers if isinstance(each, dict)}
-
-    @cached_property
     def templates(self) -> Mapping[str, Template]:
-        """The templates by question, those that can be read. Raises ExamError where exam.json
-        cannot be read.
-        """
-        file, found = self.exam / "exam.json", {}
-        try:
-            head = _json(file.read_bytes(), file)
-            questions = {str(each["question"]): str(each["template"]) for each in head["questions"]}
-        except (OSError, KeyError, TypeError) as fault:
-            raise _unreadable(file, fault) from fault
-        for question, name in questions.items():
-            try:
-                found[question] = kept_template(name, self.exam / "templates")
-            except KinegradeError:
-                continue
-        return found
+        """The templates by question, those that can be read."""
+        return self.exam.templates.readable
 
 
-def _beginnings(lines: Iterable[bytes], file: Path) -> Iterator[tuple[str, int]]:
-    """The students with the bytes before their lines; of a line only as much is decoded as it
-    takes.
-    """
-    decoder, place = json.JSONDecoder(), 0
-    for line in lines:
-        text = line[:1000].decode("utf-8", errors="ignore")
-        if text.startswith(BEGINNING + '"'):
-            yield str(decoder.raw_decode(text, len(BEGINNING))[0]), place
-        elif text.strip():
-            whole = _json(line, file)
-            yield str(whole.get("student") if isinstance(whole, dict) else None), place
-        place += len(line)
-
-
-def _json(text: bytes, file: Path) -> Any:
-    try:
-        return json.loads(text)
-    except (ValueError, RecursionError) as fault:
-        raise _unreadable(file, fault) from fault
-
-
-def _unreadable(file: Path, fault: Exception) -> ExamError:
-    return ExamError(
-        f"{file}: cannot be read ({type(fault).__name__}) - expected an exam folder made by "
-        "kinegrade generate - restore it as it was generated"
-    )
+def same(derived: float, answer: StatedAnswer) -> bool:
+    """Whether an answer worked out in doubles is that of the key, but for rounding."""
+    right = float(exact_value(answer))
+    room = AGREEMENT * max(abs(right), float(answer.tolerance.absolute), 1)
+    difference = derived - right
+    if answer.period:
+        difference = remainder(difference, float(answer.period))
+    return abs(difference) <= room

@@ -6,68 +6,48 @@ and says so.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, TextIO
+from typing import BinaryIO
 
-from kinegrade import __version__
+from msgspec import structs
+
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
 from kinegrade.exam.answer_workbook import write_answer_workbook
-from kinegrade.exam.blueprint import Bank, BankQuestion, Blueprint
+from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
-from kinegrade.exam.exam_secret import MARKER, SecretWish
-from kinegrade.exam.key_record import amount
+from kinegrade.exam.exam_secret import SecretWish
+from kinegrade.exam.folder.exam_folder import BANK, KEY, TEMPLATES
+from kinegrade.exam.folder.head import HEAD
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.writing import (
+    ANSWER_WORKBOOK,
+    ANSWERS,
+    CONTENTS,
+    FOR_STUDENTS,
+    NOTICE,
+    head_json,
+)
+from kinegrade.exam.hand_work import editable
+from kinegrade.exam.head_record import WARNING, exam_head
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
-from kinegrade.exam.replaced_exam import (
-    VARIANTS,
-    PaperChanges,
-    editable,
-    replaced_exam,
-    settle,
-)
-from kinegrade.exam.roster import Roster, Student, unprintable_id
+from kinegrade.exam.replaced_exam import PaperChanges, replaced_exam, settle
+from kinegrade.exam.roster import Roster, unprintable_id
 from kinegrade.exam.setting import Setting, set_exam
-from kinegrade.exam.versions import version_letters
 from kinegrade.exam.workshop import printed
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
 from kinegrade.problem.shared_mechanism import FOLDER
 
-FORMAT = 1
-NOTICE = "INSTRUCTOR-ONLY.txt"
-CONTENTS = (
-    MARKER,
-    NOTICE,
-    "key.jsonl",
-    "key.pdf",
-    "bank.toml",
-    "templates",
-    "papers",
-    "papers.pdf",
-    "answers.csv",
-    "answers.xlsx",
-    "solutions",
-    "solutions.pdf",
-    "tex",
-    VARIANTS,
-)
-FOR_STUDENTS = ("papers", "papers.pdf")
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
 SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
-WARNING = (
-    "For the instructor only: this folder gives the key away. Students may see what is under "
-    "papers/ and nothing else, "
-    "and after the exam, if you hand them out, their own worked solutions under solutions/. "
-    "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；考试结束后可由教师发放 solutions/ 中的题解。"
-)
 PLAIN = Extras()
 Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
@@ -109,7 +89,7 @@ class Place:
         Raises OutputError.
         """
         return output_folder(
-            self.path, marker=MARKER, contents=CONTENTS, force=self.force, access=self.access
+            self.path, marker=HEAD, contents=CONTENTS, force=self.force, access=self.access
         )
 
 
@@ -162,18 +142,18 @@ def generate(
         run = PrintRun(setting.bank, language, order, extras)
         keys = write_papers(setting, run, press, folder, jobs=printing.jobs, progress=progress)
         write_sources(sources, folder)
-        write_head(setting, keys, language, folder)
+        write_head(exam_head(setting, keys, language, order), setting, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(setting, drawn_templates(blueprint, setting), said, *settled)
 
 
-def write_head(setting: Setting, keys: list[KeyPaper], language: Language, folder: Path) -> None:
+def write_head(head: ExamHead, setting: Setting, folder: Path) -> None:
     """The answer sheet, exam.json and the notice to instructors; all other files stand there
     already.
     """
     write_blank_answers(setting, folder)
-    record = {**exam_record(setting, keys, language), "editable": editable(folder)}
-    write_json(folder / MARKER, record)
+    whole = structs.replace(head, editable=editable(folder))
+    (folder / HEAD).write_bytes(head_json(whole))
     (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
 
 
@@ -197,7 +177,7 @@ def write_papers(
     keys: list[KeyPaper] = []
     with (
         closing(printed(run, setting, press, jobs)) as results,
-        (folder / "key.jsonl").open("w", encoding="utf-8", newline="\n") as lines,
+        (folder / KEY).open("wb") as lines,
         printed_files(folder, solutions=run.extras.solutions) as write,
     ):
         shown = progress(results, len(setting.roster.students))
@@ -215,10 +195,10 @@ def written(
         yield result
 
 
-def noted(results: Iterator[Printed], lines: TextIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
+def noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
     """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
     for result in results:
-        lines.write(result.record + "\n")
+        lines.write(result.record)
         keys.append(replace(result.key, entries=()))
         yield result.key
 
@@ -241,9 +221,9 @@ def source_files(setting: Setting) -> dict[str, str]:
     if faults:
         raise BankError(*faults.values())
     return {
-        "bank.toml": setting.bank.text,
-        **{f"templates/{template.name}.toml": template.text for template in templates},
-        **{f"templates/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
+        BANK: setting.bank.text,
+        **{f"{TEMPLATES}/{template.name}.toml": template.text for template in templates},
+        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
     }
 
 
@@ -267,76 +247,15 @@ def write_blank_answers(setting: Setting, folder: Path) -> None:
     header, blank = ["student", "name", *columns], [""] * len(columns)
     students = setting.roster.students
     write_for_people(
-        folder / "answers.csv",
+        folder / ANSWERS,
         header,
         ([student.student, neutralised(student.name), *blank] for student in students),
     )
     write_answer_workbook(
-        folder / "answers.xlsx",
+        folder / ANSWER_WORKBOOK,
         header,
         ([student.student, student.name, *blank] for student in students),
     )
-
-
-def write_json(path: Path, record: dict[str, Any]) -> None:
-    """A JSON file for people and programs."""
-    path.write_text(json.dumps(record, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
-
-
-def exam_record(setting: Setting, keys: list[KeyPaper], language: Language) -> dict[str, Any]:
-    """What exam.json holds."""
-    bank = setting.bank
-    return {
-        "format": FORMAT,
-        "kinegrade": __version__,
-        "warning": WARNING,
-        "title": bank.title.in_language(language),
-        "course": bank.course.in_language(language),
-        "date": bank.date,
-        "language": language,
-        **setting.secret.record(),
-        **({"versions": list(version_letters(bank.versions))} if bank.versions else {}),
-        **({"credit": bank.credit.record()} if bank.credit.record() else {}),
-        **({"solutions": True} if bank.solutions else {}),
-        "questions": [question_entry(setting, question) for question in bank.questions],
-        "students": [
-            student_entry(student, key)
-            for student, key in zip(setting.roster.students, keys, strict=True)
-        ],
-    }
-
-
-def question_entry(setting: Setting, question: BankQuestion) -> dict[str, Any]:
-    """What exam.json holds of a question."""
-    asks = question.template.asks
-    return {
-        "question": question.identifier,
-        "template": question.template.name,
-        "points": amount(question.points),
-        "combinations": setting.decks[question.identifier].combinations(),
-        "refused": setting.refusals()[question.identifier],
-        "asks": [
-            {
-                "ask": ask.name,
-                "unit": asks[ask.name].unit.text,
-                "sign": asks[ask.name].sign.en,
-                "points": amount(ask.points),
-            }
-            for ask in question.asks
-        ],
-    }
-
-
-def student_entry(student: Student, key: KeyPaper) -> dict[str, Any]:
-    """What exam.json holds of a student."""
-    return {
-        "student": student.student,
-        "name": student.name,
-        "email": student.email,
-        "paper": key.code,
-        **({"version": key.version} if key.version else {}),
-        "file": f"papers/{student.file_name}.pdf",
-    }
 
 
 def complaints(roster: Roster, press: Press) -> tuple[str, ...]:

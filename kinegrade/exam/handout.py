@@ -4,29 +4,29 @@ read it.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-from kinegrade.errors import ExamError, OutputError
-from kinegrade.exam.exam_secret import MARKER
+from kinegrade.errors import ExamError, OutputError, one_line
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import broken
+from kinegrade.exam.folder.head import HEAD
+from kinegrade.exam.folder.writing import PAPERS
 from kinegrade.files import output_folder
 
 KINDS = (".pdf", ".docx", ".html")  # the first one everybody has
-FOLDER = "papers"
 
 
-def hand_out(exam: Path, output: Path, *, force: bool = False) -> int:
+def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     """Copy everybody's paper, in each kind of file that there is, and nothing else; give the number
     of papers.
 
     What the folder `output` holds is replaced with `force` where that is papers of this exam and
     nothing else. Raises ExamError, OutputError; then nothing is written.
     """
-    require_outside(exam, output)
+    require_outside(exam.path, output)
     stems = paper_stems(exam)
-    files = list(paper_files(exam, stems))
+    files = list(paper_files(exam.path, stems))
     names = [f"{stem}{kind}" for stem in stems for kind in KINDS]
     with output_folder(output, marker=None, contents=names, force=force) as folder:
         for file in files:
@@ -44,31 +44,18 @@ def require_outside(exam: Path, output: Path) -> None:
         )
 
 
-def paper_stems(exam: Path) -> list[str]:
-    """How everybody's paper is named, without the kind of file. Raises ExamError."""
-    path = exam / MARKER
-    try:
-        students = json.loads(path.read_text(encoding="utf-8"))["students"]
-        return [paper_stem(student) for student in students]
-    except OSError as fault:
-        reason = str(fault.strerror)
-    except (ValueError, KeyError, TypeError, RecursionError) as fault:
-        reason = type(fault).__name__
-    raise ExamError(
-        f"{path}: cannot be read ({reason}) - expected an exam folder made by kinegrade generate - "
-        "check the name"
-    )
-
-
-def paper_stem(student: Any) -> str:
-    """The name of a student's paper without its kind.
-
-    Raises ValueError where it lies elsewhere than all papers.
+def paper_stems(exam: ExamFolder) -> list[str]:
+    """How everybody's paper is named, without the kind of file. Raises ExamError where one lies
+    elsewhere than the others.
     """
-    file = Path(student["file"])
-    if file.parent != Path(FOLDER) or file.suffix != KINDS[0]:
-        raise ValueError(str(file))
-    return file.stem
+    files = [Path(candidate.file) for candidate in exam.head.students]
+    for file in files:
+        if file.parent != Path(PAPERS) or file.suffix != KINDS[0]:
+            raise broken(
+                exam.path / HEAD,
+                [f'the paper "{one_line(str(file))}" - expected a {KINDS[0]} file in {PAPERS}'],
+            )
+    return [file.stem for file in files]
 
 
 def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
@@ -78,7 +65,7 @@ def paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
     """
     for stem in stems:
         for kind in KINDS:
-            file = exam / FOLDER / f"{stem}{kind}"
+            file = exam / PAPERS / f"{stem}{kind}"
             if kind == KINDS[0] or file.is_file():
                 yield file
 

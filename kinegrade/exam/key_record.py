@@ -1,84 +1,93 @@
-"""The key as data: one line of key.jsonl for each paper, by which marks are decided."""
+"""The key of a paper as the record that an exam folder keeps of it, by which marks are decided."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
 from types import MappingProxyType
-from typing import Any
 
+from kinegrade.exam.folder.records import (
+    KeyLine,
+    KeyQuestion,
+    StatedAnswer,
+    StatedNumber,
+    StatedTolerance,
+)
+from kinegrade.exam.folder.writing import few_digits
 from kinegrade.exam.key_mistakes import Mistaken
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.tolerance import Tolerance
 
 NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 
 
-def key_record(
+def key_line(
     paper: SetPaper, mistakes: Mapping[str, Mistaken] = NOTHING_KNOWN, *, shuffled: bool = False
-) -> dict[str, Any]:
-    """One line of key.jsonl; the questions stand in the bank's order, `printed` tells the paper's.
+) -> KeyLine:
+    """The key of a paper; its questions stand in the bank's order, and where papers are `shuffled`
+    it says how they follow on this one.
 
     `mistakes` holds for each question what known mistakes lead to.
     """
-    return {
-        "student": paper.student.student,
-        "paper": paper.code,
-        **({"version": paper.version} if paper.version else {}),
-        **(
-            {"printed": [question.question.identifier for question in paper.printed]}
-            if shuffled
-            else {}
-        ),
-        "questions": [
-            question_record(question, mistakes.get(question.question.identifier, {}))
+    return KeyLine(
+        student=paper.student.student,
+        paper=paper.code,
+        version=paper.version,
+        printed=_identifiers(paper.printed) if shuffled else (),
+        questions=tuple(
+            key_question(question, mistakes.get(question.question.identifier, {}))
             for question in paper.questions
-        ],
-    }
+        ),
+    )
 
 
-def question_record(question: SetQuestion, mistakes: Mistaken) -> dict[str, Any]:
-    """One question of a key line: what was drawn, what is right within which tolerance, what
-    mistakes lead to.
-    """
-    parameters = {
-        name: quantity.record() for name, quantity in question.drawn.solution.parameters.items()
-    }
-    for record in parameters.values():
-        del record["decimal"]
-    return {
-        "question": question.question.identifier,
-        "template": question.question.template.name,
-        "parameters": parameters,
-        "asks": {
-            entry.ask.name: ask_record(entry, mistakes.get(entry.ask.name, {}))
+def key_question(question: SetQuestion, mistakes: Mistaken) -> KeyQuestion:
+    """One question: what was drawn, what is right within which tolerance, what mistakes lead to."""
+    drawn = question.drawn
+    return KeyQuestion(
+        question=question.question.identifier,
+        template=question.question.template.name,
+        parameters={
+            name: _stated_number(quantity) for name, quantity in drawn.solution.parameters.items()
+        },
+        drawn=dict(drawn.values),
+        asks={
+            entry.ask.name: stated_answer(entry, mistakes.get(entry.ask.name, {}))
             for entry in question.asks
         },
-    }
+    )
 
 
-def ask_record(entry: SetAsk, mistakes: Mapping[str, str]) -> dict[str, Any]:
-    """One ask of a key line; `decimal` has 40 correct digits, by which marks are decided."""
-    turn = {"period": entry.answer.full_turn} if entry.cyclic else {}
-    return {
-        **entry.answer.record(),
-        "tolerance": tolerance_record(entry.tolerance),
-        **turn,
-        "points": amount(entry.ask.points),
-        **({"mistakes": dict(mistakes)} if mistakes else {}),
-    }
+def stated_answer(entry: SetAsk, mistakes: Mapping[str, str]) -> StatedAnswer:
+    """What is right for an ask; `decimal` has 40 correct digits, by which marks are decided."""
+    answer = entry.answer
+    return StatedAnswer(
+        exact=answer.exact,
+        value=None if answer.at_infinity else _double(answer),
+        unit=answer.unit,
+        decimal=answer.certified,
+        tolerance=_stated_tolerance(entry.tolerance),
+        period=Decimal(answer.full_turn) if entry.cyclic else None,
+        points=few_digits(entry.ask.points),
+        mistakes=dict(mistakes),
+    )
 
 
-def tolerance_record(tolerance: Tolerance) -> dict[str, Any]:
-    """Right within max(relative*|exact value|, absolute), or what rounds to the same `figures`
-    significant figures.
-    """
-    return {
-        "relative": amount(tolerance.relative),
-        "absolute": amount(tolerance.absolute),
-        **({"figures": tolerance.figures} if tolerance.figures else {}),
-    }
+def _identifiers(questions: tuple[SetQuestion, ...]) -> tuple[str, ...]:
+    return tuple(question.question.identifier for question in questions)
 
 
-def amount(number: Any) -> int | float:
-    """A decimal of few digits as JSON writes it; whole numbers without a point."""
-    return int(number) if number == int(number) else float(number)
+def _stated_number(quantity: Quantity) -> StatedNumber:
+    return StatedNumber(quantity.exact, _double(quantity), quantity.unit)
+
+
+def _double(quantity: Quantity) -> Decimal:
+    """The nearest double, in as many digits as tell it from its neighbours."""
+    return Decimal(repr(quantity.value))
+
+
+def _stated_tolerance(tolerance: Tolerance) -> StatedTolerance:
+    return StatedTolerance(
+        few_digits(tolerance.relative), few_digits(tolerance.absolute), tolerance.figures
+    )

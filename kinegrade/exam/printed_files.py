@@ -10,11 +10,10 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
+from kinegrade.exam.folder.writing import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
 from kinegrade.exam.join import joining
 from kinegrade.exam.press import Printout
 from kinegrade.exam.printing import Printed
-
-_PAPERS, _SOLUTIONS, _SOURCES = "papers", "solutions", "tex"
 
 
 @contextmanager
@@ -25,31 +24,31 @@ def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, P
     with ExitStack() as books:
         volumes = {
             name: books.enter_context(joining(folder / f"{name}.pdf", duplex=True))
-            for name in (_PAPERS, *([_SOLUTIONS] if solutions else []))
+            for name in (PAPERS, *([SOLUTIONS] if solutions else []))
         }
         for name in volumes:
             (folder / name).mkdir()
 
         def write(file_name: str, printed: Printed) -> None:
             for name, printout in _printouts(printed).items():
-                _write(folder / name / f"{file_name}.pdf", printout, folder / _SOURCES / name)
+                _write(folder / name / f"{file_name}.pdf", printout, folder / SOURCES / name)
                 volumes[name](printout.pdf)
             for kind, content in printed.also.items():
-                (folder / _PAPERS / f"{file_name}.{kind}").write_bytes(content)
+                (folder / PAPERS / f"{file_name}.{kind}").write_bytes(content)
 
         yield write
 
 
 def write_key(folder: Path, key: Printout) -> None:
     """The instructor's key."""
-    _write(folder / "key.pdf", key, folder / _SOURCES)
+    _write(folder / KEY_BOOK, key, folder / SOURCES)
 
 
 def _printouts(printed: Printed) -> Mapping[str, Printout]:
     """The printouts by the folder where they lie."""
     if printed.solution is None:
-        return {_PAPERS: printed.paper}
-    return {_PAPERS: printed.paper, _SOLUTIONS: printed.solution}
+        return {PAPERS: printed.paper}
+    return {PAPERS: printed.paper, SOLUTIONS: printed.solution}
 
 
 def _write(target: Path, printout: Printout, sources: Path) -> None:

@@ -4,7 +4,6 @@ asks for.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -13,8 +12,9 @@ from typing import assert_never
 
 from kinegrade.exam.blueprint import Bank
 from kinegrade.exam.document import KeyPaper, Paper, PaperSize
+from kinegrade.exam.folder.writing import line_json
 from kinegrade.exam.key_mistakes import mistaken_answers
-from kinegrade.exam.key_record import key_record
+from kinegrade.exam.key_record import key_line
 from kinegrade.exam.pages import key_paper, paper_pages
 from kinegrade.exam.press import Engine, Press, Printout
 from kinegrade.exam.setting import SetPaper
@@ -78,7 +78,7 @@ class Printed:
     paper: Printout
     solution: Printout | None
     also: Mapping[str, bytes]
-    record: str
+    record: bytes
     key: KeyPaper
 
 
@@ -110,7 +110,7 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
             printouts[name],
             solutions.get(name),
             also.get(name, {}),
-            json.dumps(key_record(paper, mistakes, shuffled=run.bank.shuffle), ensure_ascii=False),
+            line_json(key_line(paper, mistakes, shuffled=run.bank.shuffle)),
             key_paper(paper, run.language),
         )
         for name, paper, mistakes in zip(pages, papers, mistaken_answers(papers), strict=True)

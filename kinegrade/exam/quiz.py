@@ -15,10 +15,12 @@ from itertools import islice
 from pathlib import Path
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.records import KeyLine
 from kinegrade.exam.pages import version_name
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
-from kinegrade.exam.quiz_source import QuizSource, key_lines, key_record, read_quiz_source
+from kinegrade.exam.quiz_source import QuizSource, read_quiz_source
 from kinegrade.language import Language
 from kinegrade.processes import executor, mapped
 
@@ -26,7 +28,7 @@ CHUNK = 20  # papers in one task, few enough for all processes to end together
 AHEAD = 2  # tasks for each process that are under way or wait for it
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
-Line = tuple[int, str]
+Line = tuple[int, bytes]
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class QuizOrder:
 
 
 def read_quiz(
-    folder: Path,
+    exam: ExamFolder,
     language: Language | None = None,
     *,
     variants: int | None = None,
@@ -48,22 +50,22 @@ def read_quiz(
     jobs: int = 1,
     progress: Progress = lambda papers, count: papers,
 ) -> Quiz:
-    """The quiz of an exam folder, in the papers' language unless another one is wanted, by up to
+    """The quiz of an exam, in the papers' language unless another one is wanted, by up to
     `jobs` processes.
 
     Everybody's own paper, of exams with versions one for each version; or the first `variants`
     papers for everybody. Raises ExamError where the folder is at fault or has fewer papers; the
     papers raise it too, when their turn comes.
     """
-    source = read_quiz_source(folder, language)
-    available = len(source.versions) or len(source.names)
+    source = read_quiz_source(exam, language)
+    available = len(exam.head.versions) or len(exam.head.students)
     if variants is not None and variants > available:
         raise ExamError(
-            f"{folder}: has {available} different papers - expected {variants} for {variants} "
+            f"{exam.path}: has {available} different papers - expected {variants} for {variants} "
             f"variants of each question - ask for up to {available}"
         )
-    order = QuizOrder(folder, language, wishes, variants is not None)
-    lines = islice(different(source), variants)
+    order = QuizOrder(exam.path, language, wishes, variants is not None)
+    lines = islice(different(exam), variants)
     papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
     return Quiz(
         source.language,
@@ -71,23 +73,21 @@ def read_quiz(
         source.title,
         progress(papers, variants or available),
         source.identifier,
-        _asks(source, islice(different(source), variants)),
+        _asks(source, islice(different(exam), variants)),
     )
 
 
-def different(source: QuizSource) -> Iterator[Line]:
+def different(exam: ExamFolder) -> Iterator[Line]:
     """The line of the key for every student, or for every version that somebody has, by letter.
     Raises ExamError.
     """
-    if not source.versions:
-        yield from key_lines(source.folder)
+    if not exam.head.versions:
+        yield from exam.texts()
         return
     found: dict[str, Line] = {}
-    for number, line in key_lines(source.folder):
-        found.setdefault(
-            str(key_record(source.folder, number, line).get("version", "")), (number, line)
-        )
-        if len(found) == len(source.versions):
+    for line in exam.texts():
+        found.setdefault(exam.read_line(*line).version, line)
+        if len(found) == len(exam.head.versions):
             break
     yield from (found[letter] for letter in sorted(found))
 
@@ -95,7 +95,7 @@ def different(source: QuizSource) -> Iterator[Line]:
 def _asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, QuizAsk]]:
     """The asks of these lines, papers one after the other."""
     for line in lines:
-        yield from paper_asks(source, key_record(source.folder, *line))
+        yield from paper_asks(source, source.exam.read_line(*line))
 
 
 def _papers(
@@ -129,20 +129,17 @@ def work(order: QuizOrder, lines: Sequence[Line]) -> list[QuizPaper]:
 @lru_cache(maxsize=1)
 def _source(folder: Path, language: Language | None) -> QuizSource:
     """The exam of this process: reading it once is what makes it fast."""
-    return read_quiz_source(folder, language)
+    return read_quiz_source(open_exam(folder), language)
 
 
-def _paper(order: QuizOrder, source: QuizSource, line: Line) -> QuizPaper:
-    record = key_record(source.folder, *line)
-    if source.versions and not order.pooled:
-        return _version(
-            quiz_paper(source, order.wishes, record, pooled=True),
-            str(record["version"]),
-            source.language,
-        )
-    return quiz_paper(source, order.wishes, record, pooled=order.pooled)
+def _paper(order: QuizOrder, source: QuizSource, text: Line) -> QuizPaper:
+    line = source.exam.read_line(*text)
+    if line.version and not order.pooled:
+        return _version(source, order.wishes, line)
+    return quiz_paper(source, order.wishes, line, pooled=order.pooled)
 
 
-def _version(paper: QuizPaper, letter: str, language: Language) -> QuizPaper:
+def _version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:
     """A paper of everybody who has that version."""
-    return QuizPaper(letter, "", version_name(letter, language), paper.questions)
+    paper = quiz_paper(source, wishes, line, pooled=True)
+    return QuizPaper(line.version, "", version_name(line.version, source.language), paper.questions)

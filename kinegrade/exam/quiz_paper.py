@@ -4,19 +4,21 @@ known mistakes.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.exact.written import written_number, written_text
+from kinegrade.exam.derivation import derive_question
+from kinegrade.exam.folder.exact_keys import exact_value, mistakes_of
+from kinegrade.exam.folder.faults import AS_GENERATED, FieldError, broken
+from kinegrade.exam.folder.numbers import number
+from kinegrade.exam.folder.records import KeyLine, KeyQuestion, StatedAnswer
 from kinegrade.exam.pages import answer_row
 from kinegrade.exam.quiz_document import QuizAsk, QuizFigure, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz_solution import solution_html
-from kinegrade.exam.quiz_source import BROKEN, MENDING, QuizSource, tolerance_of
+from kinegrade.exam.quiz_source import QuizSource, tolerance_of
 from kinegrade.exam.quiz_words import FIGURE, AskRule, digits_to_type, marking_rules
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.svg import to_svg
@@ -26,13 +28,17 @@ from kinegrade.mechanics.numeric import drawable_mechanism
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.mistake_kinds import sentences
 from kinegrade.problem.quantity import Quantity, in_unit
-from kinegrade.problem.solving import certain, certified, parameter_values, read_values
+from kinegrade.problem.solving import (
+    Solution,
+    certain,
+    certified,
+    parameter_values,
+    read_values,
+)
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import Method, Template
 
 NO_CREDIT = Fraction(0)
-_RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")
-Record = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -48,7 +54,7 @@ class QuizWishes:
 
 
 def quiz_paper(
-    source: QuizSource, wishes: QuizWishes, record: Record, *, pooled: bool = False
+    source: QuizSource, wishes: QuizWishes, line: KeyLine, *, pooled: bool = False
 ) -> QuizPaper:
     """The questions of one paper, of nobody where they are pooled.
 
@@ -56,59 +62,53 @@ def quiz_paper(
     read again. Raises ExamError where the line is broken, TypesetError for texts that cannot be
     shown.
     """
+    code = line.version or line.paper  # a version is of nobody in particular
     try:
-        student = str(record["student"])
-        code = str(record.get("version", record["paper"]))  # a version is of nobody in particular
-        questions = tuple(_question(source, wishes, code, entry) for entry in record["questions"])
-        owner = ("", "") if pooled else (student, source.names[student])
-    except BROKEN as fault:
-        raise _broken(source, record, fault) from fault
-    return QuizPaper(code, *owner, questions)
+        questions = tuple(_question(source, wishes, line, entry) for entry in line.questions)
+        name = "" if pooled else source.exam.head.candidates[line.student].name
+    except (KeyError, FieldError) as fault:
+        raise _broken(source, line, fault) from fault
+    return QuizPaper(code, "" if pooled else line.student, name, questions)
 
 
-def paper_asks(source: QuizSource, record: Record) -> Iterator[tuple[str, QuizAsk]]:
+def paper_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk]]:
     """The asks of one paper by question, without known mistakes, figures and texts: little work.
 
     Raises ExamError where the line is broken.
     """
     bare = QuizWishes(mistakes=False)
     try:
-        for entry in record["questions"]:
-            question = str(entry["question"])
-            template = source.templates[question]
-            for name, stated in entry["asks"].items():
-                yield question, _ask(template, name, stated, bare, source)
-    except BROKEN as fault:
-        raise _broken(source, record, fault) from fault
+        for entry in line.questions:
+            template = source.templates[entry.question]
+            for name, stated in entry.asks.items():
+                yield entry.question, _ask(template, name, stated, bare, source)
+    except (KeyError, FieldError) as fault:
+        raise _broken(source, line, fault) from fault
 
 
-def _broken(source: QuizSource, record: Record, fault: Exception) -> ExamError:
-    return ExamError(
-        f'{source.folder / "key.jsonl"}: the line of student "{record["student"]}" is broken '
-        f"({type(fault).__name__}: {fault}) - {MENDING}"
+def _broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldError) -> ExamError:
+    reason = f"{fault} is not in exam.json" if isinstance(fault, KeyError) else str(fault)
+    return broken(
+        source.exam.key,
+        [f'the line of student "{line.student}" is broken ({reason}) - {AS_GENERATED}'],
     )
 
 
-def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) -> QuizQuestion:
-    name, language = str(entry["question"]), source.language
+def _question(
+    source: QuizSource, wishes: QuizWishes, line: KeyLine, entry: KeyQuestion
+) -> QuizQuestion:
+    name, language, code = entry.question, source.language, line.version or line.paper
     template = source.templates[name]
-    given = {parameter: given_text(value) for parameter, value in entry["parameters"].items()}
+    solution = _derived(source, line, entry) if wishes.solutions else None
     try:
-        parameters, mechanism = shown(template, given)
+        parameters, mechanism = shown(template, entry.values)
         asks = tuple(
-            _ask(template, ask, stated, wishes, source) for ask, stated in entry["asks"].items()
+            _ask(template, ask, stated, wishes, source) for ask, stated in entry.asks.items()
         )
         rules = {
-            template.asks[ask].symbol: AskRule(
-                source.tolerances[name, ask], written_text(stated["unit"])
-            )
-            for ask, stated in entry["asks"].items()
+            template.asks[ask].symbol: AskRule(source.tolerances[name, ask], stated.unit)
+            for ask, stated in entry.asks.items()
         }
-        solution = (
-            solution_html(template, given, tuple(entry["asks"]), language, wishes.method)
-            if wishes.solutions
-            else ""
-        )
         return QuizQuestion(
             f"{source.identifier}-{code}-{name}",
             name,
@@ -116,24 +116,23 @@ def _question(source: QuizSource, wishes: QuizWishes, code: str, entry: Record) 
             statement(template, parameters, language),
             _figure(template, mechanism, language),
             asks,
-            solution,
+            solution_html(solution, tuple(entry.asks), language, wishes.method) if solution else "",
             marking_rules(rules, language),
             digits_to_type(rule.tolerance for rule in rules.values()),
         )
     except KinegradeError as error:
         raise type(error)(
-            *(f"{source.folder}: paper {code}, {name}: {problem}" for problem in error.problems)
+            *(f"{source.exam.path}: paper {code}, {name}: {problem}" for problem in error.problems)
         ) from error
 
 
-def given_text(entry: Record) -> str:
-    """A drawn value as it is written in a template: exactly, or as a decimal where it is known no
-    better.
+def _derived(source: QuizSource, line: KeyLine, entry: KeyQuestion) -> Solution:
+    """The instance solved again. Raises ExamError where something else follows than the key
+    says.
     """
-    if entry["exact"] is not None:
-        return str(entry["exact"])
-    written_number(entry["value"])  # a number of bounded size, or it would be written out at length
-    return f"{Decimal(entry['value']):f}"
+    (question,) = (each for each in source.bank.questions if each.identifier == entry.question)
+    where = f'{source.exam.key}: student "{line.student}", {entry.question}'
+    return derive_question(question, entry, where).drawn.solution
 
 
 def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quantity], Mechanism]:
@@ -165,18 +164,18 @@ def _figure(template: Template, mechanism: Mechanism, language: Language) -> Qui
 
 
 def _ask(
-    template: Template, name: str, entry: Record, wishes: QuizWishes, source: QuizSource
+    template: Template, name: str, stated: StatedAnswer, wishes: QuizWishes, source: QuizSource
 ) -> QuizAsk:
-    row = answer_row(template.asks[name], written_number(entry["points"]), source.language)
-    value = right_value(entry)
-    low, high = tolerance_of(entry).interval(value)
-    period = written_number(entry["period"]) if "period" in entry else None
-    mistakes = tuple(_mistakes(entry, wishes.credit, source)) if wishes.mistakes else ()
+    row = answer_row(template.asks[name], number("points", stated.points), source.language)
+    value = exact_value(stated)
+    low, high = tolerance_of(stated.tolerance).interval(value)
+    period = None if stated.period is None else number("period", stated.period)
+    mistakes = tuple(_mistakes(stated, wishes.credit, source)) if wishes.mistakes else ()
     return QuizAsk(
         name,
         row.symbol,
         row.meaning,
-        written_text(entry["unit"]),
+        stated.unit,
         template.asks[name].sign.in_language(source.language),
         row.points,
         value,
@@ -187,21 +186,14 @@ def _ask(
     )
 
 
-def right_value(entry: Record) -> Fraction:
-    """The exact value where it is a plain number, else its 40 digits."""
-    exact = entry["exact"]
-    return written_number(
-        exact if exact is not None and _RATIONAL.fullmatch(exact) else entry["decimal"]
-    )
-
-
-def _mistakes(entry: Record, wished: Fraction | None, source: QuizSource) -> Iterator[QuizMistake]:
+def _mistakes(
+    stated: StatedAnswer, wished: Fraction | None, source: QuizSource
+) -> Iterator[QuizMistake]:
     """What known mistakes lead to outside the interval of what is right."""
-    tolerance, words = tolerance_of(entry), sentences()
-    right = tolerance.interval(right_value(entry))
-    for identifier, stated in entry.get("mistakes", {}).items():
-        value = written_number(stated)
-        if not right[0] <= value <= right[1]:
+    tolerance, words = tolerance_of(stated.tolerance), sentences()
+    low, high = tolerance.interval(exact_value(stated))
+    for identifier, value in mistakes_of(stated.mistakes).items():
+        if not low <= value <= high:
             sentence = words[identifier][source.language] if identifier in words else identifier
             credit = source.credits.get(identifier, NO_CREDIT) if wished is None else wished
             yield QuizMistake(identifier, value, credit, sentence, *tolerance.interval(value))

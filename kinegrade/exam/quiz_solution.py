@@ -7,7 +7,7 @@ printed one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.exam.equation_line import equation_line
@@ -15,8 +15,8 @@ from kinegrade.exam.quiz_prose import math_html, plain_html, prose_html, unit_ht
 from kinegrade.exam.solution_blocks import has_exact_decimal
 from kinegrade.exam.solution_words import SolutionWords, solution_words_of
 from kinegrade.language import Language
-from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Method, Template
+from kinegrade.problem.solving import Solution
+from kinegrade.problem.template import Method
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -34,17 +34,13 @@ WHERE = "worked solution"
 
 
 def solution_html(
-    template: Template,
-    given: Mapping[str, str],
-    asks: Sequence[str],
-    language: Language,
-    method: Method | None = None,
+    solution: Solution, asks: Sequence[str], language: Language, method: Method | None = None
 ) -> str:
     """The worked solution of an instance for the asks named, by the method where several serve.
 
-    Raises TemplateError, MechanismError; TypesetError for texts that cannot be shown.
+    Raises TypesetError for texts that cannot be shown.
     """
-    worked = worked_solution(solve_template(template, given, asks), asks, language, method)
+    worked = worked_solution(solution, asks, language, method)
     return blocks_html(worked.blocks, language)
 
 

@@ -168,7 +168,11 @@ def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
 
 def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
     """A question drawn for a student, or for a version."""
-    drawn = deck.draw(whose)
+    return set_drawn(question, deck.draw(whose))
+
+
+def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
+    """A question of which an instance is drawn already."""
     asks = tuple(
         set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
         for ask in question.asks

@@ -7,50 +7,51 @@ key.jsonl; `kinegrade.lms.responses` recognises by them what a student was put.
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from html import unescape
 from itertools import islice
-from pathlib import Path
-from typing import Any
 
-from kinegrade.answer_file import POOL
+import msgspec
+
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exact_keys import exact_value
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.faults import FieldError, broken, damaged
+from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
-from kinegrade.exam.quiz_paper import given_text, shown
+from kinegrade.exam.quiz_paper import shown
 from kinegrade.exam.quiz_prose import prose_html
-from kinegrade.exam.quiz_source import BROKEN, QuizSource, read_quiz_source, unreadable
 from kinegrade.files import write_file
 from kinegrade.language import LANGUAGES
 from kinegrade.problem.statement import statement
+from kinegrade.problem.template import Template
 
-_MENDING = "expected the lines of key.jsonl that a quiz was made of - write the quiz again"
 _NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
 _SIGN = re.compile(rf"([-−]?)({_NUMBER.pattern})|[^\W\d_]")
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 Numbers = tuple[str, ...]
 
 
-def store_variants(folder: Path, count: int) -> None:
-    """Stores the first `count` variants of an exam folder; more that are there already stay, none
-    is ever changed.
+def store_variants(exam: ExamFolder, count: int) -> None:
+    """Stores the first `count` variants of an exam; more that are there already stay, none is ever
+    changed.
 
     Raises ExamError where those that are stored are of another key, OutputError where nothing can
     be written there.
     """
-    lines = [line.rstrip("\n") for _, line in islice(different(read_quiz_source(folder)), count)]
-    path, before = folder / POOL, _stored_lines(folder)
+    lines = [text.rstrip(b"\r\n") for _, text in islice(different(exam), count)]
+    before = [text.rstrip(b"\r\n") for _, text in exam.pool_texts()]
     if before[: len(lines)] != lines[: len(before)]:
         raise ExamError(
-            f"{path}: has variants of another key - expected the lines of key.jsonl - if no quiz "
-            "made of them is in use any more, delete the file"
+            f"{exam.pool}: has variants of another key - expected the lines of key.jsonl - if no "
+            "quiz made of them is in use any more, delete the file"
         )
     if len(lines) > len(before):
-        write_file(path, "".join(f"{line}\n" for line in lines).encode(), force=True)
-        path.chmod((folder / "key.jsonl").stat().st_mode & 0o777)
+        write_file(exam.pool, b"".join(line + b"\n" for line in lines), force=True)
+        exam.pool.chmod(exam.key.stat().st_mode & 0o777)
 
 
 def numbers_in(text: str) -> Numbers:
@@ -88,17 +89,15 @@ class Variant:
 
     source: str
     right: Mapping[str, float]
-    entry: Mapping[str, Any]
-    exam: QuizSource
+    entry: KeyQuestion
+    template: Template
 
     @cached_property
     def texts(self) -> frozenset[str]:
         """Its statement in each language as a quiz shows it, without mark-up."""
-        template = self.exam.templates[self.entry["question"]]
-        given = {name: given_text(value) for name, value in self.entry["parameters"].items()}
-        parameters, _ = shown(template, given)
+        parameters, _ = shown(self.template, self.entry.values)
         return frozenset(
-            plain_text(prose_html(statement(template, parameters, language)))
+            plain_text(prose_html(statement(self.template, parameters, language)))
             for language in LANGUAGES
         )
 
@@ -140,50 +139,34 @@ class Variants:
     questions: Mapping[str, tuple[Variant, ...]]
 
 
-def read_variants(folder: Path) -> Variants | None:
-    """The variants that are stored in an exam folder; None where no pool was made. Raises
-    ExamError.
-    """
-    lines = _stored_lines(folder)
+def read_variants(exam: ExamFolder) -> Variants | None:
+    """The variants that are stored with an exam; None where no pool was made. Raises ExamError."""
+    lines = list(exam.pool_lines())
     if not lines:
         return None
-    source = read_quiz_source(folder)
-    found: dict[str, dict[str, Variant]] = {}
-    try:
-        for line in lines:
-            record = json.loads(line, parse_float=str, parse_int=str)
-            for entry in record["questions"]:
-                same = json.dumps(entry, sort_keys=True)
-                variant = Variant(str(record["student"]), _right(entry), entry, source)
-                found.setdefault(str(entry["question"]), {}).setdefault(same, variant)
-    except BROKEN as fault:
-        raise ExamError(
-            f"{folder / POOL}: is broken ({type(fault).__name__}: {fault}) - {_MENDING}"
-        ) from fault
+    templates = exam.templates.all()
+    found: dict[str, dict[bytes, Variant]] = {}
+    for line in lines:
+        for entry in line.questions:
+            same = msgspec.json.encode(entry, order="sorted")
+            variant = _variant(exam, line, entry, templates)
+            found.setdefault(entry.question, {}).setdefault(same, variant)
     return Variants(len(lines), {name: tuple(each.values()) for name, each in found.items()})
 
 
-def _right(entry: Mapping[str, Any]) -> Mapping[str, float]:
-    return {str(name): float(ask["value"]) for name, ask in entry["asks"].items()}
+def _variant(
+    exam: ExamFolder, line: KeyLine, entry: KeyQuestion, templates: Mapping[str, Template]
+) -> Variant:
+    try:
+        right = {name: float(exact_value(ask)) for name, ask in entry.asks.items()}
+        return Variant(line.student, right, entry, templates[entry.question])
+    except (KeyError, FieldError) as fault:
+        raise broken(
+            exam.pool, [f'the line of student "{line.student}" {damaged(fault)}']
+        ) from fault
 
 
 def _holds(numbers: Numbers, own: Numbers) -> bool:
     """Whether these numbers follow each other somewhere among the others."""
     starts = range(len(numbers) - len(own) + 1)
     return bool(own) and any(numbers[start : start + len(own)] == own for start in starts)
-
-
-def _stored_lines(folder: Path) -> list[str]:
-    return list(_lines(folder / POOL))
-
-
-def _lines(path: Path) -> Iterator[str]:
-    try:
-        with path.open(encoding="utf-8") as stream:
-            for line in stream:
-                if line.strip():
-                    yield line.rstrip("\n")
-    except FileNotFoundError:
-        return
-    except (OSError, UnicodeDecodeError) as fault:
-        raise unreadable(path, fault) from fault

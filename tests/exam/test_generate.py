@@ -141,19 +141,21 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         "course",
         "date",
         "language",
+        "paper_size",
+        "engine",
         "reproducible",
         "questions",
         "students",
         "editable",
     ]
     assert (record["format"], record["title"], record["date"], record["reproducible"]) == (
-        1,
+        2,
         "Midterm",
         "2026-05-01",
         "spring",
     )
     assert [
-        (entry["student"], entry["name"], entry["email"], entry["file"])
+        (entry["student"], entry["name"], entry.get("email", ""), entry["file"])
         for entry in record["students"]
     ] == [
         ("007", "王伟", "wei@example.org", "papers/007.pdf"),
@@ -162,6 +164,7 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
         ("=2", "Ann", "", "papers/%3D2.pdf"),
     ]
     assert record["students"][0]["paper"] == "WJPK-SNPQ"
+    assert (record["paper_size"], record["engine"]) == ("a4", "typst")
     q1, q2, q3 = record["questions"]
     assert (q1["question"], q1["template"], q1["points"], q1["combinations"]) == (
         "q1",
@@ -183,7 +186,8 @@ def test_key_lines_have_the_promised_shape(exam: Path) -> None:
         assert list(line) == ["student", "paper", "questions"]
         assert len(line["questions"]) == 3
         for question in line["questions"]:
-            assert list(question) == ["question", "template", "parameters", "asks"]
+            assert list(question) == ["question", "template", "parameters", "drawn", "asks"]
+            assert list(question["drawn"]) == list(question["parameters"])
             assert all(
                 list(entry) == ["exact", "value", "unit"]
                 for entry in question["parameters"].values()

@@ -93,7 +93,10 @@ def test_a_folder_that_names_other_files_as_papers_hands_out_nothing(
     head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
     head["students"][0]["file"] = file
     (exam / "exam.json").write_text(json.dumps(head), encoding="utf-8")
-    assert "exam.json: cannot be read" in refusal(exam, "-o", tmp_path / "OUT")
+    line = refusal(exam, "-o", tmp_path / "OUT")
+    assert "exam.json: the paper" in line or "exam.json: students 1: is broken" in line
+    assert line.endswith("restore the exam folder as it was generated")
+    assert not (tmp_path / "OUT").exists()
 
 
 def test_a_folder_that_is_no_exam_hands_out_nothing(tmp_path: Path) -> None:

@@ -136,13 +136,15 @@ def _candidate(item: object) -> Candidate:
 def _converted(found: object, kind: type[_Item]) -> _Item:
     """A record of that kind. Raises FieldError."""
     try:
-        return msgspec.convert(found, kind, dec_hook=_points)
+        return msgspec.convert(found, kind, dec_hook=_decoded)
     except (msgspec.MsgspecError, ArithmeticError, RecursionError) as fault:
         raise FieldError(damaged(fault)) from fault
 
 
-def _points(kind: type, found: object) -> Fraction:
-    """Points, the only fractions of a head."""
+def _decoded(kind: type, found: object) -> object:
+    """Points, the only fractions of a head; or a credit of the bank, as it stands."""
+    if kind is object:
+        return found
     if kind is not Fraction:
         raise NotImplementedError(kind)
     return not_negative("points", found)

@@ -130,7 +130,7 @@ class StatedTolerance(msgspec.Struct, frozen=True, gc=False, omit_defaults=True)
     figures: int | None = None
 
 
-class StatedNumber(msgspec.Struct, frozen=True, gc=False):
+class StatedNumber(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     """A number with its unit: as an exact expression where it has one, to double precision, and
     with many correct digits.
     """

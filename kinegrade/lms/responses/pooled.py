@@ -39,7 +39,7 @@ def pool_of(exam: ExamFolder) -> Variants | None:
         return None
     from kinegrade.exam.variants import read_variants  # noqa: PLC0415  # takes seconds to load
 
-    return read_variants(exam.path)
+    return read_variants(exam)
 
 
 def own_papers_only(

@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExportError, OutputError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.quiz import read_quiz
 from kinegrade.exam.quiz_document import (
     Language,
@@ -91,7 +92,7 @@ def holds(found: tuple[Answer, ...], ask: QuizAsk) -> None:
 def test_every_number_is_read_back_as_the_key_has_it(
     small_class: Path, target: Path, form: Form, language: Language
 ) -> None:
-    put = read_quiz(small_class / "EXAM", language)
+    put = read_quiz(open_exam(small_class / "EXAM"), language)
     put = replace(put, papers=tuple(put.papers))
     questions = read(written(put, target, form))
     boxes = [box for question in questions for box in question.boxes]
@@ -118,7 +119,7 @@ def test_hostile_texts_and_awkward_numbers(target: Path, form: Form) -> None:
 
 
 def test_the_small_class_as_a_file(small_class: Path, target: Path, hold: Hold) -> None:
-    put = read_quiz(small_class / "EXAM")
+    put = read_quiz(open_exam(small_class / "EXAM"))
     text = written(replace(put, papers=list(put.papers)[:2]), target)
     hold("lms/quiz-moodle.xml", re.sub(r'(encoding="base64">)[^<]*', r"\1(the figure)", text))
 
@@ -267,9 +268,9 @@ def test_papers_have_categories_and_pools_have_one_for_each_question(target: Pat
 
 
 def test_identifiers_stay_when_the_exam_is_written_again(small_class: Path, target: Path) -> None:
-    once, again = (written(read_quiz(small_class / "EXAM"), target) for _ in range(2))
+    once, again = (written(read_quiz(open_exam(small_class / "EXAM")), target) for _ in range(2))
     assert once == again
-    numerical = read(written(read_quiz(small_class / "EXAM"), target, "numerical"))
+    numerical = read(written(read_quiz(open_exam(small_class / "EXAM")), target, "numerical"))
     assert len({question.identifier for question in numerical}) == 24
 
 
@@ -282,7 +283,7 @@ def test_names_are_kept_whole_and_levels_of_categories_are_not_torn(target: Path
 
 
 def test_figures_and_solutions_travel(small_class: Path, target: Path) -> None:
-    put = read_quiz(small_class / "EXAM", variants=1, wishes=QuizWishes(solutions=True))
+    put = read_quiz(open_exam(small_class / "EXAM"), variants=1, wishes=QuizWishes(solutions=True))
     questions = read(written(put, target))
     assert all(question.files["figure.svg"].startswith(b"<svg") for question in questions)
     assert all(r"\begin{aligned}" in question.feedback for question in questions)

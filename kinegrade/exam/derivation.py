@@ -1,0 +1,154 @@
+"""A question of a paper derived again from what an exam folder keeps: its copy of the template and
+the values drawn.
+
+What follows is held against the key of the folder, by which marks are decided: a worked solution
+that contradicts the key is never made, whatever has changed since, the folder or this program.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from decimal import Decimal
+from fractions import Fraction
+from typing import assert_never
+
+import msgspec
+
+from kinegrade.errors import KinegradeError
+from kinegrade.exact.written import NumberError
+from kinegrade.exam.bank import read_kept_bank
+from kinegrade.exam.blueprint import Bank, BankQuestion
+from kinegrade.exam.folder.contradictions import contradicted, other_value
+from kinegrade.exam.folder.exam_folder import BANK, TEMPLATES, ExamFolder
+from kinegrade.exam.folder.faults import FieldError
+from kinegrade.exam.folder.numbers import RATIONAL, number
+from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
+from kinegrade.exam.key_record import stated_answer
+from kinegrade.exam.setting import SetAsk, SetQuestion, set_drawn
+from kinegrade.problem.drawing import Drawn
+from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
+from kinegrade.problem.solving import solve_template
+
+# Relative: between certified decimals, between doubles, and where a value drawn is but a double
+_CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))
+_DOUBLE = Fraction(1, 10**15)
+_OF_DOUBLES = Fraction(1, 10**9)
+_DIGITS_SHOWN = 12
+
+
+def kept_bank(exam: ExamFolder) -> Bank:
+    """The bank of an exam from the copies that its folder keeps. Raises BankError."""
+    chosen = {each.question: each.template for each in exam.head.questions}
+    return read_kept_bank(exam.path / BANK, exam.path / TEMPLATES, chosen)
+
+
+def derive_question(question: BankQuestion, kept: KeyQuestion, where: str) -> SetQuestion:
+    """The question as it was set for a student whose line of the key says `kept`; `where` names
+    that place in messages.
+
+    Raises ExamError, with all differences, where something else follows than the key says.
+    """
+    asks = tuple(ask.name for ask in question.asks)
+    try:
+        solution = solve_template(question.template, kept.values, asks)
+    except (KinegradeError, NumberError) as fault:
+        raise contradicted(where, [f"does not follow any more ({fault})"]) from fault
+    derived = set_drawn(question, Drawn(kept.values, 0, solution))
+    differences = list(_differences(derived, kept))
+    if differences:
+        raise contradicted(where, differences)
+    return derived
+
+
+def _differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
+    """What of a question is not as its key says, each with both."""
+    parameters = derived.drawn.solution.parameters
+    asks = {entry.ask.name: entry for entry in derived.asks}
+    yield from _name_differences("parameters", parameters, kept.parameters)
+    yield from _name_differences("asks", asks, kept.asks)
+    for name, quantity in parameters.items():
+        if name in kept.parameters:
+            yield from _value_differences(name, quantity, kept.parameters[name], _CERTIFIED)
+    room = _CERTIFIED if _exactly_drawn(kept) else _OF_DOUBLES
+    for name, entry in asks.items():
+        if name in kept.asks:
+            yield from _value_differences(name, entry.answer, kept.asks[name], room)
+            yield from _term_differences(entry, kept.asks[name])
+
+
+def _exactly_drawn(kept: KeyQuestion) -> bool:
+    """Whether the values drawn are known exactly."""
+    return bool(kept.drawn) or all(each.exact is not None for each in kept.parameters.values())
+
+
+def _name_differences(what: str, derived: Collection[str], kept: Collection[str]) -> Iterator[str]:
+    if set(derived) != set(kept):
+        yield f"the key has the {what} {_listed(kept)}, the templates {_listed(derived)}"
+
+
+def _listed(names: Collection[str]) -> str:
+    return ", ".join(sorted(names)) or "none"
+
+
+def _value_differences(
+    name: str, derived: Quantity, kept: StatedNumber | StatedAnswer, room: Fraction
+) -> Iterator[str]:
+    """Where a quantity is not what the key says: in its unit, or in a way in which its value is
+    stated.
+
+    An exact form that is no plain number is not compared: it may be printed in many ways, and
+    marks go by its decimal.
+    """
+    if derived.unit != kept.unit:
+        yield f"{name} is in {kept.unit} by the key, in {derived.unit} by the template"
+    plain = kept.exact if kept.exact is not None and RATIONAL.fullmatch(kept.exact) else None
+    stated = (
+        ("exact", plain, room),
+        ("decimal", kept.decimal, room),
+        ("value", kept.value, max(room, _DOUBLE)),
+    )
+    for way, found, allowed in stated:
+        if found is not None and not _agree(way, found, derived, allowed):
+            yield other_value(name, found, derived.decimal(_DIGITS_SHOWN))
+    if all(found is None for _, found, _ in stated):
+        yield f"{name} has no value in the key"
+
+
+def _agree(way: str, found: Decimal | str, derived: Quantity, room: Fraction) -> bool:
+    """Whether a number of the key is the one derived, but for its last digits."""
+    if derived.at_infinity:
+        return False
+    try:
+        kept = number(way, found)
+    except FieldError:
+        return False
+    right = Fraction(derived.certified)
+    return abs(kept - right) <= room * abs(right)
+
+
+def _term_differences(entry: SetAsk, kept: StatedAnswer) -> Iterator[str]:
+    """Where the terms by which an answer is marked are not those of the key."""
+    derived = stated_answer(entry, {})
+    terms = (
+        ("tolerance", derived.tolerance, kept.tolerance),
+        ("period", derived.period, kept.period),
+        ("points", derived.points, kept.points),
+    )
+    for term, ours, theirs in terms:
+        if ours != theirs:
+            yield (
+                f"{entry.ask.name}: {term} is {_said(theirs)} by the key, {_said(ours)} by the bank"
+            )
+
+
+def _said(term: StatedTolerance | Decimal | None) -> str:
+    match term:
+        case None:
+            return "none"
+        case Decimal():
+            return str(term)
+        case StatedTolerance():
+            stated = msgspec.structs.asdict(term).items()
+            return ", ".join(f"{name} {amount}" for name, amount in stated if amount is not None)
+        case _:
+            assert_never(term)

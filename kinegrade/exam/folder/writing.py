@@ -1,0 +1,70 @@
+"""How an exam folder is written: what it holds, and its head and the lines of its key as bytes.
+
+`kinegrade.exam.generate` writes them; `head` and `exact_keys` read them again.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+
+import msgspec
+
+from kinegrade.answer_file import POOL
+from kinegrade.exam.folder.exam_folder import BANK, KEY, TEMPLATES
+from kinegrade.exam.folder.head import HEAD
+from kinegrade.exam.folder.records import ExamHead, KeyLine
+
+NOTICE = "INSTRUCTOR-ONLY.txt"
+KEY_BOOK = "key.pdf"
+PAPERS, SOLUTIONS, SOURCES = "papers", "solutions", "tex"
+ANSWERS, ANSWER_WORKBOOK = "answers.csv", "answers.xlsx"
+FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf")
+CONTENTS = (
+    HEAD,
+    NOTICE,
+    KEY,
+    KEY_BOOK,
+    BANK,
+    TEMPLATES,
+    *FOR_STUDENTS,
+    ANSWERS,
+    ANSWER_WORKBOOK,
+    SOLUTIONS,
+    f"{SOLUTIONS}.pdf",
+    SOURCES,
+    POOL,
+)
+
+
+def head_json(head: ExamHead) -> bytes:
+    """The bytes of exam.json, laid out for people."""
+    table = msgspec.to_builtins(head, enc_hook=_as_decimal, builtin_types=(Decimal,))
+    for question in table["questions"]:
+        for ask in question["asks"]:
+            del ask["question"]  # in which it stands
+    return msgspec.json.format(_ENCODER.encode(table), indent=1) + b"\n"
+
+
+def line_json(line: KeyLine) -> bytes:
+    """The bytes of a line of key.jsonl."""
+    return msgspec.json.format(_ENCODER.encode(line), indent=0) + b"\n"
+
+
+def few_digits(number: Fraction) -> Decimal:
+    """A number of few decimal digits as it is written; whole numbers without a point.
+
+    >>> few_digits(Fraction(5, 2)), few_digits(Fraction(3))
+    (Decimal('2.5'), Decimal('3'))
+    """
+    return Decimal(int(number) if number == int(number) else repr(float(number)))
+
+
+def _as_decimal(found: object) -> Decimal:
+    """Points, the only fractions of a head."""
+    if not isinstance(found, Fraction):
+        raise NotImplementedError(type(found))
+    return few_digits(found)
+
+
+_ENCODER = msgspec.json.Encoder(decimal_format="number")

@@ -1,0 +1,82 @@
+"""The head of an exam as the record that its folder keeps of it."""
+
+from __future__ import annotations
+
+from msgspec import structs
+
+from kinegrade import __version__
+from kinegrade.exam.blueprint import BankQuestion
+from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.folder.head import FORMAT
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
+from kinegrade.exam.folder.writing import PAPERS
+from kinegrade.exam.printing import PressOrder
+from kinegrade.exam.roster import Student
+from kinegrade.exam.setting import Setting
+from kinegrade.exam.versions import version_letters
+from kinegrade.language import Language
+
+WARNING = (
+    "For the instructor only: this folder gives the key away. Students may see what is under "
+    "papers/ and nothing else, "
+    "and after the exam, if you hand them out, their own worked solutions under solutions/. "
+    "仅供教师使用：本文件夹含全部答案，学生只能看到 papers/ 中的内容；"
+    "考试结束后可由教师发放 solutions/ 中的题解。"
+)
+
+
+def exam_head(
+    setting: Setting, keys: list[KeyPaper], language: Language, order: PressOrder
+) -> ExamHead:
+    """The head of an exam, printed by that order."""
+    bank = setting.bank
+    head = ExamHead(
+        format=FORMAT,
+        kinegrade=__version__,
+        warning=WARNING,
+        title=bank.title.in_language(language),
+        course=bank.course.in_language(language),
+        date=bank.date,
+        language=language,
+        paper_size=order.paper_size,
+        engine=order.engine,
+        versions=tuple(version_letters(bank.versions)),
+        credit=bank.credit.record() or None,
+        solutions=bank.solutions,
+        questions=tuple(_exam_question(setting, question) for question in bank.questions),
+        students=tuple(map(_candidate, setting.roster.students, keys)),
+    )
+    return structs.replace(head, **setting.secret.record())
+
+
+def _exam_question(setting: Setting, question: BankQuestion) -> ExamQuestion:
+    asks = question.template.asks
+    return ExamQuestion(
+        question=question.identifier,
+        template=question.template.name,
+        points=question.points,
+        combinations=setting.decks[question.identifier].combinations(),
+        refused=setting.refusals()[question.identifier],
+        asks=tuple(
+            Ask(
+                question.identifier,
+                ask.name,
+                asks[ask.name].unit.text,
+                ask.points,
+                asks[ask.name].sign.en,
+            )
+            for ask in question.asks
+        ),
+    )
+
+
+def _candidate(student: Student, key: KeyPaper) -> Candidate:
+    return Candidate(
+        student.student,
+        student.name,
+        student.email,
+        key.code,
+        key.version,
+        f"{PAPERS}/{student.file_name}.pdf",
+    )
