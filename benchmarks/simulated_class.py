@@ -16,8 +16,8 @@ from tempfile import TemporaryDirectory
 from kinegrade.csv_writing import csv_text
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
-from kinegrade.exam.folder.exam_folder import KEY, open_exam
-from kinegrade.exam.folder.head import HEAD
+from kinegrade.exam.folder.contents import HEAD, KEY
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Exam
 from kinegrade.exam.folder.writing import head_json, line_json
 from kinegrade.exam.head_record import exam_head

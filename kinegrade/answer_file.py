@@ -12,8 +12,6 @@ from dataclasses import dataclass, field
 
 from kinegrade.tables import Complaint, Table
 
-# In an exam folder of which a pool was made: the lines of the key that are in it
-POOL = "variants.jsonl"
 Sources = tuple[str, ...]  # for each answer, whose line of the key it is marked by; "" is one's own
 
 

@@ -198,6 +198,28 @@ def test_only_one_module_starts_programs() -> None:
     assert starting == {"kinegrade.exam.program_run"}
 
 
+def written_texts(tree: ast.Module) -> Iterator[str]:
+    """The texts that a module works with; docstrings are not among them."""
+    prose = {
+        id(node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in prose:
+            yield node.value
+
+
+def test_only_the_exam_folder_knows_what_its_files_are_called() -> None:
+    files = ("exam.json", "key.jsonl", "variants.jsonl")
+    knowing = {
+        module
+        for module, tree in TREES.items()
+        if any(file in text for text in written_texts(tree) for file in files)
+    }
+    assert knowing == {"kinegrade.exam.folder.contents"}
+
+
 def test_modules_are_named_for_what_they_hold() -> None:
     vague = re.compile(r"utils?|helpers?|common|managers?|misc|base|core|data|info")
     assert not [module for module in TREES if vague.fullmatch(module.split(".")[-1])]

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Literal
 
 from kinegrade.errors import OutputError, TableError
+from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY
 
 Kind = Literal["EXAM", "MARKS"]
 _FILES: Mapping[Kind, tuple[str, ...]] = {
-    "EXAM": ("exam.json", "key.jsonl"),
+    "EXAM": (HEAD, KEY),
     "MARKS": ("marks.csv", "grades.csv"),
 }
 _EXPECTED: Mapping[Kind, str] = {
@@ -20,20 +21,7 @@ _EXPECTED: Mapping[Kind, str] = {
     "MARKS": "a folder of marks made by kinegrade grade",
 }
 _PARTS: Mapping[Kind, tuple[str, ...]] = {
-    "EXAM": (
-        *_FILES["EXAM"],
-        "bank.toml",
-        "variants.jsonl",
-        "answers.csv",
-        "answers.xlsx",
-        "key.pdf",
-        "papers.pdf",
-        "solutions.pdf",
-        "papers",
-        "templates",
-        "solutions",
-        "tex",
-    ),
+    "EXAM": CONTENTS,
     "MARKS": (*_FILES["MARKS"], "complaints.csv", "policy.toml", "kept.csv", "variants.csv"),
 }
 

@@ -14,8 +14,10 @@ from kinegrade.counting import counted
 from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
+    from kinegrade.exam.folder.exam_folder import ExamFolder
     from kinegrade.grading.decimal_style import Mark as DecimalMark
     from kinegrade.grading.feedback_folder import Press, Text
+    from kinegrade.grading.follow import Follows
     from kinegrade.grading.marks import ClassGrades
     from kinegrade.language import Language
 
@@ -104,9 +106,7 @@ def grade(
     """
     from kinegrade.cli.shortlist import shortlist
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.exam.follow_through import FollowThrough
     from kinegrade.grading.checked_totals import refuse_changed_totals
-    from kinegrade.grading.follow import Follows
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
     from kinegrade.lms.responses.class_files import ReadingWishes, read_class
@@ -115,7 +115,6 @@ def grade(
     if never_lower is not None:
         refuse_changed_totals(never_lower)
     folder = open_exam(exam)
-    follow_through = FollowThrough(folder)
     how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
     read = read_class(answers, folder, how)
     _say(read.assumed)
@@ -128,11 +127,19 @@ def grade(
         decimal=decimal,
         policy=policy,
         never_lower=never_lower,
-        follows=Follows(follow_through, follow_through.in_plan_order),
+        follows=_following(folder),
         own_papers=own_papers,
     )
     _say(what_was_written(marks, output, kept=never_lower is not None))
     finish(shortlist(marks.complaints, output / "complaints.csv"))
+
+
+def _following(exam: ExamFolder) -> Follows:
+    from kinegrade.exam.follow_through import FollowThrough
+    from kinegrade.grading.follow import Follows
+
+    follow_through = FollowThrough(exam)
+    return Follows(follow_through, follow_through.in_plan_order)
 
 
 def _say(lines: Iterable[str]) -> None:

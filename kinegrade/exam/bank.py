@@ -36,6 +36,7 @@ from kinegrade.errors import BankError, did_you_mean, short_line
 from kinegrade.exam.bank_questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank_terms import tolerance
 from kinegrade.exam.blueprint import LMS, Bank, Blueprint, Slot, matched, wishes
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.press import ENGINES
 from kinegrade.exam.versions import LETTERS
 from kinegrade.fields.document import FileKind, read_text, toml_table
@@ -106,7 +107,7 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
     )
     if [question.identifier for question in found] != list(chosen):
         raise BankError(
-            f"{path}: the questions differ from those of exam.json - expected "
+            f"{path}: the questions differ from those of {HEAD} - expected "
             f"{', '.join(chosen)} with the same templates - restore the exam folder as it was "
             "generated"
         )

@@ -18,8 +18,9 @@ from kinegrade.errors import KinegradeError
 from kinegrade.exact.written import NumberError
 from kinegrade.exam.bank import read_kept_bank
 from kinegrade.exam.blueprint import Bank, BankQuestion
+from kinegrade.exam.folder.contents import BANK, TEMPLATES
 from kinegrade.exam.folder.contradictions import contradicted, other_value
-from kinegrade.exam.folder.exam_folder import BANK, TEMPLATES, ExamFolder
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import FieldError
 from kinegrade.exam.folder.numbers import RATIONAL, number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance

@@ -20,17 +20,19 @@ from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.document import KeyPaper, PaperSize
 from kinegrade.exam.exam_secret import SecretWish
-from kinegrade.exam.folder.exam_folder import BANK, KEY, TEMPLATES
-from kinegrade.exam.folder.head import HEAD
-from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.writing import (
+from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
     ANSWERS,
+    BANK,
     CONTENTS,
     FOR_STUDENTS,
+    HEAD,
+    KEY,
     NOTICE,
-    head_json,
+    TEMPLATES,
 )
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.writing import head_json
 from kinegrade.exam.hand_work import editable
 from kinegrade.exam.head_record import WARNING, exam_head
 from kinegrade.exam.pages import key_book

@@ -9,8 +9,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from kinegrade.errors import OutputError, TableError
+from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.writing import ANSWERS
 from kinegrade.files import DESKTOP_DROPPINGS
 from kinegrade.tables import header_key, read_table, trimmed
 

@@ -8,10 +8,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from kinegrade.errors import ExamError, OutputError, one_line
+from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import broken
-from kinegrade.exam.folder.head import HEAD
-from kinegrade.exam.folder.writing import PAPERS
 from kinegrade.files import output_folder
 
 KINDS = (".pdf", ".docx", ".html")  # the first one everybody has

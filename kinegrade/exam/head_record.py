@@ -7,10 +7,10 @@ from msgspec import structs
 from kinegrade import __version__
 from kinegrade.exam.blueprint import BankQuestion
 from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.folder.writing import PAPERS
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.roster import Student
 from kinegrade.exam.setting import Setting

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from kinegrade.exam.folder.writing import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
+from kinegrade.exam.folder.contents import KEY_BOOK, PAPERS, SOLUTIONS, SOURCES
 from kinegrade.exam.join import joining
 from kinegrade.exam.press import Printout
 from kinegrade.exam.printing import Printed

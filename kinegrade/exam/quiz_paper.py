@@ -11,6 +11,7 @@ from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam.derivation import derive_question
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import exact_value, mistakes_of
 from kinegrade.exam.folder.faults import AS_GENERATED, FieldError, broken
 from kinegrade.exam.folder.numbers import number
@@ -87,7 +88,7 @@ def paper_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk
 
 
 def _broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldError) -> ExamError:
-    reason = f"{fault} is not in exam.json" if isinstance(fault, KeyError) else str(fault)
+    reason = f"{fault} is not in {HEAD}" if isinstance(fault, KeyError) else str(fault)
     return broken(
         source.exam.key,
         [f'the line of student "{line.student}" is broken ({reason}) - {AS_GENERATED}'],

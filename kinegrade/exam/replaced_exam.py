@@ -18,10 +18,9 @@ from msgspec import json, structs
 
 from kinegrade.errors import ExamError, OutputError, one_line
 from kinegrade.exam.exam_secret import ExamSecret
-from kinegrade.exam.folder.exam_folder import POOL, ExamFolder, open_exam
-from kinegrade.exam.folder.head import HEAD
+from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
-from kinegrade.exam.folder.writing import ANSWERS, SOLUTIONS
 from kinegrade.exam.hand_work import answered, edited_since, require_nothing_edited
 
 UNKNOWN = "the exam that stood there could not be read, so nothing is known of its papers"

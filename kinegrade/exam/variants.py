@@ -17,6 +17,7 @@ from itertools import islice
 import msgspec
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.contents import KEY
 from kinegrade.exam.folder.exact_keys import exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import FieldError, broken, damaged
@@ -46,7 +47,7 @@ def store_variants(exam: ExamFolder, count: int) -> None:
     before = [text.rstrip(b"\r\n") for _, text in exam.pool_texts()]
     if before[: len(lines)] != lines[: len(before)]:
         raise ExamError(
-            f"{exam.pool}: has variants of another key - expected the lines of key.jsonl - if no "
+            f"{exam.pool}: has variants of another key - expected the lines of {KEY} - if no "
             "quiz made of them is in use any more, delete the file"
         )
     if len(lines) > len(before):

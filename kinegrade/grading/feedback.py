@@ -19,6 +19,7 @@ from typing import assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exact.written import written_number
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.grading.amounts import PLACES, amount_text
@@ -103,7 +104,7 @@ def feedback_sheets(
     for student, answers in answers_by_student(marks):
         if student not in head.candidates or student not in totals:
             raise ExamError(
-                f'{marks}: student "{student}" is not in exam.json and grades.csv - expected the '
+                f'{marks}: student "{student}" is not in {HEAD} and grades.csv - expected the '
                 f"marks of this exam - grade again with {exam.path}"
             )
         candidate, total = head.candidates[student], totals[student]

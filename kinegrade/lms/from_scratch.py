@@ -14,6 +14,7 @@ from typing import assert_never
 
 from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.errors import TableError, one_line
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.lms.cells import BYTE_ORDER_MARK
 from kinegrade.lms.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
 from kinegrade.lms.grades import (
@@ -246,7 +247,7 @@ def _keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Complaint
         if not known_as(each, key):
             problem = f'student "{one_line(each.student)}" has no e-mail'
             done = "not exported; give it in the roster, or match by id"
-            yield Complaint("exam.json", None, "", each.student, problem, done)
+            yield Complaint(HEAD, None, "", each.student, problem, done)
 
 
 def _quoted(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

@@ -12,6 +12,7 @@ from math import isclose
 
 import msgspec
 
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import FieldError, damaged
 from kinegrade.exam.folder.keys import Ask, Key, Rule, rule
 from kinegrade.exam.folder.numbers import RATIONAL, not_negative, number
@@ -41,7 +42,7 @@ def exact_keys(asks: Sequence[Ask], line: KeyLine) -> list[Key]:
     if found.keys() != {ask.column for ask in asks}:
         odd = ", ".join(sorted(found.keys() ^ {ask.column for ask in asks}))
         raise FieldError(
-            f'student "{line.student}": the asks differ from exam.json in {odd} - expected the same'
+            f'student "{line.student}": the asks differ from {HEAD} in {odd} - expected the same'
         )
     try:
         return [_key(ask, found[ask.column]) for ask in asks]
@@ -52,7 +53,7 @@ def exact_keys(asks: Sequence[Ask], line: KeyLine) -> list[Key]:
 def _key(ask: Ask, answer: StatedAnswer) -> Key:
     try:
         if answer.unit != ask.unit or number("points", answer.points) != ask.points:
-            raise FieldError("unit or points differ from exam.json - expected the same")
+            raise FieldError(f"unit or points differ from {HEAD} - expected the same")
         value = exact_value(answer)
         stated = rule_of(answer.tolerance)
         period = None if answer.period is None else not_negative("period", answer.period)

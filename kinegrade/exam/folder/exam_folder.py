@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
 from kinegrade.exam.folder.exact_keys import key_line
 from kinegrade.exam.folder.faults import FieldError, broken, unreadable
-from kinegrade.exam.folder.head import HEAD, read_head
+from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, index_of
 from kinegrade.exam.folder.key_stream import papers_in_roster_order
@@ -28,11 +29,6 @@ from kinegrade.language import Language
 if TYPE_CHECKING:
     from kinegrade.exam.folder.kept_templates import KeptTemplates
 
-KEY = "key.jsonl"
-POOL = "variants.jsonl"  # the lines of the key that a pool was made of
-BANK = "bank.toml"
-TEMPLATES = "templates"
-SOLUTIONS = "solutions"
 _KEPT_LINES = 4  # an ask at a time comes back to its paper
 
 

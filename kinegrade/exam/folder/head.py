@@ -17,13 +17,13 @@ from typing import TypeVar
 import msgspec
 
 from kinegrade.errors import one_line
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import FieldError, broken, damaged, unreadable
 from kinegrade.exam.folder.numbers import not_negative, shown
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.roster import student_key
 from kinegrade.language import LANGUAGES
 
-HEAD = "exam.json"
 FORMAT = 2  # which this kinegrade writes
 FORMATS = (1, FORMAT)  # which it reads
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")

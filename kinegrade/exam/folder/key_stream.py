@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
+from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import FieldError, broken, unreadable
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.keys import Ask, Paper
@@ -125,4 +126,4 @@ class _Papers:
         for student in sorted(self.candidates.keys() - seen):
             yield f'no line for student "{student}" - expected one'
         for student in sorted(seen - self.candidates.keys()):
-            yield f'student "{student}" is not in exam.json - expected only its students'
+            yield f'student "{student}" is not in {HEAD} - expected only its students'

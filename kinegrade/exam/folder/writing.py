@@ -1,4 +1,4 @@
-"""How an exam folder is written: what it holds, and its head and the lines of its key as bytes.
+"""How an exam folder is written: its head and the lines of its key as bytes.
 
 `kinegrade.exam.generate` writes them; `head` and `exact_keys` read them again.
 """
@@ -10,31 +10,7 @@ from fractions import Fraction
 
 import msgspec
 
-from kinegrade.answer_file import POOL
-from kinegrade.exam.folder.exam_folder import BANK, KEY, TEMPLATES
-from kinegrade.exam.folder.head import HEAD
 from kinegrade.exam.folder.records import ExamHead, KeyLine
-
-NOTICE = "INSTRUCTOR-ONLY.txt"
-KEY_BOOK = "key.pdf"
-PAPERS, SOLUTIONS, SOURCES = "papers", "solutions", "tex"
-ANSWERS, ANSWER_WORKBOOK = "answers.csv", "answers.xlsx"
-FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf")
-CONTENTS = (
-    HEAD,
-    NOTICE,
-    KEY,
-    KEY_BOOK,
-    BANK,
-    TEMPLATES,
-    *FOR_STUDENTS,
-    ANSWERS,
-    ANSWER_WORKBOOK,
-    SOLUTIONS,
-    f"{SOLUTIONS}.pdf",
-    SOURCES,
-    POOL,
-)
 
 
 def head_json(head: ExamHead) -> bytes:

@@ -1,0 +1,29 @@
+"""What an exam folder holds: how its files and folders are called."""
+
+from __future__ import annotations
+
+HEAD = "exam.json"
+KEY = "key.jsonl"
+KEY_BOOK = "key.pdf"
+POOL = "variants.jsonl"  # the lines of the key that a pool was made of
+BANK = "bank.toml"
+TEMPLATES = "templates"
+NOTICE = "INSTRUCTOR-ONLY.txt"
+PAPERS, SOLUTIONS, SOURCES = "papers", "solutions", "tex"
+ANSWERS, ANSWER_WORKBOOK = "answers.csv", "answers.xlsx"
+FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf")
+CONTENTS = (
+    HEAD,
+    NOTICE,
+    KEY,
+    KEY_BOOK,
+    BANK,
+    TEMPLATES,
+    *FOR_STUDENTS,
+    ANSWERS,
+    ANSWER_WORKBOOK,
+    SOLUTIONS,
+    f"{SOLUTIONS}.pdf",
+    SOURCES,
+    POOL,
+)
