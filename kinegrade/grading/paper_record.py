@@ -14,7 +14,7 @@ from math import nan
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exact_keys import exact_value, rule_of
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import FieldError, broken
+from kinegrade.exam.folder.faults import FieldError, decoding
 from kinegrade.exam.folder.numbers import number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.grading.pool import Put
@@ -59,11 +59,8 @@ class PaperRecords:
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has none of that student's."""
         line = self.exam.line_of(student)
-        try:
+        with decoding(self.exam.key, f'the paper of student "{student}"'):
             return PaperRecord(line.order, dict(_answers(line)), dict(_parameters(line)))
-        except FieldError as fault:
-            whose = f'the paper of student "{student}"'
-            raise broken(self.exam.key, [f"{whose}: {fault}"]) from fault
 
     def marked(self, student: str, columns: Iterable[str]) -> PaperRecord:
         """The paper of a student whose answers stand in these columns. Raises ExamError where it

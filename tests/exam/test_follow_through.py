@@ -119,7 +119,7 @@ def test_only_lines_asked_about_are_read_and_few_are_kept(tmp_path: Path) -> Non
     follow = write(tmp_path, broken, *(line(str(number)) for number in range(KEPT + 10)))
     assert all(a_B(follow, str(number)) is not None for number in range(KEPT + 10))
     assert len(follow.instances) == KEPT
-    with pytest.raises(ExamError, match=r'key.jsonl: the paper of student "broken" is broken'):
+    with pytest.raises(ExamError, match=r'key.jsonl: the paper of student "broken": is broken'):
         a_B(follow, "broken")
 
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
 from kinegrade.exam.folder.exact_keys import key_line
-from kinegrade.exam.folder.faults import FieldError, broken, unreadable
+from kinegrade.exam.folder.faults import decoding, unreadable
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, index_of
@@ -94,7 +94,7 @@ class ExamFolder:
         """The papers of a pool that was made of the exam, none where none was made. Raises
         ExamError.
         """
-        return tuple(self._decoded(self.pool, *line) for line in self.pool_texts())
+        return tuple(self._variant(*line) for line in self.pool_texts())
 
     def in_memory(self) -> Exam:
         """The whole exam. Raises ExamError."""
@@ -201,19 +201,15 @@ class ExamFolder:
         index = self._index(student)
         if index is None:
             return None
-        try:
+        with decoding(index.path, _whose(student)):
             return key_line(index.text(student))
-        except (FieldError, UnicodeDecodeError) as fault:
-            raise broken(index.path, [f'the paper of student "{student}" {fault}']) from fault
 
     def _paper(self, student: str) -> Paper:
         index = self._index(student)
         if index is None:
             raise self._no_paper(student)
-        try:
+        with decoding(index.path, _whose(student)):
             return self._decoder.paper(index.text(student), str(index.path))
-        except (FieldError, UnicodeDecodeError) as fault:
-            raise broken(index.path, [str(fault)]) from fault
 
     def _index(self, student: str) -> KeyIndex | None:
         """Where the line of a student is found."""
@@ -225,13 +221,9 @@ class ExamFolder:
             "marked - name the exam folder by which these marks were made"
         )
 
-    def _decoded(self, path: Path, number: int, text: bytes) -> Paper:
-        try:
-            return self._decoder.paper(text, f"{path}: line {number}")
-        except FieldError as fault:
-            raise broken(path, [f"line {number}: {fault}"]) from fault
-        except UnicodeDecodeError as fault:
-            raise unreadable(path, fault) from fault
+    def _variant(self, number: int, text: bytes) -> Paper:
+        with decoding(self.pool, f"line {number}"):
+            return self._decoder.paper(text, f"{self.pool}: line {number}")
 
 
 def open_exam(path: Path) -> ExamFolder:
@@ -248,9 +240,9 @@ def _texts(path: Path) -> Iterator[tuple[int, bytes]]:
 
 
 def _record(path: Path, number: int, text: bytes) -> KeyLine:
-    try:
+    with decoding(path, f"line {number}"):
         return key_line(text)
-    except FieldError as fault:
-        raise broken(path, [f"line {number}: {fault}"]) from fault
-    except UnicodeDecodeError as fault:
-        raise unreadable(path, fault) from fault
+
+
+def _whose(student: str) -> str:
+    return f'the paper of student "{student}"'

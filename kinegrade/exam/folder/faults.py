@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from kinegrade.errors import ExamError
@@ -23,6 +24,17 @@ def broken(where: Path | str, faults: Iterable[str]) -> ExamError:
 def damaged(fault: Exception) -> str:
     """A fault of form, as `broken` takes it."""
     return f"is broken ({fault}) - {AS_GENERATED}"
+
+
+@contextmanager
+def decoding(path: Path, where: str) -> Iterator[None]:
+    """Raises ExamError for a part of a file, such as a line, that is read here and at fault."""
+    try:
+        yield
+    except FieldError as fault:
+        raise broken(path, [f"{where}: {fault}"]) from fault
+    except UnicodeDecodeError as fault:
+        raise unreadable(path, fault) from fault
 
 
 def unreadable(path: Path, fault: OSError | UnicodeDecodeError) -> ExamError:
