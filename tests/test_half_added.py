@@ -33,8 +33,8 @@ from kinegrade.problem.template import Translated
 
 PACKAGE = Path(kinegrade.__file__).parent
 FRENCH = (
-    'exam.json: language: "fr" - expected one of en, zh - restore the exam folder, or use the '
-    "version of kinegrade that made it"
+    'exam.json: language: "fr" - expected one of en, zh, which this version of kinegrade knows - '
+    "restore the exam folder as it was generated"
 )
 
 

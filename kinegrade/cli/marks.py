@@ -265,7 +265,6 @@ def feedback(
     Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html
     """
     from kinegrade.exam.exam_wording import exam_wording
-    from kinegrade.exam.feedback_pages import FeedbackPress
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.feedback_folder import write_feedback
@@ -274,21 +273,17 @@ def feedback(
     refuse_changed_totals(marks)
     folder = open_exam(exam)
     wanted = folder.head.solutions if solutions is None else solutions
+    if wanted:
+        from kinegrade.exam.kept_exam import KeptExam
+
+        KeptExam(folder).require_no_contradiction()
     chosen = language or folder.language
-    printed: Text | Press
-    match form:
-        case "pdf":
-            printed = FeedbackPress().feedback
-        case "html" | "md":
-            printed = form
-        case _:
-            assert_never(form)
     count = write_feedback(
         folder,
         marks,
         output,
         exam_wording(folder, chosen),
-        printed,
+        _printed(form),
         language=chosen,
         solutions=wanted,
         force=force,
@@ -297,3 +292,16 @@ def feedback(
         f"{output}: {counted(count, 'sheet')}; {output / 'feedback.csv'} says which is whose",
         err=True,
     )
+
+
+def _printed(form: FeedbackForm) -> Text | Press:
+    """What makes the sheets of a form."""
+    match form:
+        case "pdf":
+            from kinegrade.exam.feedback_pages import FeedbackPress
+
+            return FeedbackPress().feedback
+        case "html" | "md":
+            return form
+        case _:
+            assert_never(form)

@@ -15,20 +15,17 @@ from typing import assert_never
 import msgspec
 
 from kinegrade.errors import KinegradeError
-from kinegrade.exact.written import NumberError
-from kinegrade.exam.bank import read_kept_bank
-from kinegrade.exam.blueprint import Bank, BankQuestion
-from kinegrade.exam.folder.contents import BANK, TEMPLATES
+from kinegrade.exam.blueprint import BankQuestion
 from kinegrade.exam.folder.contradictions import contradicted, other_value
-from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import FieldError
 from kinegrade.exam.folder.numbers import RATIONAL, number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.key_record import stated_answer
 from kinegrade.exam.setting import SetAsk, SetQuestion, set_drawn
+from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.drawing import Drawn
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
-from kinegrade.problem.solving import solve_template
+from kinegrade.problem.solving import Solution, solve_template
 
 # Relative: between certified decimals, between doubles, and where a value drawn is but a double
 _CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))
@@ -37,28 +34,29 @@ _OF_DOUBLES = Fraction(1, 10**9)
 _DIGITS_SHOWN = 12
 
 
-def kept_bank(exam: ExamFolder) -> Bank:
-    """The bank of an exam from the copies that its folder keeps. Raises BankError."""
-    chosen = {each.question: each.template for each in exam.head.questions}
-    return read_kept_bank(exam.path / BANK, exam.path / TEMPLATES, chosen)
-
-
-def derive_question(question: BankQuestion, kept: KeyQuestion, where: str) -> SetQuestion:
+def derive_question(
+    question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None = None
+) -> SetQuestion:
     """The question as it was set for a student whose line of the key says `kept`; `where` names
-    that place in messages.
+    that place in messages, `plan` is one that may serve.
 
     Raises ExamError, with all differences, where something else follows than the key says.
     """
-    asks = tuple(ask.name for ask in question.asks)
-    try:
-        solution = solve_template(question.template, kept.values, asks)
-    except (KinegradeError, NumberError) as fault:
-        raise contradicted(where, [f"does not follow any more ({fault})"]) from fault
+    solution = _solved(question, kept, where, plan)
     derived = set_drawn(question, Drawn(kept.values, 0, solution))
     differences = list(_differences(derived, kept))
     if differences:
         raise contradicted(where, differences)
     return derived
+
+
+def _solved(question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | None) -> Solution:
+    asks = tuple(ask.name for ask in question.asks)
+    try:
+        return solve_template(question.template, kept.values, asks, plan)
+    except KinegradeError as error:
+        reasons = (f"does not follow any more ({problem})" for problem in error.problems)
+        raise contradicted(where, reasons) from error
 
 
 def _differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:

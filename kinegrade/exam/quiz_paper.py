@@ -10,7 +10,6 @@ from fractions import Fraction
 from typing import Any
 
 from kinegrade.errors import ExamError, KinegradeError
-from kinegrade.exam.derivation import derive_question
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import exact_value, mistakes_of
 from kinegrade.exam.folder.faults import AS_GENERATED, FieldError, broken
@@ -30,7 +29,6 @@ from kinegrade.problem.assemble import assemble
 from kinegrade.problem.mistake_kinds import sentences
 from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.problem.solving import (
-    Solution,
     certain,
     certified,
     parameter_values,
@@ -100,7 +98,7 @@ def _question(
 ) -> QuizQuestion:
     name, language, code = entry.question, source.language, line.version or line.paper
     template = source.templates[name]
-    solution = _derived(source, line, entry) if wishes.solutions else None
+    solution = source.kept.derive(line, entry).drawn.solution if wishes.solutions else None
     try:
         parameters, mechanism = shown(template, entry.values)
         asks = tuple(
@@ -125,15 +123,6 @@ def _question(
         raise type(error)(
             *(f"{source.exam.path}: paper {code}, {name}: {problem}" for problem in error.problems)
         ) from error
-
-
-def _derived(source: QuizSource, line: KeyLine, entry: KeyQuestion) -> Solution:
-    """The instance solved again. Raises ExamError where something else follows than the key
-    says.
-    """
-    (question,) = (each for each in source.bank.questions if each.identifier == entry.question)
-    where = f'{source.exam.key}: student "{line.student}", {entry.question}'
-    return derive_question(question, entry, where).drawn.solution
 
 
 def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quantity], Mechanism]:

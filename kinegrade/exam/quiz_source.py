@@ -16,12 +16,11 @@ import msgspec
 
 from kinegrade.errors import TomlError
 from kinegrade.exact.written import NumberError, written_number
-from kinegrade.exam.blueprint import Bank
-from kinegrade.exam.derivation import kept_bank
 from kinegrade.exam.folder.exact_keys import rule_of
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import FieldError, broken, damaged
 from kinegrade.exam.folder.records import KeyLine, StatedTolerance
+from kinegrade.exam.kept_exam import KeptExam
 from kinegrade.fields.toml_text import read_toml
 from kinegrade.language import Language
 from kinegrade.problem.template import Template
@@ -53,11 +52,9 @@ class QuizSource:
     credits: Mapping[str, Fraction]
 
     @cached_property
-    def bank(self) -> Bank:
-        """The bank as the exam keeps it, from which worked solutions are derived. Raises
-        BankError.
-        """
-        return kept_bank(self.exam)
+    def kept(self) -> KeptExam:
+        """The exam from which worked solutions are derived."""
+        return KeptExam(self.exam)
 
 
 def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> QuizSource:

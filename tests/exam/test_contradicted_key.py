@@ -12,6 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.kept_exam import KeptExam
 from tests.small_class import asks_of, key_lines, kinegrade
 
 EARLIER = Path(__file__).parent.parent / "data" / "exam-of-0.1"
@@ -82,7 +85,14 @@ def grade(exam: Path, place: Path) -> tuple[str | Path, ...]:
     return ("grade", exam, answers, "-o", place / "MARKS")
 
 
-COMMANDS = [quiz, pool, grade]
+def feedback(exam: Path, place: Path) -> tuple[str | Path, ...]:
+    marks = place / "BEFORE"
+    answers = ("grade", exam, exam / "answers.csv", "-o", marks)
+    assert kinegrade(*answers).exit_code < 2
+    return ("feedback", exam, marks, "--format", "md", "--solutions", "-o", place / "FEEDBACK")
+
+
+COMMANDS = [quiz, pool, grade, feedback]
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -106,6 +116,25 @@ def test_a_key_that_does_not_follow_from_the_folder_is_refused(
     assert re.search(r'EXAM/key\.jsonl: student "007", q1: a_B is \S+ by the key', line), line
     assert line.endswith(REMEDY)
     assert not Path(words[words.index("-o") + 1]).exists()
+
+
+def test_a_question_that_the_bank_does_not_have_is_refused(exam: Path) -> None:
+    lines = key_lines(exam)
+    lines[0]["questions"][0]["question"] = "q9"
+    (exam / "key.jsonl").write_text(json.dumps(lines[0]) + "\n", encoding="utf-8")
+    with pytest.raises(ExamError) as caught:
+        KeptExam(open_exam(exam)).require_no_contradiction()
+    where = f'{exam / "key.jsonl"}: student "007", q9'
+    assert str(caught.value) == f"{where}: is no question of the bank{REMEDY}"
+
+
+def test_a_bank_that_was_edited_is_refused(exam: Path, tmp_path: Path) -> None:
+    bank = exam / "bank.toml"
+    text = bank.read_text(encoding="utf-8")
+    bank.write_text(text.replace("a_B = 2", "a_B = 3"), encoding="utf-8")
+    result = kinegrade(*quiz(exam, tmp_path))
+    assert result.exit_code == 2
+    assert f"q1: a_B: points is 2 by the key, 3 by the bank{REMEDY}" in result.stderr
 
 
 def test_an_earlier_folder_makes_a_quiz_with_solutions(tmp_path: Path) -> None:
