@@ -129,11 +129,8 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     >>> did_you_mean("theta_1", [f"theta_{number}" for number in range(2, 60)])
     'did you mean "theta_51", "theta_41" or "theta_31"?'
     """
-    from difflib import get_close_matches  # only refusals need it, and it would slow every start
-
     known = sorted(choices)
-    same = [name for name in known if name.lower() == word.lower()]
-    near = same or get_close_matches(word, known, n=SUGGESTIONS)
+    near = nearest(word, known)
     if len(known) > LISTED and near:
         return f"did you mean {either(near)}?"
     listing = ", ".join(known) if known else "none"
@@ -142,6 +139,19 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
     if not near:
         return f"known here: {listing}"
     return f'did you mean "{near[0]}"? (known here: {listing})'
+
+
+def nearest(word: str, choices: Iterable[str]) -> list[str]:
+    """The choices that a word was probably meant to be, the nearest first; few, or none.
+
+    >>> nearest("0O7", ["007", "0012"])
+    ['007']
+    """
+    from difflib import get_close_matches  # only refusals need it, and it would slow every start
+
+    known = sorted(choices)
+    same = [name for name in known if name.lower() == word.lower()]
+    return same or get_close_matches(word, known, n=SUGGESTIONS)
 
 
 def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:

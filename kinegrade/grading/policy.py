@@ -14,29 +14,14 @@ from typing import Literal, assert_never
 from kinegrade.exam.folder.keys import Ask, Key, rule
 from kinegrade.expression import Expression
 from kinegrade.grading.unit_spelling import Conversion
+from kinegrade.stated_marking import StatedTolerance
 
 Attempts = Literal["last", "first", "best"]
 Void = Literal["full", "drop"]
 
 
-@dataclass(frozen=True, slots=True)
-class Room:
-    """What a policy says about a tolerance; None for what stays as it was."""
-
-    relative: Fraction | None = None
-    absolute: Fraction | None = None
-    figures: int | None = None
-
-    def over(self, wider: Room) -> Room:
-        """This, and where it says nothing what `wider` says."""
-        return Room(
-            wider.relative if self.relative is None else self.relative,
-            wider.absolute if self.absolute is None else self.absolute,
-            wider.figures if self.figures is None else self.figures,
-        )
-
-
-NO_ROOM = Room()
+NO_ROOM = StatedTolerance()
+FULL_CREDIT = Fraction(1)  # share of the points
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,13 +50,13 @@ class Ruling:
     earlier ask.
     """
 
-    room: Room = NO_ROOM
+    room: StatedTolerance = NO_ROOM
     void: Void | None = None
     points: Fraction | None = None
     wrong_unit: Fraction = Fraction(0)
     mistakes: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
     accepted: tuple[Accepted, ...] = ()
-    follow_through: Fraction = Fraction(1)
+    follow_through: Fraction = FULL_CREDIT
 
     def ask(self, ask: Ask) -> Ask:
         """The ask with the points it has now; a dropped one has none."""
@@ -90,7 +75,7 @@ class Ruling:
     def beside(self, key: Key, value: Fraction) -> Key:
         """A key for another value, by the same rule as `key` has now."""
         stated = key.rule or rule(Fraction(0), key.tolerance)
-        room = self.room.over(Room(stated.relative, stated.absolute, stated.figures))
+        room = self.room.over(StatedTolerance(stated.relative, stated.absolute, stated.figures))
         now = rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
         return now.key(value, key.period, key.mistakes)
 

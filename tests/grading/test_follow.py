@@ -13,7 +13,8 @@ from kinegrade.grading.answers import read
 from kinegrade.grading.decision import Decision, decide
 from kinegrade.grading.follow import Decided, Follows, follow_through
 from kinegrade.grading.judge import Verdict
-from kinegrade.grading.policy import Room, Ruling
+from kinegrade.grading.policy import Ruling
+from kinegrade.stated_marking import StatedTolerance
 from tests.grading.policies import policy_of
 
 ASKS = {"omega_AB": "rad/s", "alpha_AB": "rad/s^2", "a_B": "m/s^2", "phi": "deg"}
@@ -206,7 +207,7 @@ def test_the_best_credit_counts() -> None:
 
 
 def test_a_tolerance_of_the_policy_holds_for_what_follows_too() -> None:
-    wide = Ruling(room=Room(relative=Fraction(1, 10)))
+    wide = Ruling(room=StatedTolerance(relative=Fraction(1, 10)))
     assert list(followed(wide, omega_AB="3", alpha_AB="19.7")) == ["alpha_AB"]
     # Omega is right now, and what follows does not count
     assert followed(wide, omega_AB="2.2", alpha_AB="9.68") == {}

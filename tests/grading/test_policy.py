@@ -311,6 +311,10 @@ def test_of_equally_good_rows_the_last_counts(tmp_path: Path) -> None:
 
 
 SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
+AMOUNT = (
+    "expected a number of zero or more like 2.5, at most 9 digits before the point and 12 after it"
+)
+TOLERANCES = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
 CONTENT = """
 attempts = "lst"
 tolerence = 3
@@ -335,41 +339,79 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(PolicyError) as caught:
         policy_of(CONTENT, tmp_path)
     assert [
-        problem.removeprefix(f"{tmp_path / 'policy.toml'}: ") for problem in caught.value.problems
+        problem.removeprefix(str(tmp_path / "policy.toml")) for problem in caught.value.problems
     ] == [
-        'unknown key "tolerence": did you mean "tolerance"? (known here: attempts, credit, '
-        "questions, tolerance)",
-        "attempts: expected last or first or best, not 'lst'",
-        'credit: unknown key "wrong_unit": did you mean "wrong-unit"? '
+        ':2: attempts: "lst" - expected last or first or best',
+        ':3: tolerence: unknown key - did you mean "tolerance"? '
+        "(known here: attempts, credit, questions, tolerance)",
+        ':4: credit.wrong_unit: unknown key - did you mean "wrong-unit"? '
         "(known here: follow-through, mistakes, wrong-unit)",
-        'credit.mistakes: unknown mistake "sense-revers": did you mean "sense-reversed"? '
+        ':4: credit.mistakes.sense-revers: unknown mistake - did you mean "sense-reversed"? '
         "(known here: sense-reversed, transport-for-absolute)",
-        f"credit.wrong-unit: {SHARE}, not '1.5'",
-        'questions: unknown question "q9": known here: q1, q2',
-        "questions.q1.tolerance.figures: expected a whole number from 1 to 15, not '0'",
-        f"questions.q1.tolerance.relative: {SHARE}, not '200 %'",
-        "questions.q1.tolerance.absolute: expected a number of zero or more, like 2.5, not '-1'",
-        'questions.q1.asks: unknown ask "vB": did you mean "v_B"? (known here: omega_AB, v_B)',
-        "questions.q1.asks.v_B.void: expected full or drop, not 'true'",
-        "questions.q1.asks.v_B.points: expected a number of zero or more, like 2.5, not 'true'",
-        f"questions.q1.asks.v_B.accept[1].credit: {SHARE}, not '1/0'",
-        'questions.q1.asks.v_B.accept[1].value: "r*(", character 4: found the end, '
+        f":4: credit.wrong-unit: 1.5 - {SHARE}",
+        ":5: questions.q9: unknown question - known here: q1, q2",
+        f':7: questions.q1.tolerance.relative: "200 %" - {SHARE}',
+        f":7: questions.q1.tolerance.absolute: -1 - {AMOUNT}",
+        ":7: questions.q1.tolerance.figures: 0 - expected a whole number from 1 to 15",
+        ':9: questions.q1.asks.vB: unknown ask - did you mean "v_B"? (known here: omega_AB, v_B)',
+        ":10: questions.q1.asks.v_B.void: true - expected full or drop",
+        f":10: questions.q1.asks.v_B.points: true - {AMOUNT}",
+        ':10: questions.q1.asks.v_B.accept[2]: 7 - expected a table like { value = "2*sqrt(3)" }',
+        f':10: questions.q1.asks.v_B.accept[1].credit: "1/0" - {SHARE}',
+        ':10: questions.q1.asks.v_B.accept[1].value: "r*(", character 4: found the end, '
         "expected a number, a name or a bracket",
-        "questions.q1.asks.v_B.accept[2]: expected a table with some of: value, unit, credit, "
-        "student",
-        "questions.q1.asks.v_B.accept[2].value: expected a number or an expression like "
-        '"2*sqrt(3)"',
-        'questions.q1.asks.v_B.accept[3].value: unknown name "r3": known here: omega_AB, v_B',
-        'questions.q1.asks.v_B.accept[3].unit: "rad" measures an angle; a speed was expected, in '
-        '"m/s"',
-        'questions.q1.asks.omega_AB.accept[1].student: no student "008": did you mean "007"?',
-        "questions.q1.asks.omega_AB.accept[1].student: expected a student's id in quotation marks, "
-        "not '7'",
-        'questions.q1.asks.omega_AB.accept[1].unit: "x" stands after the number; the unit "rad/s" '
-        "was expected",
-        "questions.q1.asks.omega_AB.accept[2].unit: expected a unit like \"rad/s\", not '3'",
-        "questions.q2.asks: expected a table of each ask",
+        ':10: questions.q1.asks.v_B.accept[3].value: unknown name "r3" - known here: omega_AB, v_B',
+        ':10: questions.q1.asks.v_B.accept[3].unit: "rad" measures an angle; a speed was expected, '
+        'in "m/s"',
+        ':11: questions.q1.asks.omega_AB.accept[1].student[1]: no student "008" '
+        '- did you mean "007"?',
+        ":11: questions.q1.asks.omega_AB.accept[1].student[2]: 7 - expected a student's id in "
+        "quotation marks",
+        ':11: questions.q1.asks.omega_AB.accept[1].unit: "x" stands after the number; the unit '
+        '"rad/s" was expected',
+        ':11: questions.q1.asks.omega_AB.accept[2].unit: 3 - expected a unit like "rad/s"',
+        ":13: questions.q2.asks: 3 - expected a table",
     ]
+
+
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        ("accept = 1", 'accept: 1 - expected a list of tables like [{ value = "2*sqrt(3)" }]'),
+        (
+            "accept = [{ student = '0' }]",
+            'accept[1].student: no student "0" - check the id against the roster',
+        ),
+        (
+            "accept = [{ student = 7 }]",
+            "accept[1].student: 7 - expected a student's id in quotation marks",
+        ),
+        (
+            "accept = [{ value = true }]",
+            'accept[1].value: true - expected a number or an expression like "2*sqrt(3)"',
+        ),
+        (
+            "accept = [{ valeu = 1 }]",
+            'accept[1].valeu: unknown key - did you mean "value"? '
+            "(known here: credit, student, unit, value)",
+        ),
+        (
+            "accept = [{ unit = 'm/s' }]",
+            'accept[1].value: missing - expected a number or an expression like "2*sqrt(3)"',
+        ),
+        ("tolerance = 1", f"tolerance: 1 - expected a table like {TOLERANCES}"),
+        ("tolerance.relative = nan", f"tolerance.relative: nan - {SHARE}"),
+        ("points = 1e9", f"points: 1e9 - {AMOUNT}"),
+        ("points = 0.1234567890123", f"points: 0.1234567890123 - {AMOUNT}"),
+    ],
+)
+def test_a_fault_of_a_policy_says_what_was_expected(
+    tmp_path: Path, content: str, problem: str
+) -> None:
+    with pytest.raises(PolicyError) as caught:
+        policy_of(f"[questions.q1.asks.v_B]\n\n{content}", tmp_path)
+    file = tmp_path / "policy.toml"
+    assert caught.value.problems[0] == f"{file}:3: questions.q1.asks.v_B.{problem}"
 
 
 @pytest.mark.parametrize(
@@ -441,7 +483,7 @@ def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
 def test_numbers_drawn_are_needed_only_where_a_policy_names_them(exam_folder: Path) -> None:
     (exam_folder.parent / "answers.csv").write_text("student,q1.v_B\n007,1\n", encoding="utf-8")
     regraded(exam_folder, "MARKS", ACCEPTED.format("{ value = 1 }"))
-    with pytest.raises(PolicyError, match='unknown name "r": known here: omega_AB, v_B$'):
+    with pytest.raises(PolicyError, match='unknown name "r" - known here: omega_AB, v_B$'):
         regraded(exam_folder, "MARKS2", ACCEPTED.format("{ value = 'r' }"))
 
 
@@ -573,7 +615,7 @@ def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
     with pytest.raises(PolicyError) as caught:
         stated_policy(folder_of(tmp_path, credit={"wrong-unit": "2"}))
     assert str(caught.value) == (
-        f'{tmp_path / "exam.json"}: credit.wrong-unit: expected a share from 0 to 1, like 0.5, "50 '
-        '%" or "1/2", '
-        "not '2' - restore the exam folder as it was generated"
+        f'{tmp_path / "exam.json"}: credit.wrong-unit: "2" - expected a share from 0 to 1, like '
+        '0.5, "50 %" or "1/2" '
+        "- restore the exam folder as it was generated"
     )

@@ -1,0 +1,112 @@
+"""The answers that a policy accepts besides the key's: `{ value = "2*sqrt(3)", unit = "m/s" }`.
+
+`policy_reading` reads them with the rest of a policy's file; `accepted` works them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from kinegrade.angular import is_angle
+from kinegrade.errors import FieldError, did_you_mean, either, nearest, short_line
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.expression import Expression, names, read
+from kinegrade.fields.digits import Digits
+from kinegrade.fields.table import Table
+from kinegrade.fields.values import found, share
+from kinegrade.grading.number_text import Unreadable
+from kinegrade.grading.policy import FULL_CREDIT, Accepted
+from kinegrade.grading.unit_spelling import Conversion, WrongUnit, conversion, written_unit
+
+_EXAMPLE = '{ value = "2*sqrt(3)" }'
+_LONGEST_SHOWN = 80
+
+
+@dataclass(frozen=True)
+class AcceptedReader:
+    """Reads the accepted answers of a policy for one exam."""
+
+    exam: ExamFolder
+    students: frozenset[str]
+
+    def read(self, table: Table, ask: Ask) -> Iterator[Accepted]:
+        """Those under `accept` in the table of an ask; one at fault is left out."""
+        for number, entry in enumerate(table.tables("accept", _EXAMPLE), 1):
+            known = entry.only("value", "unit", "credit", "student")
+            credit = known.with_default("credit", share, FULL_CREDIT)
+            students = self._students(known)
+            tree = known.required("value", _tree)
+            if tree is not None:
+                written = short_line(str(known.value("value")).strip(), _LONGEST_SHOWN)
+                scale = self._scale(known, ask, tree)
+                yield Accepted(number, written, tree, scale, credit, students)
+
+    def _students(self, entry: Table) -> frozenset[str] | None:
+        """The students for whom an answer counts; None for all."""
+        if "student" not in entry:
+            return None
+        if isinstance(entry.value("student"), list):
+            return frozenset(entry.listing("student", self._student))
+        student = entry.optional("student", self._student)
+        return frozenset() if student is None else frozenset({student})
+
+    def _student(self, value: object) -> str:
+        """The id of a student of the exam."""
+        if not isinstance(value, str) or isinstance(value, Digits):
+            raise FieldError(found(value), "a student's id in quotation marks")
+        if value not in self.students:
+            raise FieldError(f"no student {found(value)}", do=_likely(value, self.students))
+        return value
+
+    def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
+        """What the value is to be multiplied by: as its unit says.
+
+        A value of givens, or of angles, is in SI.
+        """
+        used = [name for name in names(tree) if name != "pi"]
+        units = self._units(ask, used)
+        for name in sorted(set(used) - units.keys()):
+            entry.fault("value", f'unknown name "{name}"', do=did_you_mean(name, units))
+        if "unit" in entry:
+            return entry.with_default("unit", partial(_conversion, ask), Conversion())
+        angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
+        printed = written_unit(ask.unit)
+        if printed and (used or is_angle(tree, angles)):
+            return Conversion(1 / printed.factor, -printed.pi)
+        return Conversion()
+
+    def _units(self, ask: Ask, used: list[str]) -> Mapping[str, str]:
+        """The units of what a value may use: the question's asks, and its givens where one is
+        used.
+        """
+        units = {each.ask: each.unit for each in self.exam.asks if each.question == ask.question}
+        if set(used) <= units.keys():
+            return units
+        drawn = self.exam.parameters(self.exam.students[0], ask.question)
+        return units | {name: each.unit for name, each in drawn.items()}
+
+
+def _tree(value: object) -> Expression:
+    """The number or expression that a value is."""
+    if isinstance(value, bool) or not isinstance(value, str | int):
+        raise FieldError(found(value), 'a number or an expression like "2*sqrt(3)"')
+    return read(str(value))
+
+
+def _conversion(ask: Ask, unit: object) -> Conversion:
+    """What leads from a unit that is written to the ask's."""
+    if not isinstance(unit, str) or isinstance(unit, Digits):
+        raise FieldError(found(unit), f'a unit like "{ask.unit}"')
+    try:
+        return conversion(unit, ask.unit)
+    except (WrongUnit, Unreadable) as fault:
+        raise FieldError(str(fault)) from fault
+
+
+def _likely(student: str, students: frozenset[str]) -> str:
+    """A hint that does not list a whole class."""
+    near = nearest(student, students)
+    return f"did you mean {either(near)}?" if near else "check the id against the roster"
