@@ -14,10 +14,9 @@ from typing import assert_never
 
 import msgspec
 
-from kinegrade.errors import KinegradeError
+from kinegrade.errors import FieldError, KinegradeError
 from kinegrade.exam.blueprint import BankQuestion
 from kinegrade.exam.folder.contradictions import contradicted, other_value
-from kinegrade.exam.folder.faults import FieldError
 from kinegrade.exam.folder.numbers import RATIONAL, number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.key_record import stated_answer

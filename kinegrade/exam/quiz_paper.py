@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import exact_value, mistakes_of
-from kinegrade.exam.folder.faults import AS_GENERATED, FieldError, broken
+from kinegrade.exam.folder.faults import AS_GENERATED, broken
 from kinegrade.exam.folder.numbers import number
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion, StatedAnswer
 from kinegrade.exam.pages import answer_row

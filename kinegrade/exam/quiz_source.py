@@ -14,11 +14,11 @@ from itertools import islice
 
 import msgspec
 
-from kinegrade.errors import TomlError
+from kinegrade.errors import FieldError, TomlError
 from kinegrade.exact.written import NumberError, written_number
 from kinegrade.exam.folder.exact_keys import rule_of
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import FieldError, broken, damaged
+from kinegrade.exam.folder.faults import broken, damaged
 from kinegrade.exam.folder.records import KeyLine, StatedTolerance
 from kinegrade.exam.kept_exam import KeptExam
 from kinegrade.fields.toml_text import read_toml

@@ -16,11 +16,11 @@ from itertools import islice
 
 import msgspec
 
-from kinegrade.errors import ExamError
+from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import KEY
 from kinegrade.exam.folder.exact_keys import exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import FieldError, broken, damaged
+from kinegrade.exam.folder.faults import broken, damaged
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz import different
 from kinegrade.exam.quiz_paper import shown

@@ -62,15 +62,14 @@ def read_text(path: Path, kind: FileKind) -> str:
         if len(data) <= kind.most_bytes:
             return data.decode("utf-8-sig")
     except OSError as error:
-        problem = message(
-            str(path), f"cannot be read ({error.strerror})", kind.noun, kind.do or "check the name"
-        )
+        reason = f"cannot be read ({error.strerror})"
+        problem = message(str(path), reason, kind.noun, "check the name")
         raise kind.error(problem) from error
     except UnicodeDecodeError as error:
         problem = message(str(path), "not UTF-8", f"{kind.noun} in UTF-8", kind.do or "fix it")
         raise kind.error(problem) from error
     expected = f"{kind.noun} of at most {kind.most_bytes} bytes"
-    raise kind.error(message(str(path), "too large", expected, kind.do or "check the name"))
+    raise kind.error(message(str(path), "too large", expected, "check the name"))
 
 
 def toml_table(name: str, text: str, kind: FileKind) -> Table:

@@ -48,7 +48,11 @@ class Faults:
     def require_none(self) -> None:
         """Raises the error with all faults noted, if there are any."""
         if self._noted:
-            raise self._error(*map(str, self._in_order()))
+            raise self.raised()
+
+    def raised(self) -> KinegradeError:
+        """The error with all faults noted so far."""
+        return self._error(*map(str, self._in_order()))
 
     def _in_order(self) -> list[_Fault]:
         """By file, as the files were first met, and by line; what has no line comes first."""

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import nan
 
-from kinegrade.errors import ExamError
+from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.exact_keys import exact_value, rule_of
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.faults import FieldError, decoding
+from kinegrade.exam.folder.faults import decoding
 from kinegrade.exam.folder.numbers import number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.grading.pool import Put

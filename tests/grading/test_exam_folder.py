@@ -67,20 +67,20 @@ def asks(paper: dict[str, Any], question: int = 0) -> dict[str, Any]:
 
 
 CHANGES: list[tuple[Change, str]] = [
-    (lambda head, _: head.update(format=3), 'exam.json: "format" is 3 - expected 1 or 2'),
-    (lambda head, _: head.pop("format"), 'exam.json: no "format" - expected the number'),
+    (lambda head, _: head.update(format=3), "exam.json:1: format: 3 - expected 1 or 2"),
+    (lambda head, _: head.pop("format"), "exam.json: format: missing - expected 1 or 2"),
     (
         lambda head, _: head.pop("questions"),
-        'exam.json: no list "questions" - expected one that is not empty',
+        "exam.json: questions: missing - expected a list that is not empty",
     ),
-    (lambda head, _: head.update(students=[]), 'exam.json: no list "students"'),
+    (lambda head, _: head.update(students=[]), "exam.json:1: students: empty - expected a list"),
     (
         lambda head, _: head["students"].append(7),
-        "exam.json: students 5: is broken (Expected `object`, got `int`) - expected it as",
+        "exam.json:1: students[5]: is broken (Expected `object`, got `int`) - expected it as",
     ),
     (
         lambda head, _: head["students"][1].update(student=" "),
-        'exam.json: students 2: "student" is empty',
+        'exam.json:1: students[2]: "student" is empty',
     ),
     (
         lambda head, _: head["students"][1].update(student="００７"),
@@ -92,20 +92,23 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda head, _: head["questions"][1].update(question="total"),
-        "questions 2: \"question\" is 'total'",
+        'questions[2]: "question" is "total"',
     ),
     (
         lambda head, _: head["questions"][1].update(question="<b>"),
-        "questions 2: \"question\" is '<b>'",
+        'questions[2]: "question" is "<b>"',
     ),
-    (lambda head, _: head["questions"][1].update(asks=[]), "questions 2: question q2 asks nothing"),
+    (
+        lambda head, _: head["questions"][1].update(asks=[]),
+        "questions[2]: question q2 asks nothing",
+    ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points=-1),
         '"points" is -1 - expected zero or more',
     ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(sign=1),
-        "questions 2: is broken (Expected `str`, got `int` - at `$.asks[0].sign`) - expected",
+        "questions[2]: is broken (Expected `str`, got `int` - at `$.asks[0].sign`) - expected",
     ),
     (
         lambda head, _: head["questions"][1]["asks"][0].update(points="many"),
@@ -237,10 +240,10 @@ def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
             "cannot be read (No such file or directory) - expected an exam folder made by "
             "kinegrade generate",
         ),
-        (b"\xff", "cannot be read (not UTF-8)"),
+        (b"\xff", "not UTF-8"),
         (b"{", "broken JSON"),
-        (b"[" * 100_000, "broken JSON"),
-        (b'{"format": 1e999999999}', "is 1E+999999999 - expected"),
+        (b"[" * 100_000, "nested too deeply"),
+        (b'{"format": 1e999999999}', "format: 1e999999999 - expected"),
     ],
 )
 def test_broken_files_are_named(
@@ -362,3 +365,32 @@ def mark_of(folder: Path, typed: str) -> dict[str, str]:
         return next(
             row for row in csv.DictReader(stream) if (row["student"], row["ask"]) == ("0012", "v_B")
         )
+
+
+def test_all_faults_of_a_head_stand_with_their_lines(exam_folder: Path) -> None:
+    head = exam()
+    head["language"] = "la"
+    head["title"] = 1
+    head["students"][1]["name"] = 7
+    head["students"][2]["student"] = " "
+    (exam_folder / "exam.json").write_text(json.dumps(head, indent=0), encoding="utf-8")
+    with pytest.raises(ExamError) as caught:
+        open_exam(exam_folder)
+    assert [problem.split("exam.json")[1].split(" - ")[0] for problem in caught.value.problems] == [
+        ": is broken (Expected `str`, got `int`",
+        ':4: language: "la"',
+        ":43: students[2]: is broken (Expected `str`, got `int`",
+        ':49: students[3]: "student" is empty',
+    ]
+
+
+def test_a_key_that_stands_twice_in_a_head_is_refused(exam_folder: Path) -> None:
+    file = exam_folder / "exam.json"
+    file.write_text('{"format": 1, "language": "en", "language": "zh"}', encoding="utf-8")
+    with pytest.raises(ExamError) as caught:
+        open_exam(exam_folder)
+    assert str(caught.value) == (
+        f'{file}: "language" stands twice in one object: leave one of the two out - expected an '
+        "exam folder made by kinegrade generate in JSON "
+        "- restore the exam folder as it was generated"
+    )

@@ -410,7 +410,9 @@ def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     (exam / "exam.json").write_text('{"students": 3}', encoding="utf-8")
-    with pytest.raises(ExamError, match=r'exam.json: no "format" - .* - restore the exam folder'):
+    with pytest.raises(
+        ExamError, match=r"exam.json: format: missing - .* - restore the exam folder"
+    ):
         list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
     (exam / "exam.json").unlink()
     with pytest.raises(ExamError, match=r"exam.json: cannot be read"):

@@ -37,16 +37,22 @@ def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
     ("content", "message"),
     [
         (None, r"exam.json: cannot be read \(No such file"),
-        ("[", r"exam.json: broken JSON \(.*\) - expected one JSON object - restore the exam"),
-        ('{"format": 1, "students": [1]}', r"exam.json: students 1: is broken \(Expected `object`"),
+        (
+            "[",
+            r"exam.json:1: broken JSON \(.*\) - expected an exam folder .* in JSON - restore the exam",
+        ),
+        (
+            '{"format": 1, "students": [1]}',
+            r"exam.json:1: students\[1\]: is broken \(Expected `object`",
+        ),
         (
             '{"format": 1, "language": "fr", "students": []}',
-            'exam.json: language: "fr" - expected one of en, zh, which this version of kinegrade '
+            'exam.json:1: language: "fr" - expected one of en, zh, which this version of kinegrade '
             "knows - restore the exam folder",
         ),
         (
             '{"format": 1, "title": "x", "students": []}',
-            "exam.json: language: no language - expected one of en, zh, which this version",
+            "exam.json: language: missing - expected one of en, zh, which this version",
         ),
         (
             '{"format": 1, "language": "en", "questions": [{"question": "q1", "asks": [{"ask": "v",'

@@ -12,8 +12,9 @@ from math import isclose
 
 import msgspec
 
+from kinegrade.errors import FieldError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.faults import FieldError, damaged
+from kinegrade.exam.folder.faults import damaged
 from kinegrade.exam.folder.keys import Ask, Key, Rule, rule
 from kinegrade.exam.folder.numbers import RATIONAL, not_negative, number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance

@@ -6,19 +6,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from kinegrade.errors import ExamError
+from kinegrade.errors import ExamError, FieldError
 
 AS_GENERATED = "expected it as kinegrade generate wrote it"
-_REMEDY = "restore the exam folder as it was generated"
-
-
-class FieldError(ValueError):
-    """One fault in a file, to become one line of an ExamError."""
+REMEDY = "restore the exam folder as it was generated"
 
 
 def broken(where: Path | str, faults: Iterable[str]) -> ExamError:
     """The refusal of a file, or a line of it, with these faults; each says what was expected."""
-    return ExamError(*(f"{where}: {fault} - {_REMEDY}" for fault in faults))
+    return ExamError(*(f"{where}: {fault} - {REMEDY}" for fault in faults))
 
 
 def damaged(fault: Exception) -> str:

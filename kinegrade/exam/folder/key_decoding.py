@@ -23,6 +23,7 @@ import msgspec
 from msgspec.structs import astuple
 
 from kinegrade.csv_writing import encoded
+from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exact_keys import exact_keys, key_line, rule_of
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, not_negative
@@ -38,7 +39,14 @@ class _UnusualError(Exception):
     """A line that has to be read with more patience."""
 
 
-_UNUSUAL = (_UnusualError, AttributeError, ArithmeticError, RecursionError, ValueError)
+_UNUSUAL = (
+    _UnusualError,
+    FieldError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    ValueError,
+)
 _decoded_tolerance = msgspec.json.Decoder(StatedTolerance).decode
 _decoded_period = msgspec.json.Decoder(Decimal | None).decode
 

@@ -9,8 +9,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
+from kinegrade.errors import FieldError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.faults import FieldError, broken, unreadable
+from kinegrade.exam.folder.faults import broken, unreadable
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.records import Candidate

@@ -9,8 +9,8 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 
+from kinegrade.errors import FieldError
 from kinegrade.exact.written import NumberError, written_number
-from kinegrade.exam.folder.faults import FieldError
 
 MOST_DIGITS = 100
 RATIONAL = re.compile(r"-?[0-9]{1,300}(?:/[0-9]{0,299}[1-9][0-9]{0,299})?")

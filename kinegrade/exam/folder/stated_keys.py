@@ -16,8 +16,9 @@ from math import isfinite
 
 import msgspec
 
+from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exact_keys import mistakes_of
-from kinegrade.exam.folder.faults import FieldError, broken, damaged
+from kinegrade.exam.folder.faults import broken, damaged
 from kinegrade.exam.folder.keys import Ask, Rule, StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 
