@@ -27,7 +27,7 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.figure.symbol_runs import Run, symbol_runs
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import symbol_fault
+from kinegrade.problem.symbols import symbol_fault
 
 FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
 _FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}

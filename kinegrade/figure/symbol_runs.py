@@ -96,7 +96,7 @@ class Run:
 
 
 def symbol_runs(symbol: str) -> tuple[Run, ...]:
-    """The runs of a symbol that `kinegrade.problem.hints.symbol_fault` finds no fault with.
+    """The runs of a symbol that `kinegrade.problem.symbols.symbol_fault` finds no fault with.
 
     >>> [run.text for run in symbol_runs("O_1'")]
     ['O', '1', '′']

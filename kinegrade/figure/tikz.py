@@ -26,7 +26,7 @@ from kinegrade.figure.scene import (
     fill_of,
 )
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import symbol_fault
+from kinegrade.problem.symbols import symbol_fault
 
 _FILLS: dict[Fill, str] = {"none": "", "white": "white", "grey": "black!9", "black": "black"}
 _DASHES = {"solid": "", "dashed": "{3pt}{3pt}", "dash-dotted": "{3pt}{2pt}{0.01pt}{2pt}"}

@@ -26,7 +26,7 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.figure.svg import to_svg
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import symbol_fault
+from kinegrade.problem.symbols import symbol_fault
 
 _DASHES: dict[Dash, str] = {
     "solid": "",

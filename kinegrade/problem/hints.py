@@ -1,14 +1,11 @@
 """What a template author wants marked in the figure: the `[figure]` table of a template, read and
 checked.
 
-The shape of the mechanism itself is never a hint: it follows from bodies and joints. Symbols are
-LaTeX math without dollar signs, from a small alphabet, so that every back end can set them and none
-can be led astray.
+The shape of the mechanism itself is never a hint: it follows from bodies and joints.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
@@ -16,6 +13,7 @@ from typing import Any, Literal, cast
 
 from kinegrade.errors import TemplateError, did_you_mean
 from kinegrade.mechanics.joints import GROUND
+from kinegrade.problem.symbols import symbol_fault
 
 Sense = Literal["ccw", "cw"]
 Side = Literal["right", "up", "left", "down"]
@@ -25,35 +23,6 @@ SENSES = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES = ("right", "up", "left", "down")
 SHAPES = ("gear", "cam", "bent", "bar", "through")
-GREEK = re.findall(
-    "[A-Za-z]+",
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi pi "
-    "rho varrho "
-    "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
-)
-COMMANDS = frozenset(
-    (
-        *GREEK,
-        "mathrm",
-        "mathbf",
-        "boldsymbol",
-        "vec",
-        "dot",
-        "ddot",
-        "bar",
-        "sqrt",
-        "frac",
-        "prime",
-        "circ",
-        "cdot",
-        "infty",
-    )
-)
-_LETTERS = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z0-9 _^{}'()+\-=.,])+")
-_DANGLING = re.compile(
-    r"[_^]\s*(?:[_^}]|$)|^\s*[_^]|\\(?:sqrt|mathrm|mathbf|boldsymbol|vec|dot|ddot|bar|frac)(?![A-Za-z])\s*(?!\{)"
-)
-_TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
 
 @dataclass(frozen=True)
@@ -166,37 +135,6 @@ def read_hints(
     if reader.faults:
         raise TemplateError(*reader.faults)
     return hints
-
-
-def symbol_fault(symbol: object) -> str | None:
-    """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
-    if not isinstance(symbol, str) or not symbol.strip():
-        return "not a symbol; write LaTeX math without dollar signs, such as '\\omega_{AB}'"
-    if not _LETTERS.fullmatch(symbol):
-        return (
-            f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and "
-            "LaTeX commands"
-        )
-    unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
-    if unknown:
-        return f"unknown LaTeX command \\{unknown[0]}; {did_you_mean(unknown[0], COMMANDS)}"
-    if not _complete(symbol):
-        return f"{symbol!r} is incomplete; close every brace, give every _ and ^ one thing"
-    return None
-
-
-def _complete(symbol: str) -> bool:
-    """Whether braces close, every script and every command has what it acts on, and no script comes
-    twice.
-    """
-    depths = [symbol[:end].count("{") - symbol[:end].count("}") for end in range(len(symbol) + 1)]
-    fractions = len(re.findall(r"\\frac\{[^{}]+\}\{", symbol))
-    return (
-        min(depths) == depths[-1] == 0
-        and not _DANGLING.search(symbol)
-        and not _TWICE.search(symbol)
-        and fractions == symbol.count("\\frac")
-    )
 
 
 class _Reader:

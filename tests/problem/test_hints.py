@@ -16,7 +16,6 @@ from kinegrade.problem.hints import (
     Rimmed,
     Turning,
     read_hints,
-    symbol_fault,
 )
 
 POINTS, BODIES = {"O", "A", "B"}, {"OA", "AB"}
@@ -135,35 +134,3 @@ def test_all_faults_come_at_once() -> None:
 )
 def test_a_fault_is_named_with_its_place(text: str, fragment: str) -> None:
     assert any(fragment in fault for fault in faults(text))
-
-
-@pytest.mark.parametrize(
-    "symbol",
-    ["l", "k r", r"\omega_{AB}", r"\varphi", "O_1'", r"\mathrm{II}", r"\sqrt{3} r", r"\frac{l}{2}"],
-)
-def test_what_statements_use_is_a_symbol(symbol: str) -> None:
-    assert symbol_fault(symbol) is None
-
-
-@pytest.mark.parametrize(
-    "symbol",
-    [
-        "",
-        "$r$",
-        '"x"',
-        "#x",
-        r"\\",
-        r"\text{a}",
-        "{",
-        "}{",
-        "_1",
-        "a^",
-        r"\sqrt",
-        r"x\frac{a}",
-        "a_1_2",
-        r"\vec",
-        "é",
-    ],
-)
-def test_what_could_lead_a_typesetter_astray_is_none(symbol: str) -> None:
-    assert symbol_fault(symbol) is not None
