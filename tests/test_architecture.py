@@ -252,7 +252,7 @@ def test_a_module_runs_nothing_that_it_reads(module: str) -> None:
 @pytest.mark.parametrize("name", template_names())
 def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> None:
     template = load_template(name)
-    texts = [template.title, template.statement]
+    texts = [template.about.title, template.words.statement]
     texts += [part.means for part in (*template.parameters.values(), *template.asks.values())]
     texts += [ask.sign for ask in template.asks.values()]
     for text in texts:

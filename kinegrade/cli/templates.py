@@ -39,7 +39,7 @@ def list_templates(language: Language) -> None:
 
     for name in template_names():
         template = load_template(name)
-        click.echo(f"{name}\t{template.family}\t{template.title.in_language(language)}")
+        click.echo(f"{name}\t{template.about.family}\t{template.about.title.in_language(language)}")
 
 
 @click.command()

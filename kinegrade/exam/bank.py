@@ -180,7 +180,7 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
     texts: dict[str, str] = {}
     for entry in entries:
         for template in (slot.candidates[0].template for slot in entry.slots if not slot.drawn):
-            if texts.setdefault(template.name, template.text) != template.text:
+            if texts.setdefault(template.name, template.file.text) != template.file.text:
                 entry.table.fault(
                     "template",
                     f'another template of this bank has the name "{template.name}"',

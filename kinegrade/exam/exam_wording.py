@@ -38,7 +38,7 @@ def exam_wording(exam: ExamFolder, language: Language) -> ExamWording:
     }
     return ExamWording(
         {
-            question: template.title.in_language(language)
+            question: template.about.title.in_language(language)
             for question, template in templates.items()
         },
         {column: ask.means.in_language(language) for column, ask in asks.items()},

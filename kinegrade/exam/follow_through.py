@@ -86,7 +86,7 @@ class FollowThrough:
         """
         template = self.templates.get(question)
         kept = self.kept(student, question)
-        if template is None or not template.drivers or kept is None:
+        if template is None or not template.scheme.drivers or kept is None:
             return None
         texts = kept.values
         if texts.keys() < template.parameters.keys():

@@ -69,9 +69,9 @@ def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
     figures, faults = drawn_figures(template, draws)
     asked = template.asked()
     return GalleryEntry(
-        template.family,
+        template.about.family,
         template.name,
-        template.title.in_language(language),
+        template.about.title.in_language(language),
         template.combinations,
         tuple(template.asks[ask].symbol for ask in asked),
         tuple(ask.symbol for ask in template.asks.values() if ask.name not in asked),

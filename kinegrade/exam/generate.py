@@ -213,18 +213,19 @@ def source_files(setting: Setting) -> dict[str, str]:
     one file of a name.
     """
     templates = [question.template for question in setting.bank.questions]
+    shared = [template.file.mechanism for template in templates if template.file.mechanism]
     mechanisms: dict[str, str] = {}
     faults = {
-        name: f'bank: templates of this bank share two different mechanisms named "{name}": rename '
-        "one file"
-        for name, text in (template.mechanism for template in templates if template.mechanism)
-        if mechanisms.setdefault(name, text) != text
+        mechanism.name: "bank: templates of this bank share two different mechanisms named "
+        f'"{mechanism.name}": rename one file'
+        for mechanism in shared
+        if mechanisms.setdefault(mechanism.name, mechanism.text) != mechanism.text
     }
     if faults:
         raise BankError(*faults.values())
     return {
         BANK: setting.bank.text,
-        **{f"{TEMPLATES}/{template.name}.toml": template.text for template in templates},
+        **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
         **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
     }
 

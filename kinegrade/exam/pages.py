@@ -84,7 +84,7 @@ def question_sheet(
     return QuestionSheet(
         number,
         question.question.identifier,
-        template.title.in_language(language),
+        template.about.title.in_language(language),
         question.question.points,
         statement(template, solution.parameters, language),
         drawn,
@@ -152,7 +152,10 @@ def key_entry(question: SetQuestion, language: Language) -> KeyEntry:
         for entry in question.asks
     )
     return KeyEntry(
-        question.question.identifier, template.title.in_language(language), parameters, answers
+        question.question.identifier,
+        template.about.title.in_language(language),
+        parameters,
+        answers,
     )
 
 

@@ -81,7 +81,7 @@ def _texts(template: Template) -> Iterator[tuple[str, str, Writer]]:
 
 def _lines(template: Template, language: Language) -> Iterator[tuple[str, str]]:
     """The texts of one line with their places."""
-    yield f"title.{language}", template.title.in_language(language)
+    yield f"title.{language}", template.about.title.in_language(language)
     for name, parameter in template.parameters.items():
         yield f"parameters.{name}.means.{language}", parameter.means.in_language(language)
     for name, ask in template.asks.items():

@@ -111,7 +111,7 @@ def _question(
         return QuizQuestion(
             f"{source.identifier}-{code}-{name}",
             name,
-            template.title.in_language(language),
+            template.about.title.in_language(language),
             statement(template, parameters, language),
             _figure(template, mechanism, language),
             asks,
@@ -147,7 +147,7 @@ def shown(template: Template, given: Mapping[str, str]) -> tuple[dict[str, Quant
 
 def _figure(template: Template, mechanism: Mechanism, language: Language) -> QuizFigure:
     scene = sketch(mechanism, template.figure)
-    title = template.title.in_language(language).replace("$", "")
+    title = template.about.title.in_language(language).replace("$", "")
     return QuizFigure(
         to_svg(scene).encode(), scene.width, scene.height, FIGURE[language].format(title)
     )

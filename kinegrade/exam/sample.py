@@ -38,7 +38,12 @@ def sample_bank(template: Template) -> Bank:
     )
     question = BankQuestion("q1", template, asks, {})
     return Bank(
-        template.title, Translated("kinegrade", "kinegrade"), "", ONE_PER_CENT, (question,), ""
+        template.about.title,
+        Translated("kinegrade", "kinegrade"),
+        "",
+        ONE_PER_CENT,
+        (question,),
+        "",
     )
 
 
@@ -64,12 +69,19 @@ def worked_page(solution: Solution, language: Language, method: Method | None = 
     question = WorkedQuestion(
         1,
         "q1",
-        template.title.in_language(language),
+        template.about.title.in_language(language),
         statement(template, solution.parameters, language),
         worked.blocks,
         template.name,
     )
     sheet = SolutionSheet(
-        language, "kinegrade", template.title.in_language(language), "", "", "", "", (question,)
+        language,
+        "kinegrade",
+        template.about.title.in_language(language),
+        "",
+        "",
+        "",
+        "",
+        (question,),
     )
     return TypstPress().solution(sheet)

@@ -50,7 +50,7 @@ def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
             faults += error.problems
     if faults:
         raise BankError(*faults)
-    families = {name: frozenset({template.family}) for name, template in templates.items()}
+    families = {name: frozenset({template.about.family}) for name, template in templates.items()}
     return Shelf(
         templates,
         {"family": families, "tag": {name: tags(template) for name, template in templates.items()}},

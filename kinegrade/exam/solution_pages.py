@@ -46,7 +46,7 @@ def worked_question(
     return WorkedQuestion(
         number,
         question.question.identifier,
-        template.title.in_language(language),
+        template.about.title.in_language(language),
         statement(template, solution.parameters, language),
         worked.blocks,
         template.name,

@@ -44,7 +44,7 @@ class Answerable:
     def look(self, values: Mapping[str, str]) -> None:
         """Work out every ask at drawn values that meet the conditions."""
         if not all(
-            holds(self.template, condition, values) for condition in self.template.conditions
+            holds(self.template, condition, values) for condition in self.template.scheme.conditions
         ):
             return
         try:

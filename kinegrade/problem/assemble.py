@@ -94,11 +94,11 @@ def assemble(
     }
     points: dict[str, Vector] = {}
     functions = {**elementary(arithmetic), **constructions(arithmetic, points)}
-    for name, tree in template.lengths.items():
+    for name, tree in template.scheme.lengths.items():
         values[name] = bounded(
             located(f"lengths.{name}", evaluate, tree, values, functions, arithmetic)
         )
-    for name, tree in template.points.items():
+    for name, tree in template.scheme.points.items():
         place = located(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(
@@ -106,9 +106,13 @@ def assemble(
             )
         points[name] = values[name] = located(f"points.{name}", measured, put_down(place))
     parts = Parts(values, functions, points, arithmetic)
-    joints = tuple(located(sentence.text, parts.joint, sentence) for sentence in template.joints)
-    drivers = tuple(located(sentence.text, parts.driver, sentence) for sentence in template.drivers)
-    return Assembly(Mechanism(points, template.bodies, joints, drivers), values, functions)
+    joints = tuple(
+        located(sentence.text, parts.joint, sentence) for sentence in template.scheme.joints
+    )
+    drivers = tuple(
+        located(sentence.text, parts.driver, sentence) for sentence in template.scheme.drivers
+    )
+    return Assembly(Mechanism(points, template.scheme.bodies, joints, drivers), values, functions)
 
 
 def measure(value: Any) -> Any:

@@ -118,13 +118,13 @@ def weigh_texts(report: Report, sample: int) -> None:
     apply are remarked.
     """
     template = report.template
-    idle = {name: set(range(len(wordings))) for name, wordings in template.texts.items()}
-    if not template.texts:
+    idle = {name: set(range(len(wordings))) for name, wordings in template.words.texts.items()}
+    if not template.words.texts:
         return
     for values in drawable(template, max(sample, TEXTS_TRIED), report.secret):
-        if not all(holds(template, condition, values) for condition in template.conditions):
+        if not all(holds(template, condition, values) for condition in template.scheme.conditions):
             continue
-        for name, wordings in template.texts.items():
+        for name, wordings in template.words.texts.items():
             found = wording(template, name, values)
             if found is None:
                 report.faults.append(

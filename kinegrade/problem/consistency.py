@@ -93,13 +93,13 @@ class Consistency:
         places = {**values, **{side: Side() for side in BRANCHES}}
         yield from self.points(places)
         scope = self.scope(places, CONSTRUCTIONS)
-        for joint in self.template.joints:
+        for joint in self.template.scheme.joints:
             yield from tried(joint.text, self.joint, scope, joint)
-        for driver in self.template.drivers:
+        for driver in self.template.scheme.drivers:
             yield from tried(driver.text, self.driver, scope, driver)
-        for index, condition in enumerate(self.template.conditions):
+        for index, condition in enumerate(self.template.scheme.conditions):
             yield from tried(f"conditions[{index}]", self.condition, condition)
-        for name, wordings in self.template.texts.items():
+        for name, wordings in self.template.words.texts.items():
             yield from self.wordings(f"text.{name}", wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
@@ -111,7 +111,7 @@ class Consistency:
     @property
     def bodies(self) -> frozenset[str]:
         """The names of the bodies, without the ground."""
-        return frozenset(body.name for body in self.template.bodies)
+        return frozenset(body.name for body in self.template.scheme.bodies)
 
     def scope(self, names: Mapping[str, Kind], functions: Mapping[str, Signature]) -> Scope:
         """What may be used where these names and functions are known."""
@@ -119,7 +119,7 @@ class Consistency:
 
     def lengths(self, values: dict[str, Kind]) -> Iterator[Fault]:
         """The named lengths, added to `values` one after the other."""
-        for name, tree in self.template.lengths.items():
+        for name, tree in self.template.scheme.lengths.items():
             scope = self.scope(dict(values), CONSTRUCTIONS)
             values[name] = Unknown()
             yield from tried(f"lengths.{name}", self.note, values, name, scope, tree)
@@ -132,7 +132,7 @@ class Consistency:
         """The points, added to `places` one after the other; each is a point, even where its
         expression is at fault.
         """
-        for name, tree in self.template.points.items():
+        for name, tree in self.template.scheme.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
             places[name] = Arrow(LENGTH, name)
             yield from tried(f"points.{name}", self.point, scope, tree)

@@ -21,8 +21,8 @@ def lines(template: Template, language: Language) -> Iterator[str]:
     """The lines of the description."""
     check_statements(template)
     solution = solve_template(template, {})
-    yield f"{template.name}: {template.title.in_language(language)}"
-    yield f"family: {template.family}; source: {template.source}"
+    yield f"{template.name}: {template.about.title.in_language(language)}"
+    yield f"family: {template.about.family}; source: {template.about.source}"
     yield (
         f"drawable combinations: {template.combinations}, less those that `kinegrade check` "
         "finds unfit"

@@ -298,10 +298,10 @@ def sensible(
     Refused.
     """
     try:
-        for condition in template.conditions:
+        for condition in template.scheme.conditions:
             if not holds(template, condition, values):
                 raise Refused("condition", condition.text)
-        for name in template.texts:
+        for name in template.words.texts:
             if wording(template, name, values) is None:
                 raise Refused("condition", f"no text of {name} applies")
         solution = solve_template(template, values, asks, plan)

@@ -127,7 +127,7 @@ class Follower:
 
     def motion(self, own: Mapping[str, float]) -> FollowedMotion | None:
         """The motion with own answers put in; None where nothing moves or no step can be solved."""
-        if not self.template.drivers:
+        if not self.template.scheme.drivers:
             return None
         doubles = Doubles()
         with doubles.context():
@@ -176,7 +176,7 @@ class Follower:
     def quantities(self) -> Mapping[str, Expression]:
         """What is read for each ask."""
         return {
-            name: with_rotations(ask.quantity, self.template.bodies)
+            name: with_rotations(ask.quantity, self.template.scheme.bodies)
             for name, ask in self.template.asks.items()
         }
 

@@ -16,7 +16,7 @@ from kinegrade.problem.template import Condition, Relation, Template, Wording
 
 def wording(template: Template, name: str, given: Mapping[str, str]) -> Wording | None:
     """The first wording of the text `name` that applies at given values; None where none does."""
-    for candidate in template.texts[name]:
+    for candidate in template.words.texts[name]:
         if candidate.condition is None or holds(template, candidate.condition, given):
             return candidate
     return None

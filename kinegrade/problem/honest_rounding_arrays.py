@@ -77,11 +77,16 @@ def together(template: Template, asks: Iterable[str]) -> bool:
     quantities = [template.asks[name].quantity for name in asks]
     sentences = [
         getattr(sentence, part)
-        for sentence in (*template.joints, *template.drivers)
+        for sentence in (*template.scheme.joints, *template.scheme.drivers)
         for part in ("on", "circle", "velocity", "acceleration", "along")
         if hasattr(sentence, part)
     ]
-    trees = (*template.lengths.values(), *template.points.values(), *quantities, *sentences)
+    trees = (
+        *template.scheme.lengths.values(),
+        *template.scheme.points.values(),
+        *quantities,
+        *sentences,
+    )
     return not (
         any(map(has_power, trees)) or any(calls(tree, "circle_of_poles") for tree in quantities)
     )

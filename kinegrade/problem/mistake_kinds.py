@@ -138,7 +138,7 @@ def radii(template: Template) -> set[str]:
     """The parameters that are the radius of a circle which joints speak of."""
     circles = [
         shape
-        for joint in template.joints
+        for joint in template.scheme.joints
         for shape in (joint.circle, joint.on)
         if shape is not None and shape.function == "circle"
     ]
@@ -167,16 +167,16 @@ def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]
     for mistake in MISTAKES:
         if others.get(
             mistake.identifier,
-            template.drivers and any(occasions[share] for share in mistake.shares),
+            template.scheme.drivers and any(occasions[share] for share in mistake.shares),
         ):
             yield mistake
 
 
 def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str, bool]:
     """For each share of a term whether the template has such terms."""
-    kinds = {joint.kind for joint in template.joints}
-    relative = any(joint.of != GROUND for joint in template.joints) or any(
-        driver.of != GROUND for driver in template.drivers
+    kinds = {joint.kind for joint in template.scheme.joints}
+    relative = any(joint.of != GROUND for joint in template.scheme.joints) or any(
+        driver.of != GROUND for driver in template.scheme.drivers
     )
     accelerations = any(ask.unit.time == -2 for ask in asks.values())
     wheels = bool(kinds & {"roll", "mesh"})
@@ -184,7 +184,7 @@ def occasions_of_shares(template: Template, asks: Mapping[str, Ask]) -> dict[str
         "coriolis": accelerations and relative,
         "relative_normal": accelerations,
         "path_normal": accelerations,
-        "carried": wheels or any(driver.of != GROUND for driver in template.drivers),
+        "carried": wheels or any(driver.of != GROUND for driver in template.scheme.drivers),
         "asked_relative": any(calls(ask.quantity, ("omega", "alpha"), 2) for ask in asks.values()),
         "meshing": wheels,
         "arm": wheels,
@@ -205,7 +205,7 @@ def occasions_of_givens(template: Template, asks: Mapping[str, Ask]) -> dict[str
         if unit.length
     }
     return {
-        "other-branch": any(calls(tree, ("meet",), 3) for tree in template.points.values()),
+        "other-branch": any(calls(tree, ("meet",), 3) for tree in template.scheme.points.values()),
         "sine-for-cosine": bool(template.angles),
         "degrees-for-radians": any(
             parameter.unit.degrees for parameter in template.parameters.values()

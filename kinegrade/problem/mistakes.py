@@ -81,7 +81,7 @@ def moved(
     """
     assembly = assemble(template, way.values, Misread(arithmetic, way.other_branch))
     motion: Motion
-    if template.drivers:
+    if template.scheme.drivers:
         if arithmetic.certified:
             require_assembled(assembly.mechanism, arithmetic)
         motion = mistaken(assembly.mechanism, arithmetic, plan, way.slips, perturbed=perturbed)

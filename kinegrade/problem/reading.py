@@ -40,7 +40,19 @@ from kinegrade.problem.shared_mechanism import (
     sharable,
 )
 from kinegrade.problem.signs import read_sign
-from kinegrade.problem.template import Ask, Condition, Parameter, Published, Template, Translated
+from kinegrade.problem.template import (
+    About,
+    Ask,
+    Condition,
+    MechanismFile,
+    Parameter,
+    Published,
+    Scheme,
+    Template,
+    TemplateFile,
+    Translated,
+    Words,
+)
 from kinegrade.problem.template_choices import read_method, read_tags
 from kinegrade.problem.toml_text import KNOWN, NEEDED, toml_tables
 from kinegrade.problem.uses import Uses
@@ -87,7 +99,7 @@ class Reader:
     def __init__(self, name: str, text: str, mechanisms: Mechanisms) -> None:
         self.name, self.text, self.where = name, text, f"{name}.toml"
         self.faults: list[str] = []
-        self.mechanism: tuple[str, str] | None = None
+        self.mechanism: MechanismFile | None = None
         self.layers = Layers(self.where, self.load())
         if "mechanism" in self.layers.own:
             self.share(mechanisms)
@@ -131,7 +143,7 @@ class Reader:
         except TemplateError as error:
             raise TemplateError(*self.faults, *error.problems) from error
         self.faults += mechanism_faults(file, tables)
-        self.mechanism = name, text
+        self.mechanism = MechanismFile(name, text)
         self.layers = Layers(self.where, self.layers.own, file, sharable(tables))
         self.need(self.layers.tables(), [key for key in NEEDED if key in KINDS])
 
@@ -165,26 +177,31 @@ class Reader:
         bodies = self.bodies(points)
         self.check_names(parameters, lengths, points, bodies)
         result = Template(
-            self.name,
-            self.section("family", str),
-            self.translated(self.table, "title"),
-            self.translated(self.table, "statement"),
-            self.section("source", str),
-            parameters,
-            lengths,
-            points,
-            bodies,
-            self.joints(),
-            self.drivers(),
-            self.conditions(),
-            self.asks(),
-            self.published(parameters),
-            self.hints(points, bodies),
-            self.text,
-            read_tags(self.section("tags", list), self.fault),
-            self.mechanism,
-            read_method(self.table.get("method"), self.fault),
-            read_texts(self.section("text", dict), self.fault),
+            name=self.name,
+            file=TemplateFile(self.text, self.mechanism),
+            about=About(
+                self.translated(self.table, "title"),
+                self.section("family", str),
+                self.section("source", str),
+                read_tags(self.section("tags", list), self.fault),
+                read_method(self.table.get("method"), self.fault),
+            ),
+            words=Words(
+                self.translated(self.table, "statement"),
+                read_texts(self.section("text", dict), self.fault),
+            ),
+            scheme=Scheme(
+                parameters,
+                lengths,
+                points,
+                bodies,
+                self.joints(),
+                self.drivers(),
+                self.conditions(),
+            ),
+            asks=self.asks(),
+            published=self.published(parameters),
+            figure=self.hints(points, bodies),
         )
         Uses(self.fault, self.declared - self.understood(result)).check(result)
         return result
@@ -197,8 +214,14 @@ class Reader:
 
     def understood(self, template: Template) -> frozenset[str]:
         """The names of the parts that could be read."""
-        groups = (template.parameters, template.lengths, template.points, template.asks)
-        return frozenset().union(*groups)
+        return frozenset(
+            (
+                *template.parameters,
+                *template.scheme.lengths,
+                *template.scheme.points,
+                *template.asks,
+            )
+        )
 
     def translated(self, table: Mapping[str, Any], key: str, path: str = "") -> Translated:
         """A text in en and zh."""

@@ -72,7 +72,7 @@ def reason(template: Template, asks: Sequence[str], values: Mapping[str, str]) -
     meet them.
     """
     try:
-        if all(holds(template, condition, values) for condition in template.conditions):
+        if all(holds(template, condition, values) for condition in template.scheme.conditions):
             solve_template(template, values, asks)
     except MechanismError as error:
         return error.problems[0]

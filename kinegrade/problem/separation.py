@@ -183,7 +183,7 @@ def conditions(template: Template, arrays: Mapping[str, Any]) -> Iterator[Any]:
     """For each condition the instances that meet it, those on the bound among them."""
     floats = Floats()
     values = {**arrays, "pi": np.pi}
-    for condition in template.conditions:
+    for condition in template.scheme.conditions:
         try:
             with floats.context():
                 room = evaluate(

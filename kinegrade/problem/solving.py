@@ -206,7 +206,7 @@ def attempt(
     assembly = assemble(template, values, arithmetic)
     motion = (
         solve(assembly.mechanism, arithmetic, plan)
-        if template.drivers
+        if template.scheme.drivers
         else pose(assembly.mechanism, arithmetic)
     )
     circles = Centrodes(template, values, plan)

@@ -65,7 +65,7 @@ def statement(template: Template, parameters: Mapping[str, Quantity], language: 
         name: filled(text.in_language(language), givens, {})
         for name, text in applying(template, parameters)
     }
-    text = filled(template.statement.in_language(language), givens, texts)
+    text = filled(template.words.statement.in_language(language), givens, texts)
     if len(text) > LONGEST:
         raise TemplateError(
             f"{template.name}.toml: statement.{language}: {len(text)} characters once it is "
@@ -81,7 +81,7 @@ def applying(
     TemplateError.
     """
     given = {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
-    for name in template.texts:
+    for name in template.words.texts:
         found = wording(template, name, given)
         if found is None:
             values = ", ".join(f"{parameter} = {text}" for parameter, text in given.items())
@@ -110,7 +110,7 @@ def specimens(template: Template, language: Language) -> Iterator[tuple[str, str
     givens = {name: Given(given.symbol, "1") for name, given in template.parameters.items()}
     first = {
         name: filled(wordings[0].text.in_language(language), givens, {})
-        for name, wordings in template.texts.items()
+        for name, wordings in template.words.texts.items()
     }
     for where, text in written(template, language):
         if not slots_in_formulas(text):
@@ -143,9 +143,9 @@ def statement_faults(template: Template) -> list[str]:
 
 def left_out(template: Template, language: Language) -> list[str]:
     """The parameters that a statement does not give to the student, whatever wordings apply."""
-    given = named(template.statement.in_language(language))
-    for name in given & set(template.texts):
-        wordings = template.texts[name]
+    given = named(template.words.statement.in_language(language))
+    for name in given & set(template.words.texts):
+        wordings = template.words.texts[name]
         given |= frozenset.intersection(
             *(named(one.text.in_language(language)) for one in wordings)
         )
@@ -169,20 +169,20 @@ def in_formulas(template: Template, language: Language) -> list[str]:
 
 def written(template: Template, language: Language) -> Iterator[tuple[str, str]]:
     """The statement and the wordings of its texts, as the author wrote them, with their places."""
-    for name, wordings in template.texts.items():
+    for name, wordings in template.words.texts.items():
         for index, one in enumerate(wordings):
             yield f"text.{name}[{index}].{language}", one.text.in_language(language)
-    yield f"statement.{language}", template.statement.in_language(language)
+    yield f"statement.{language}", template.words.statement.in_language(language)
 
 
 def unused_texts(template: Template) -> list[str]:
     """The texts that a statement lacks: its readers are not told what the other ones are."""
     faults = []
-    for name in template.texts:
+    for name in template.words.texts:
         lacking = [
             language
             for language in LANGUAGES
-            if name not in named(template.statement.in_language(language))
+            if name not in named(template.words.statement.in_language(language))
         ]
         if len(lacking) == len(LANGUAGES):
             faults.append(f"text.{name}: stands in no statement: write {{{{ {name} }}}} there")

@@ -27,4 +27,4 @@ def tags(template: Template) -> frozenset[str]:
     """
     kinds = {kind(template.asks[name]) for name in template.asked()}
     highest = next((name for name in reversed(KINDS) if name in kinds), "position")
-    return frozenset({highest, *template.tags})
+    return frozenset({highest, *template.about.tags})

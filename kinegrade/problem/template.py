@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal, assert_never
 
 from kinegrade.expression import Expression
@@ -116,21 +116,40 @@ class Published:
 
 
 @dataclass(frozen=True)
-class Template:
-    """One mechanism with its questions; `text` is the file as it was read, kept with every exam.
-
-    `tags` are the author's words for finding it, besides those that follow from what it asks.
-    `mechanism` is the name and the text of the file that it shares with other templates, if it
-    does. `method` is how its worked solution finds velocities where several methods serve. `texts`
-    are the texts that depend on values: of the wordings of one name the first whose condition holds
-    applies.
-    """
+class MechanismFile:
+    """A file that holds the mechanism of several templates: its name without `.toml`, its text."""
 
     name: str
-    family: str
+    text: str
+
+
+@dataclass(frozen=True)
+class TemplateFile:
+    """A template as it was read, kept with every exam; `mechanism` where it shares one."""
+
+    text: str
+    mechanism: MechanismFile | None = None
+
+
+@dataclass(frozen=True)
+class About:
+    """By what a template is found and chosen.
+
+    `tags` are the author's words, besides those that follow from what it asks. `method` is how its
+    worked solution finds velocities where several methods serve.
+    """
+
     title: Translated
-    statement: Translated
+    family: str
     source: str
+    tags: tuple[str, ...] = ()
+    method: Method | None = None
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The mechanism as written: what is given, and what is made of it, each in the file's order."""
+
     parameters: Mapping[str, Parameter]
     lengths: Mapping[str, Expression]
     points: Mapping[str, Expression]
@@ -138,14 +157,36 @@ class Template:
     joints: tuple[JointSentence, ...]
     drivers: tuple[DriverSentence, ...]
     conditions: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Words:
+    """What students read: the statement, and the texts in it that depend on values.
+
+    Of the wordings of one name the first whose condition holds applies.
+    """
+
+    statement: Translated
+    texts: Mapping[str, tuple[Wording, ...]]
+
+
+@dataclass(frozen=True)
+class Template:
+    """One mechanism with its questions; `name` is its file's name without `.toml`."""
+
+    name: str
+    file: TemplateFile
+    about: About
+    words: Words
+    scheme: Scheme
     asks: Mapping[str, Ask]
     published: tuple[Published, ...]
     figure: FigureHints
-    text: str
-    tags: tuple[str, ...] = ()
-    mechanism: tuple[str, str] | None = None
-    method: Method | None = None
-    texts: Mapping[str, tuple[Wording, ...]] = field(default_factory=dict)
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The quantities that are given."""
+        return self.scheme.parameters
 
     @property
     def angles(self) -> frozenset[str]:

@@ -34,12 +34,14 @@ class Uses:
         together.
         """
         parameters = {*template.parameters, "pi"}
-        self.check_order("lengths", template.lengths, parameters)
-        self.check_order("points", template.points, {*parameters, *template.lengths, *BRANCHES})
-        self.check_sentences(
-            template, {*parameters, *template.lengths, *BRANCHES, *template.points}
+        self.check_order("lengths", template.scheme.lengths, parameters)
+        self.check_order(
+            "points", template.scheme.points, {*parameters, *template.scheme.lengths, *BRANCHES}
         )
-        for index, condition in enumerate(template.conditions):
+        self.check_sentences(
+            template, {*parameters, *template.scheme.lengths, *BRANCHES, *template.scheme.points}
+        )
+        for index, condition in enumerate(template.scheme.conditions):
             self.check_condition(f"conditions[{index}]", condition, template)
         self.check_texts(template, {*template.parameters, *self.faulty})
         for index, result in enumerate(template.published):
@@ -80,7 +82,7 @@ class Uses:
 
         `parameters` are all that the file describes, also those that could not be read.
         """
-        for name, wordings in template.texts.items():
+        for name, wordings in template.words.texts.items():
             if name in parameters:
                 self.fault(f"text.{name}", "one name for two things: rename one of them")
             for index, wording in enumerate(wordings):
@@ -88,7 +90,7 @@ class Uses:
                 if wording.condition is not None:
                     self.check_condition(path, wording.condition, template)
                 self.check_slots(path, wording.text, parameters, ())
-        self.check_slots("statement", template.statement, parameters, template.texts)
+        self.check_slots("statement", template.words.statement, parameters, template.words.texts)
 
     def check_slots(
         self,
@@ -117,18 +119,18 @@ class Uses:
 
     def check_sentences(self, template: Template, known: set[str]) -> None:
         """Joints, inputs and asks name bodies, points and values that there are."""
-        bodies = {GROUND, *(body.name for body in template.bodies)}
-        for joint in template.joints:
+        bodies = {GROUND, *(body.name for body in template.scheme.bodies)}
+        for joint in template.scheme.joints:
             self.check_listed(
                 joint.text, "body", (joint.body, joint.of, joint.carrier, *joint.bodies), bodies
             )
-            self.check_listed(joint.text, "point", (joint.point,), set(template.points))
+            self.check_listed(joint.text, "point", (joint.point,), set(template.scheme.points))
             for shape in (joint.circle, joint.on):
                 self.check_known(joint.text, shape, known)
-        for driver in template.drivers:
+        for driver in template.scheme.drivers:
             self.check_listed(driver.text, "body", (driver.body, driver.of), bodies)
             self.check_listed(
-                driver.text, "point", (driver.point, driver.centre), set(template.points)
+                driver.text, "point", (driver.point, driver.centre), set(template.scheme.points)
             )
             for tree in (driver.velocity, driver.acceleration, driver.along):
                 self.check_known(driver.text, tree, known)

@@ -47,10 +47,10 @@ def steps(template: Template) -> tuple[Step, ...]:
     needs.
     """
     found: list[Step] = []
-    taken = {*template.points, *template.parameters, *template.lengths}
-    for point, tree in template.points.items():
+    taken = {*template.scheme.points, *template.parameters, *template.scheme.lengths}
+    for point, tree in template.scheme.points.items():
         hoisted: list[Step] = []
-        before = sum(step.point not in template.points for step in found)
+        before = sum(step.point not in template.scheme.points for step in found)
         plain = unnested(tree, hoisted, before, taken, top=True)
         found += [*hoisted, Step(point, plain)]
     return tuple(found)

@@ -80,8 +80,8 @@ def symbol_writer(symbols: Mapping[str, str], points: Collection[str] = ()) -> W
 def symbols_of(template: Template) -> dict[str, str]:
     """The LaTeX symbols of everything that a template's expressions may name."""
     return {
-        **{name: point_symbol(name) for name in template.points},
-        **{name: symbol(name) for name in template.lengths},
+        **{name: point_symbol(name) for name in template.scheme.points},
+        **{name: symbol(name) for name in template.scheme.lengths},
         **{name: parameter.symbol for name, parameter in template.parameters.items()},
         "pi": r"\pi",
     }

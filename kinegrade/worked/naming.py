@@ -77,15 +77,15 @@ class Naming:
     def _is_round(self, body: str) -> bool:
         """Whether a body rolls, meshes or touches with a circle of its own."""
         return len(body) < 3 and any(
-            joint.circle and joint.body == body for joint in self.template.joints
+            joint.circle and joint.body == body for joint in self.template.scheme.joints
         )
 
     def _wheel(self, body: str) -> str:
         """The wheel, or the gear; with its letter where there are several, or where it is a roman
         numeral.
         """
-        kind = "gear" if "gear" in self.template.family else "wheel"
-        several = sum(self._is_round(other.name) for other in self.template.bodies) > 1
+        kind = "gear" if "gear" in self.template.about.family else "wheel"
+        several = sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1
         roman = set(body) <= set("IV")
         return (
             f"{self._bare(kind)} {body if roman else f'${point_symbol(body)}$'}"
@@ -98,7 +98,9 @@ class Naming:
         return self._word(name).removeprefix("the ")
 
     def _points(self, body: str) -> tuple[str, ...]:
-        return next((other.points for other in self.template.bodies if other.name == body), ())
+        return next(
+            (other.points for other in self.template.scheme.bodies if other.name == body), ()
+        )
 
     def _word(self, name: str) -> str:
         words = BODIES.get(name)
@@ -130,7 +132,7 @@ class Naming:
         asked = {(call, body): symbol for call, body, symbol in self._asked_rotations()}
         taken = set(asked.values())
         found: dict[str, tuple[str, str]] = {}
-        for body in self.template.bodies:
+        for body in self.template.scheme.bodies:
             omega, alpha = asked.get(("omega", body.name)), asked.get(("alpha", body.name))
             if omega is None:
                 omega = (

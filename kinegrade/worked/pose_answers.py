@@ -107,7 +107,7 @@ def one_answer(
     tree = unnested(
         ask.quantity,
         inner,
-        len(instance.steps) - len(solution.template.points),
+        len(instance.steps) - len(solution.template.scheme.points),
         set(instance.values),
     )
     symbol = ask.symbol if isinstance(tree, Call) else ""

@@ -34,7 +34,7 @@ def positions(solution: Solution, wanted: Collection[str], language: Language) -
 def named_lengths(instance: Instance, language: Language) -> tuple[Block, ...]:
     """The lengths that follow from the givens."""
     lines: tuple[str, ...] = ()
-    for name, tree in instance.solution.template.lengths.items():
+    for name, tree in instance.solution.template.scheme.lengths.items():
         unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
         lines += instance.equation(instance.symbols[name], tree, unit)
     return (Prose(position_words(language).lengths), Display(lines)) if lines else ()

@@ -211,7 +211,7 @@ def slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
 
 def radius(roll: Roll, case: Case) -> str:
     """The radius of the rolling circle in symbols."""
-    sentence = case.template.joints[case.motion.frames.mechanism.joints.index(roll)]
+    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(roll)]
     text = (
         formula(sentence.circle.arguments[1], case)
         if sentence.circle
@@ -247,7 +247,7 @@ def solved_for(relation: Relation, unknown: str, case: Case, level: Level) -> It
 def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
     """Equal pitch speeds seen from the carrier, of opposite senses for external gears."""
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
-    sentence = case.template.joints[case.motion.frames.mechanism.joints.index(mesh)]
+    sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(mesh)]
     own = (
         formula(sentence.circle.arguments[1], case)
         if sentence.circle
@@ -313,7 +313,7 @@ def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
 
     Nothing either where the paper's parameter has the very letters of the algebraic value, `name`.
     """
-    sentence = case.template.drivers[case.motion.frames.mechanism.drivers.index(driver)]
+    sentence = case.template.scheme.drivers[case.motion.frames.mechanism.drivers.index(driver)]
     tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
     text = formula(tree, case)
     same = name.partition("^")[0] in text

@@ -56,7 +56,7 @@ def worked_solution(
     """The worked solution for the asks named, by the method where several serve (else the
     template's, else the base point).
     """
-    case = Case(solution, language, method or solution.template.method)
+    case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
     return WorkedSolution(tuple(begun(block) for block in blocks(case, asked)))
 
@@ -115,7 +115,7 @@ def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
     yield Heading(phrase("positions", case.language), 1)
     if all(is_positional(ask) for ask in asked):
         yield Pictures((mechanism_picture(case),))
-    yield from positions(case.solution, tuple(case.template.points), case.language)
+    yield from positions(case.solution, tuple(case.template.scheme.points), case.language)
 
 
 def level_chapter(

@@ -68,7 +68,7 @@ class Case:
         if kind == "free":
             return None
         body, of = bodies.split("/")
-        for sentence in self.template.joints:
+        for sentence in self.template.scheme.joints:
             same = sentence.body == body and sentence.of == of
             if same and (
                 sentence.point == point or centre_of(sentence) == point or sentence.kind == "sleeve"

@@ -145,7 +145,7 @@ def test_a_template_file_may_lie_beside_the_bank(tmp_path: Path) -> None:
     (tmp_path / "crank.toml").write_text(crank_text(), encoding="utf-8")
     (question,) = bank(tmp_path, HEAD + '[[questions]]\ntemplate = "crank.toml"').questions
     assert question.template.name == "crank"
-    assert question.template.text == crank_text()
+    assert question.template.file.text == crank_text()
 
 
 @pytest.mark.parametrize(

@@ -46,7 +46,7 @@ def kept(folder: Path, bank: Bank) -> Bank:
     (folder / "EXAM" / "templates").mkdir(parents=True)
     for question in bank.questions:
         file = folder / "EXAM" / "templates" / f"{question.template.name}.toml"
-        file.write_text(question.template.text, encoding="utf-8")
+        file.write_text(question.template.file.text, encoding="utf-8")
     (folder / "EXAM" / "bank.toml").write_text(bank.text, encoding="utf-8")
     return read_again(folder, bank)
 
@@ -57,7 +57,7 @@ def read_again(folder: Path, bank: Bank) -> Bank:
 
 
 def said(question: BankQuestion) -> tuple[object, ...]:
-    return question.identifier, question.template.text, question.asks, question.domains
+    return question.identifier, question.template.file.text, question.asks, question.domains
 
 
 def test_the_bank_is_read_from_its_copies_whatever_was_drawn(tmp_path: Path, bank: Bank) -> None:

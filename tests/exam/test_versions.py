@@ -64,7 +64,7 @@ def headings(line: dict[str, Any], known: str, language: Language) -> list[str]:
         question["question"]: load_template(question["template"]) for question in line["questions"]
     }
     return [
-        "".join(f"{number}{templates[name].title.in_language(language)}".split())
+        "".join(f"{number}{templates[name].about.title.in_language(language)}".split())
         + (known.format(name[1:]) if name != f"q{number}" else "")
         for number, name in enumerate(line["printed"], start=1)
     ]
@@ -111,7 +111,7 @@ def test_the_letter_stands_in_the_code_and_on_the_paper(versions: Path) -> None:
 def test_the_key_shows_each_version_once(versions: Path) -> None:
     text = text_of(versions / "key.pdf")
     assert [text.count(f"Version{letter}") for letter in "ABC"] == [1, 1, 1]
-    title = load_template("bar-through-swivelling-sleeve").title.en
+    title = load_template("bar-through-swivelling-sleeve").about.title.en
     assert text.count("".join(f"3{title}".split())) == 3
 
 

@@ -87,7 +87,7 @@ def with_numbers(mechanism: Mechanism, change: Any) -> Mechanism:
 @cache
 def moving_templates() -> tuple[str, ...]:
     """The names of the shipped templates that have an input; a pose has no motion."""
-    return tuple(name for name in template_names() if shipped(name).drivers)
+    return tuple(name for name in template_names() if shipped(name).scheme.drivers)
 
 
 @cache
@@ -148,7 +148,7 @@ def fulfils(template: Template, values: Mapping[str, str]) -> bool:
     return all(
         evaluate(condition.left, known, elementary(FLOATS), FLOATS) + 1e-9
         < evaluate(condition.right, known, elementary(FLOATS), FLOATS)
-        for condition in template.conditions
+        for condition in template.scheme.conditions
     )
 
 

@@ -18,7 +18,7 @@ from kinegrade.problem.reading import read_template
 from kinegrade.problem.reporting import report_lines
 from tests.problem.crank import crank, crank_text
 
-SLIDER = load_template("slider-crank").text
+SLIDER = load_template("slider-crank").file.text
 UNPUBLISHED = crank_text(('[[published]]\nsource = "by hand"\ngives = { v_x = "-omega*h" }\n', ""))
 
 

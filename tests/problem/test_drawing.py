@@ -207,7 +207,9 @@ def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
 )
 def test_conditions_are_decided_exactly_at_their_bounds(condition: str, held: bool) -> None:
     template = crank(("omega < 10000000", condition), kept=True)
-    assert holds(template, template.conditions[0], {"r": "2", "h": "1/2", "omega": "1"}) is held
+    assert (
+        holds(template, template.scheme.conditions[0], {"r": "2", "h": "1/2", "omega": "1"}) is held
+    )
 
 
 def test_an_unreachable_class_is_refused_although_combinations_abound() -> None:

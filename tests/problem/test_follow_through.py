@@ -32,7 +32,7 @@ from kinegrade.problem.mistakes import Mistakes, as_float
 from kinegrade.problem.own_quantities import LEVELS, motion_calls, named, share_of
 from kinegrade.problem.solving import solve_template
 
-MOVING = [name for name in template_names() if load_template(name).drivers]
+MOVING = [name for name in template_names() if load_template(name).scheme.drivers]
 POLES = {"wrong-pole", "centre-for-pole", "transport-for-absolute"}  # slips in the velocities alone
 TERMS = {"coriolis-halved", "coriolis-reversed"}  # slips in the Coriolis terms alone
 Answers = dict[str, float]

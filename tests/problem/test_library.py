@@ -25,7 +25,7 @@ def test_the_shipped_templates_are_found_by_name() -> None:
     assert {"slider-crank", "bar-through-swivelling-sleeve"} <= set(template_names())
     assert all(load_template(name).name == name for name in template_names())
     text = (shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
-    assert load_template("slider-crank").text == text
+    assert load_template("slider-crank").file.text == text
 
 
 def test_any_file_is_found_by_its_path_and_any_folder_may_serve(tmp_path: Path) -> None:

@@ -16,8 +16,8 @@ def test_the_small_template_is_sound() -> None:
     assert template.angles == {"phi"}
     assert template.parameters["r"].default == "1"
     assert template.parameters["phi"].default == "60"
-    assert template.title.in_language("zh") == "曲柄"
-    assert template.text == CRANK
+    assert template.about.title.in_language("zh") == "曲柄"
+    assert template.file.text == CRANK
     assert solve_template(template, {"r": "3/2"})["v_A"].exact == "3"
 
 

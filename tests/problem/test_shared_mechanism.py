@@ -13,7 +13,7 @@ from kinegrade.errors import TemplateError
 from kinegrade.problem.library import load_template, shipped, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template import Template
+from kinegrade.problem.template import MechanismFile, Template
 from kinegrade.problem.toml_text import MAX_CHARACTERS
 from tests.problem.crank import crank
 
@@ -101,9 +101,9 @@ def refusals(file: Path) -> list[str]:
 
 def test_a_template_that_shares_is_the_template_that_stands_alone() -> None:
     found, alone = sharing(), crank()
-    assert found.mechanism == ("arm", MECHANISM)
-    assert alone.mechanism is None
-    assert replace(found, text="", mechanism=None, figure=alone.figure) == replace(alone, text="")
+    assert found.file.mechanism == MechanismFile("arm", MECHANISM)
+    assert alone.file.mechanism is None
+    assert replace(found, file=alone.file, figure=alone.figure) == alone
     assert list(found.parameters) == list(alone.parameters)
     assert solve_template(found, {"h": "0"})["v_y"].exact == "2"
 
@@ -119,9 +119,9 @@ def test_own_entries_win_by_name_and_a_parameter_key_by_key() -> None:
         ("1", "2"),
         "2",
     )
-    assert list(template.points) == ["O", "P", "A", "Q"]
+    assert list(template.scheme.points) == ["O", "P", "A", "Q"]
     assert solve_template(template, {"h": "1"})["v_x"].exact == "-1"
-    assert template.bodies[0].points == ("O", "A", "P")
+    assert template.scheme.bodies[0].points == ("O", "A", "P")
 
 
 def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key() -> None:
@@ -130,7 +130,10 @@ def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key
         ("[asks]", '[figure]\naxes = true\nlabels = { O = "C" }\n[asks]'),
     )
     template = sharing(own)
-    assert [condition.text for condition in template.conditions] == ["omega < 10000000", "h < r"]
+    assert [condition.text for condition in template.scheme.conditions] == [
+        "omega < 10000000",
+        "h < r",
+    ]
     assert (len(template.figure.lengths), template.figure.axes) == (1, True)
     assert dict(template.figure.labels) == {"O": "C"}
 
@@ -270,9 +273,9 @@ def test_a_mechanism_is_found_beside_its_template_and_is_no_template(tmp_path: P
 
 def test_every_shipped_mechanism_is_shared() -> None:
     shared = [
-        template.mechanism[0]
+        template.file.mechanism.name
         for template in map(load_template, template_names())
-        if template.mechanism
+        if template.file.mechanism
     ]
     files = {path.stem for path in (shipped("templates") / "mechanisms").iterdir()}
     assert set(shared) == files

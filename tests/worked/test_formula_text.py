@@ -76,10 +76,10 @@ def test_angles_print_in_degrees_where_that_is_asked_and_vectors_with_an_arrow()
 
 def expressions(template: Template) -> Iterator[Expression]:
     """All expressions of numbers in a template."""
-    yield from template.lengths.values()
-    for driver in template.drivers:
+    yield from template.scheme.lengths.values()
+    for driver in template.scheme.drivers:
         yield from (driver.velocity, driver.acceleration)
-    for condition in template.conditions:
+    for condition in template.scheme.conditions:
         yield from (condition.left, condition.right)
     for published in template.published:
         yield from published.gives.values()

@@ -78,10 +78,12 @@ def drawn(name: str) -> tuple[Solution, ...]:
 def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
     """Positions of all points, lengths along all bodies, and the answers that are positions."""
     template = solution.template
-    pairs = [(body.points[0], body.points[-1]) for body in template.bodies if len(body.points) > 1]
+    pairs = [
+        (body.points[0], body.points[-1]) for body in template.scheme.bodies if len(body.points) > 1
+    ]
     asks = [name for name, ask in template.asks.items() if is_positional(ask)]
     return (
-        *positions(solution, template.points, language),
+        *positions(solution, template.scheme.points, language),
         *lengths_and_directions(solution, pairs, language),
         *pose_answers(solution, asks, language),
     )
@@ -96,7 +98,7 @@ def test_every_template_is_told_in_both_languages_and_its_numbers_agree(name: st
             count, wrong = disagreements(blocks)
             assert wrong == []
         told = dict(chains(blocks))
-        for point in solution.template.points:
+        for point in solution.template.scheme.points:
             require_coordinates(solution, point, told)
         assert count > 0 or all(len(parts) < 2 for parts in told.values())
 

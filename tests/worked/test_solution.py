@@ -286,7 +286,7 @@ def test_the_method_is_chosen_by_whoever_sets_the_exam(method: Method, title: st
 
 
 def test_the_author_of_a_template_chooses_the_method() -> None:
-    text = load_template("slider-crank").text
+    text = load_template("slider-crank").file.text
     template = read_template("crank", f'method = "pole"\n{text}')
     assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(
         solve_template(template, {})
