@@ -161,10 +161,12 @@ def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
     >>> misspelt(["titel", "colour"], ["title", "course"])
     frozenset({'title'})
     """
+    words, absent = list(unknown), list(missing)
+    if not words:
+        return frozenset()
     from difflib import get_close_matches  # as above
 
-    absent = list(missing)
-    return frozenset(near for word in unknown for near in get_close_matches(word, absent, 1, 0.7))
+    return frozenset(near for word in words for near in get_close_matches(word, absent, 1, 0.7))
 
 
 def either(words: Sequence[str]) -> str:

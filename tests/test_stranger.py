@@ -40,7 +40,7 @@ def test_a_program_in_a_statement_is_never_run(program: str, command: str, tmp_p
     assert (result.exit_code, result.stdout) == (2, "")
     assert not (tmp_path / "page.pdf").exists()
     assert result.stderr.count("only {{ name }} and {{ name.value }} are filled in") >= 1
-    assert all("crank.toml: statement.en: {" in line for line in result.stderr.splitlines())
+    assert all("crank.toml:10: statement.en: {" in line for line in result.stderr.splitlines())
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
@@ -53,7 +53,7 @@ def test_a_program_in_a_template_of_an_exam_folder_is_never_run(
     )
     result = kinegrade("quiz", folder, "--to", "moodle-xml", "-o", tmp_path / "quiz")
     assert (result.exit_code, result.stdout) == (2, "")
-    assert all("crank.toml: statement.en: {" in line for line in result.stderr.splitlines())
+    assert all("crank.toml:10: statement.en: {" in line for line in result.stderr.splitlines())
     assert not (tmp_path / "quiz").exists()
 
 

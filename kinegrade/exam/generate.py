@@ -46,7 +46,7 @@ from kinegrade.exam.workshop import printed
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
-from kinegrade.problem.shared_mechanism import FOLDER
+from kinegrade.problem.sections.opening import FOLDER
 
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
 SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)

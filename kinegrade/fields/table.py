@@ -87,12 +87,16 @@ class Table:
 
         A list that is missing is empty. `like` is an example of one.
         """
+        return tuple(self.numbered(key, read, like).values())
+
+    def numbered(self, key: str, read: Read[Value], like: str = "") -> dict[int, Value]:
+        """As `listing`, each by its position in the list, counted from 0."""
         expected = f"a list like {like}" if like else "a list [...]"
-        values = [
-            self._read_at((*self.place, key, number), entry, read)
+        values = {
+            number: self._read_at((*self.place, key, number), entry, read)
             for number, entry in enumerate(self._list(key, expected))
-        ]
-        return tuple(value for value in values if value is not None)
+        }
+        return {number: value for number, value in values.items() if value is not None}
 
     def table(self, key: str, like: str = "") -> Table:
         """The table under a key, empty where there is none; `like` is an example of it."""

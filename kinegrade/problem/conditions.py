@@ -8,8 +8,9 @@ import re
 from collections.abc import Mapping
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import ExpressionError, one_line
+from kinegrade.errors import FieldError
 from kinegrade.expression import Number, read
+from kinegrade.fields.values import found
 from kinegrade.problem.template import Condition, Relation
 
 MARK = re.compile(r"([<>=]=?)")
@@ -24,16 +25,14 @@ RELATIONS: Mapping[str, tuple[Relation, bool]] = {
 
 
 def read_condition(text: str) -> Condition:
-    """The relation that `text` states. Raises ExpressionError when it states none.
+    """The relation that `text` states. Raises FieldError when it states none.
 
     >>> read_condition("phi > 0").relation
     '<'
     """
     parts = MARK.split(text)
     if len(parts) != 3 or parts[1] not in RELATIONS:
-        raise ExpressionError(
-            f'"{one_line(text[:60])}": expected "left < right", with one of <, <=, >, >=, =='
-        )
+        raise FieldError(found(text), '"left < right", with one of <, <=, >, >=, ==')
     left, right = read(parts[0]), read(parts[2])
     relation, turned = RELATIONS[parts[1]]
     if turned:

@@ -2,7 +2,7 @@
 dimensions.
 
 What is asked for must have the dimension of its unit, points the dimension of a length, inputs that
-of a rate or of a velocity. `reading` reports what is found here with the place where it stands.
+of a rate or of a velocity.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expression import Expression, names
+from kinegrade.fields.faults import Faults
+from kinegrade.fields.place import Place, key_path
 from kinegrade.mechanics.geometry import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.dimension import (
@@ -25,6 +27,7 @@ from kinegrade.problem.dimension import (
     Dimension,
     dimension_of,
 )
+from kinegrade.problem.draft import Draft
 from kinegrade.problem.kinds import (
     Arrow,
     BodyKind,
@@ -41,51 +44,57 @@ from kinegrade.problem.meaning import Scope
 from kinegrade.problem.radians import radians_slip
 from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
-from kinegrade.problem.template import Ask, Condition, Published, Template, Wording
+from kinegrade.problem.template import Ask, Condition, Published, Wording
 
-Fault = tuple[str, str]  # a path in the template's tables, and what is wrong there
 VECTOR = "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
 POINT = "expected a point, like (x, y) or polar(O, r, phi)"
 ALONG = "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
 
 
-def inconsistencies(template: Template) -> list[Fault]:
-    """What makes no sense in a template, each with its place; a wrong unit that explains it all is
-    one fault.
-    """
-    faults = list(Consistency(template, given(template)).faults())
-    if len(faults) < 2:
-        return faults
-    for name, parameter in template.parameters.items():
-        if not list(Consistency(template, {**given(template), name: Unknown()}).faults()):
-            place, problem = faults[0]
-            others = len(faults) - 1
-            return [
-                (
-                    f"parameters.{name}",
-                    f'unit "{parameter.unit.text}" does not fit where {name} is used: '
-                    f"{place}: {problem} (and {others} more fault{'' if others == 1 else 's'})",
-                )
-            ]
-    return faults
+@dataclass(frozen=True)
+class Inconsistency:
+    """What makes no sense at a place of a template's tables."""
+
+    place: Place
+    problem: str
 
 
-def given(template: Template) -> dict[str, Kind]:
+def note_inconsistencies(draft: Draft, faults: Faults) -> None:
+    """Notes what makes no sense in a template; a wrong unit that explains it all is one fault."""
+    found = list(Consistency(draft, given(draft)).faults())
+    for one in _wrong_unit(draft, found) if len(found) > 1 else found:
+        faults.note(one.place, one.problem)
+
+
+def _wrong_unit(draft: Draft, found: Sequence[Inconsistency]) -> Sequence[Inconsistency]:
+    """The unit of the parameter without which nothing would be found; else all that was found."""
+    first, *others = found
+    for name, parameter in draft.parameters.items():
+        if not list(Consistency(draft, {**given(draft), name: Unknown()}).faults()):
+            problem = (
+                f'"{parameter.unit.text}" does not fit where {name} is used: '
+                f"{key_path(first.place)}: {first.problem} "
+                f"(and {len(others)} more fault{'' if len(others) == 1 else 's'})"
+            )
+            return [Inconsistency(("parameters", name, "unit"), problem)]
+    return found
+
+
+def given(draft: Draft) -> dict[str, Kind]:
     """The parameters as numbers of their dimensions."""
     return {
-        name: Scalar(dimension_of(parameter.unit))
-        for name, parameter in template.parameters.items()
+        name: Scalar(dimension_of(parameter.unit)) for name, parameter in draft.parameters.items()
     }
 
 
 @dataclass(frozen=True)
 class Consistency:
-    """Looks through one template; `parameters` are the kinds of its parameters."""
+    """Looks through one draft; `parameters` are the kinds of its parameters."""
 
-    template: Template
+    draft: Draft
     parameters: Mapping[str, Kind]
 
-    def faults(self) -> Iterator[Fault]:
+    def faults(self) -> Iterator[Inconsistency]:
         """Every fault with its place."""
         values = dict(self.parameters)
         places: dict[str, Kind] = {}
@@ -93,49 +102,44 @@ class Consistency:
         places = {**values, **{side: Side() for side in BRANCHES}}
         yield from self.points(places)
         scope = self.scope(places, CONSTRUCTIONS)
-        for joint in self.template.scheme.joints:
-            yield from tried(joint.text, self.joint, scope, joint)
-        for driver in self.template.scheme.drivers:
-            yield from tried(driver.text, self.driver, scope, driver)
-        for index, condition in enumerate(self.template.scheme.conditions):
-            yield from tried(f"conditions[{index}]", self.condition, condition)
-        for name, wordings in self.template.words.texts.items():
-            yield from self.wordings(f"text.{name}", wordings)
-        bodies = {name: BodyKind() for name in (GROUND, *self.bodies)}
+        for number, joint in self.draft.joints.items():
+            yield from tried(("joints", number), self.joint, scope, joint)
+        for number, driver in self.draft.drivers.items():
+            yield from tried(("inputs", number), self.driver, scope, driver)
+        for number, condition in self.draft.conditions.items():
+            yield from tried(("conditions", number), self.condition, condition)
+        for name, wordings in self.draft.texts.items():
+            yield from self.wordings(name, wordings)
+        bodies = {name: BodyKind() for name in (GROUND, *self.draft.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
-        for name, ask in self.template.asks.items():
-            yield from tried(f"asks.{name}", self.ask, scope, ask)
-        for index, result in enumerate(self.template.published):
-            yield from self.published(f"published[{index}].gives", result)
-
-    @property
-    def bodies(self) -> frozenset[str]:
-        """The names of the bodies, without the ground."""
-        return frozenset(body.name for body in self.template.scheme.bodies)
+        for name, ask in self.draft.asks.items():
+            yield from tried(("asks", name, "quantity"), self.ask, scope, ask)
+        for number, result in self.draft.published.items():
+            yield from self.published(number, result)
 
     def scope(self, names: Mapping[str, Kind], functions: Mapping[str, Signature]) -> Scope:
         """What may be used where these names and functions are known."""
-        return Scope(names, functions, self.bodies, self.template.angles)
+        return Scope(names, functions, frozenset(self.draft.bodies), self.draft.angles)
 
-    def lengths(self, values: dict[str, Kind]) -> Iterator[Fault]:
+    def lengths(self, values: dict[str, Kind]) -> Iterator[Inconsistency]:
         """The named lengths, added to `values` one after the other."""
-        for name, tree in self.template.scheme.lengths.items():
+        for name, tree in self.draft.lengths.items():
             scope = self.scope(dict(values), CONSTRUCTIONS)
             values[name] = Unknown()
-            yield from tried(f"lengths.{name}", self.note, values, name, scope, tree)
+            yield from tried(("lengths", name), self.note, values, name, scope, tree)
 
     def note(self, values: dict[str, Kind], name: str, scope: Scope, tree: Expression) -> None:
         """Put the kind of an expression under its name."""
         values[name] = scope.kind(tree)
 
-    def points(self, places: dict[str, Kind]) -> Iterator[Fault]:
+    def points(self, places: dict[str, Kind]) -> Iterator[Inconsistency]:
         """The points, added to `places` one after the other; each is a point, even where its
         expression is at fault.
         """
-        for name, tree in self.template.scheme.points.items():
+        for name, tree in self.draft.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
             places[name] = Arrow(LENGTH, name)
-            yield from tried(f"points.{name}", self.point, scope, tree)
+            yield from tried(("points", name), self.point, scope, tree)
 
     def point(self, scope: Scope, tree: Expression) -> None:
         """A point: its coordinates are lengths."""
@@ -181,11 +185,11 @@ class Consistency:
             number(scope.kind(condition.right)),
         )
 
-    def wordings(self, path: str, wordings: Sequence[Wording]) -> Iterator[Fault]:
+    def wordings(self, name: str, wordings: Mapping[int, Wording]) -> Iterator[Inconsistency]:
         """The conditions by which the wording of a text is chosen."""
-        for index, one in enumerate(wordings):
+        for number, one in wordings.items():
             if one.condition is not None:
-                yield from tried(f"{path}[{index}]", self.condition, one.condition)
+                yield from tried(("text", name, number, "if"), self.condition, one.condition)
 
     def ask(self, scope: Scope, ask: Ask) -> None:
         """An ask: a number of the dimension of its unit."""
@@ -194,7 +198,7 @@ class Consistency:
             raise ExpressionError(VECTOR)
         require_unit(kind, ask)
 
-    def published(self, path: str, result: Published) -> Iterator[Fault]:
+    def published(self, number: int, result: Published) -> Iterator[Inconsistency]:
         """Published results, of the dimension of what they are results of.
 
         Where the source states values with units that a result does not name, they are in its
@@ -204,8 +208,8 @@ class Consistency:
             hidden = bool(self.stated(result) - set(names(tree)))
             kinds = dict.fromkeys(self.parameters, Unknown()) if hidden else self.parameters
             scope = self.scope(kinds, ELEMENTARY)
-            ask = None if hidden else self.template.asks.get(name)
-            yield from tried(f"{path}.{name}", self.result, scope, tree, ask)
+            ask = None if hidden else self.draft.asks.get(name)
+            yield from tried(("published", number, "gives", name), self.result, scope, tree, ask)
 
     def stated(self, result: Published) -> set[str]:
         """The parameters with a dimension for which a source states a value other than zero."""
@@ -224,13 +228,13 @@ class Consistency:
             require_unit(kind, ask)
 
 
-def tried(place: str, work: Callable[..., None], *arguments: Any) -> Iterator[Fault]:
+def tried(place: Place, work: Callable[..., None], *arguments: Any) -> Iterator[Inconsistency]:
     """The faults that `work` finds in its arguments, each with its place."""
     try:
         work(*arguments)
     except ExpressionError as error:
         for problem in error.problems:
-            yield place, problem
+            yield Inconsistency(place, problem)
 
 
 def number(kind: Kind) -> Kind:

@@ -7,20 +7,22 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import FieldError
 from kinegrade.exact.balls import PRECISIONS, Balls
 from kinegrade.exact.text import decimal_text
 from kinegrade.expression import MAX_LENGTH, elementary, evaluate, rational, read
+from kinegrade.fields.values import found
 
 MAX_CHOICES = 2000
 LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
 RANGE = re.compile(r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)\s*", re.ASCII)
 
 
-def read_choices(draw: Any) -> tuple[str, ...]:
+def read_choices(draw: object) -> tuple[str, ...]:
     """The drawable values as exact texts, in order, each once.
 
-    `draw` is a list of numbers and expressions, or "0.1 .. 0.5 step 0.05". Raises ExpressionError.
+    `draw` is a list of numbers and expressions, or "0.1 .. 0.5 step 0.05". Raises FieldError,
+    or ExpressionError for an expression that cannot be read.
 
     >>> read_choices("15 .. 60 step 15")
     ('15', '30', '45', '60')
@@ -29,7 +31,7 @@ def read_choices(draw: Any) -> tuple[str, ...]:
         return tuple(read_range(str(draw)))
     texts = [str(value) for value in draw]
     if not texts or len(texts) > MAX_CHOICES or len({digits(text) for text in texts}) != len(texts):
-        raise ExpressionError(f"draw: expected 1 to {MAX_CHOICES} values, each once")
+        raise FieldError(f"{len(texts)} values", f"1 to {MAX_CHOICES} of them, each once")
     return tuple(texts)
 
 
@@ -41,9 +43,9 @@ def digits(text: str) -> str:
     with balls.context():
         value = evaluate(read(text), {"pi": balls.turns(1)}, elementary(balls), balls)
     if not isinstance(value, arb):
-        raise ExpressionError(f'draw: "{text}" is not a number')
+        raise FieldError(found(text), "a number")
     if not abs(value) < LARGEST:
-        raise ExpressionError(f'draw: "{text}" is beyond 1e100: choose another unit')
+        raise FieldError(found(text), "a number up to 1e100", "choose another unit")
     return decimal_text(value, 30)
 
 
@@ -51,14 +53,13 @@ def read_range(text: str) -> list[str]:
     """The values of "first .. last step s"."""
     match = RANGE.fullmatch(text) if len(text) <= MAX_LENGTH else None
     if match is None:
-        raise ExpressionError(
-            f'draw: "{text}": expected a list, or a range like "0.1 .. 0.5 step 0.05"'
-        )
+        raise FieldError(found(text), 'a list, or a range like "0.1 .. 0.5 step 0.05"')
     first, last, step = (signed(part) for part in match.groups())
     if step <= 0 or last < first or (last - first) / step > MAX_CHOICES:
-        raise ExpressionError(
-            f'draw: "{text}": the step must be positive, the last value not before the first, '
-            f"and there may be at most {MAX_CHOICES} values"
+        raise FieldError(
+            found(text),
+            "a step above zero, the last value not before the first, and "
+            f"at most {MAX_CHOICES} values",
         )
     count = int(((last - first) / step).floor()) + 1
     return [decimal_text(first + step * index, 30) for index in range(count)]
@@ -67,5 +68,5 @@ def read_range(text: str) -> list[str]:
 def signed(text: str) -> Any:
     """A decimal with its sign."""
     if text.count(".") > 1 or text.strip("-.") == "":
-        raise ExpressionError(f'draw: "{text}" is not a number')
+        raise FieldError(found(text), "a decimal number")
     return -rational(text[1:]) if text.startswith("-") else fmpq(1) * rational(text)

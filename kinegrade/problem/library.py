@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 
 import kinegrade
-from kinegrade.errors import TemplateError, did_you_mean
+from kinegrade.errors import FieldError, TemplateError, did_you_mean
+from kinegrade.fields.document import read_text
 from kinegrade.problem.reading import read_template
-from kinegrade.problem.shared_mechanism import FOLDER
+from kinegrade.problem.sections.opening import FOLDER, TEMPLATE
 from kinegrade.problem.template import Template
-from kinegrade.problem.toml_text import MAX_CHARACTERS
 
 
 def shipped(folder: str) -> Path:
@@ -45,7 +45,7 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
         raise TemplateError(f'no template "{name}": {did_you_mean(name, known)}')
     return read_template(
         path.stem,
-        template_text(path),
+        read_text(path, TEMPLATE),
         partial(mechanism_text, path.parent / FOLDER),
         kept=kept,
     )
@@ -61,34 +61,11 @@ def kept_template(name: str, folder: Path) -> Template:
 
 
 def mechanism_text(folder: Path, name: str) -> str:
-    """The text of the mechanism of that name in a folder. Raises TemplateError when there is none
-    to read.
+    """The text of the mechanism of that name in a folder. Raises FieldError when there is none,
+    TemplateError when it cannot be read.
     """
     known = [other.stem for other in folder.glob("*.toml")]
     if name not in known:
-        raise TemplateError(
-            f'no mechanism "{name}" in {FOLDER}/ beside the template: {did_you_mean(name, known)}'
-        )
-    return template_text(folder / f"{name}.toml")
-
-
-def template_text(path: Path) -> str:
-    """The text of a template file. Raises TemplateError when it is missing, too large or no
-    UTF-8.
-    """
-    try:
-        with path.open("rb") as file:
-            data = file.read(4 * MAX_CHARACTERS + 1)
-        if len(data) > 4 * MAX_CHARACTERS:
-            raise TemplateError(
-                f"{path}: too large: at most {MAX_CHARACTERS} characters are read: shorten it"
-            )
-        return data.decode("utf-8-sig")
-    except OSError as error:
-        raise TemplateError(
-            f"{path}: cannot be read: {error.strerror}: give the path of a template file"
-        ) from error
-    except UnicodeDecodeError as error:
-        raise TemplateError(
-            f"{path}: not UTF-8 at byte {error.start}: save the template as UTF-8"
-        ) from error
+        what = f'no mechanism "{name}" in {FOLDER}/ beside the template'
+        raise FieldError(what, do=did_you_mean(name, known))
+    return read_text(folder / f"{name}.toml", TEMPLATE)

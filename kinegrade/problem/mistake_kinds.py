@@ -120,7 +120,7 @@ IN_THE_ANSWER: Mapping[str, Any] = {
     "power-of-ten-down": fmpq(1, 10),
 }
 IDENTIFIERS = (*(mistake.identifier for mistake in MISTAKES), *IN_THE_ANSWER)
-UNSIGNED = frozenset(CONVENTIONS[keyword][0] for keyword in ("magnitude", "unsigned"))
+UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsigned"))
 
 
 def factors(ask: Ask) -> dict[str, Any]:

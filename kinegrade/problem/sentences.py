@@ -24,16 +24,18 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeVar
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import FieldError
 from kinegrade.expression import MAX_LENGTH, Call, Expression, Name, read
+from kinegrade.fields.values import found
 from kinegrade.mechanics.joints import GROUND
 
 SHAPE = r"(?:line|circle)\(.+?\)"
 OF = r"(?: of (?P<of>\w+))?"
 JointKind = Literal["pin", "slide", "sleeve", "arc", "contact", "roll", "mesh", "parallel"]
 DriverKind = Literal["rotation", "component", "circulation"]
+_Kind = TypeVar("_Kind", JointKind, DriverKind)
 _JOINT_PATTERNS: Mapping[JointKind, str] = {
     "pin": r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)",
     "slide": rf"(?P<point>\w+) of (?P<body>\w+) slides on (?P<on>line\(.+\)){OF}",
@@ -55,6 +57,14 @@ _DRIVER_PATTERNS: Mapping[DriverKind, str] = {
 }
 JOINTS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _JOINT_PATTERNS.items()}
 DRIVERS = {kind: re.compile(pattern, re.ASCII) for kind, pattern in _DRIVER_PATTERNS.items()}
+_JOINT_EXAMPLES = (
+    '"pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", '
+    '"... touches ...", "... rolls on ...", "... meshes with ... on ...", '
+    '"... slides through ... along ...", "... translates"'
+)
+_DRIVER_EXAMPLES = (
+    '"OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"'
+)
 AXES = {"+x": "0", "-x": "pi", "+y": "pi/2", "-y": "-pi/2"}
 
 
@@ -90,76 +100,68 @@ class DriverSentence:
 
 
 def read_joint(text: str) -> JointSentence:
-    """The joint that a sentence states. Raises ExpressionError saying which sentences there are."""
-    require_short(text)
-    for kind, pattern in JOINTS.items():
-        match = pattern.fullmatch(text.strip())
-        if match:
-            found = {key: value for key, value in match.groupdict().items() if value is not None}
-            bodies = tuple(re.split(r"[ ,]+", found["bodies"])) if "bodies" in found else ()
-            return JointSentence(
-                kind,
-                text,
-                found.get("point", ""),
-                found.get("body", ""),
-                found.get("of", GROUND),
-                bodies,
-                read_shape(found.get("circle")),
-                read_shape(found.get("on")),
-                found.get("carrier", ""),
-                "inside" in found,
-            )
-    raise ExpressionError(
-        f'"{text}": no such joint: write one of "pin A: OA AB", "B of AB slides on line(O, 0)", '
-        '"... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", '
-        '"... meshes with ... on ...", "... slides through ... along ...", "... translates"'
+    """The joint that a sentence states. Raises FieldError saying which sentences there are."""
+    stated = _stated(JOINTS, text)
+    if stated is None:
+        raise FieldError(f"{found(text)}: no such joint", f"one of {_JOINT_EXAMPLES}")
+    kind, parts = stated
+    bodies = parts.get("bodies")
+    return JointSentence(
+        kind=kind,
+        text=text,
+        point=parts.get("point", ""),
+        body=parts.get("body", ""),
+        of=parts.get("of", GROUND),
+        bodies=tuple(re.split(r"[ ,]+", bodies)) if bodies else (),
+        circle=_shape(parts.get("circle")),
+        on=_shape(parts.get("on")),
+        carrier=parts.get("carrier", ""),
+        inside="inside" in parts,
     )
 
 
-def require_short(text: str) -> None:
-    """Refuse what is too long for a sentence, before it keeps the patterns busy."""
+def read_driver(text: str, velocity: Expression, acceleration: Expression) -> DriverSentence:
+    """The input that a sentence states. Raises FieldError saying which sentences there are."""
+    stated = _stated(DRIVERS, text)
+    if stated is None:
+        raise FieldError(f"{found(text)}: no such input", f"one of {_DRIVER_EXAMPLES}")
+    kind, parts = stated
+    along = parts.get("along")
+    return DriverSentence(
+        kind=kind,
+        text=text,
+        velocity=velocity,
+        acceleration=acceleration,
+        point=parts.get("point", ""),
+        body=parts["body"],
+        of=parts.get("of", GROUND),
+        along=read(AXES.get(along, along)) if along else None,
+        centre=parts.get("centre", ""),
+    )
+
+
+def _stated(
+    patterns: Mapping[_Kind, re.Pattern[str]], text: str
+) -> tuple[_Kind, Mapping[str, str]] | None:
+    """The kind of sentence that a text is, with the parts that it has; None where it is none.
+
+    Raises FieldError for what is too long for a sentence, before it keeps the patterns busy.
+    """
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(
-            f"a sentence of {len(text)} characters: at most {MAX_LENGTH} are read"
-        )
+        raise FieldError(f"a sentence of {len(text)} characters", f"at most {MAX_LENGTH}")
+    for kind, pattern in patterns.items():
+        match = pattern.fullmatch(text.strip())
+        if match:
+            return kind, {part: value for part, value in match.groupdict().items() if value}
+    return None
 
 
-def read_shape(text: str | None) -> Call | None:
+def _shape(text: str | None) -> Call | None:
     """A line or a circle about a named point."""
     if text is None:
         return None
-    tree = read(text)
-    if (
-        not isinstance(tree, Call)
-        or len(tree.arguments) != 2
-        or not isinstance(tree.arguments[0], Name)
-    ):
-        raise ExpressionError(
-            f'"{text}": expected line(POINT, angle or point) or circle(POINT, radius)'
-        )
-    return tree
-
-
-def read_driver(text: str, velocity: str, acceleration: str) -> DriverSentence:
-    """The input that a sentence states. Raises ExpressionError saying which sentences there are."""
-    require_short(text)
-    for kind, pattern in DRIVERS.items():
-        match = pattern.fullmatch(text.strip())
-        if match:
-            found = {key: value for key, value in match.groupdict().items() if value is not None}
-            along = found.get("along")
-            return DriverSentence(
-                kind,
-                text,
-                read(velocity),
-                read(acceleration),
-                found.get("point", ""),
-                found["body"],
-                found.get("of", GROUND),
-                read(AXES.get(along, along)) if along else None,
-                found.get("centre", ""),
-            )
-    raise ExpressionError(
-        f'"{text}": no such input: write "OA turns", "AB turns relative to OA", '
-        '"B of AB moves along +x" or "A of W circles O"'
-    )
+    match read(text):
+        case Call(_, (Name(), _)) as shape:
+            return shape
+        case _:
+            raise FieldError(found(text), "line(POINT, angle or point) or circle(POINT, radius)")

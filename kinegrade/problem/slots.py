@@ -16,7 +16,7 @@ BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTAL
 NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?P<value>\s*\.\s*value)?\s*", re.ASCII)
 LONGEST_SHOWN = 40
 DOLLARS = re.compile(r"(?<!\\)\$\$?")
-EXPECTED = "only {{ name }} and {{ name.value }} are filled in"
+ALLOWED = "only {{ name }} and {{ name.value }} are filled in"
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,15 @@ class Slot:
 
     name: str
     value: bool
+
+
+@dataclass(frozen=True)
+class SlotFault:
+    """What is wrong with a slot: `name` is the unknown name, "" where the fault is another one."""
+
+    what: str
+    do: str
+    name: str = ""
 
 
 def pieces(text: str) -> tuple[str | Slot, ...]:
@@ -74,26 +83,24 @@ def after_dollars(opened: str, mark: str) -> str:
 
 def slot_faults(
     text: str, parameters: Collection[str], texts: Collection[str]
-) -> Iterator[tuple[str, str]]:
-    """What is wrong with the slots of a text that may name these parameters and texts: the unknown
-    name, the fault.
+) -> Iterator[SlotFault]:
+    """What is wrong with the slots of a text that may name these parameters and texts.
 
-    The name is "" where the fault is another one.
-
-    >>> list(slot_faults("{{ 7*7 }} {{ r }}", ["r"], []))
-    [('', '{{ 7*7 }}: only {{ name }} and {{ name.value }} are filled in')]
+    >>> [fault.what for fault in slot_faults("{{ 7*7 }} {{ r }}", ["r"], [])]
+    ['{{ 7*7 }}']
     """
     for match in BRACES.finditer(text):
         slot = _slot(match)
         if slot is None:
             passage = match[0] if match["other"] is None else text[match.start() :]
-            yield "", f"{_shown(passage)}: {EXPECTED}"
+            yield SlotFault(_shown(passage), ALLOWED)
         elif slot.name in texts:
             if slot.value:
-                yield "", f"{_shown(match[0])}: a text has no value: write {{{{ {slot.name} }}}}"
+                name = f"{{{{ {slot.name} }}}}"
+                yield SlotFault(f"{_shown(match[0])}: a text has no value", f"write {name}")
         elif slot.name not in parameters:
             known = did_you_mean(slot.name, {*parameters, *texts})
-            yield slot.name, f"{_shown(match[0])}: no such parameter: {known}"
+            yield SlotFault(f"{_shown(match[0])}: no such parameter", known, slot.name)
 
 
 def _slot(match: re.Match[str]) -> Slot | None:

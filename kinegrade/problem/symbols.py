@@ -39,20 +39,20 @@ _DANGLING = re.compile(
 _TWICE = re.compile(r"([_^])(?:\{[^{}]*\}|\\[A-Za-z]+|\w)\s*\1")
 
 
-def symbol_fault(symbol: object) -> str | None:
+def symbol_fault(symbol: str) -> str | None:
     """What is wrong with a symbol, or None: LaTeX math from the small alphabet, braces balanced."""
-    if not isinstance(symbol, str) or not symbol.strip():
-        return "not a symbol; write LaTeX math without dollar signs, such as '\\omega_{AB}'"
+    if not symbol.strip():
+        return "a blank symbol - write LaTeX math without dollar signs, such as '\\omega_{AB}'"
     if not _LETTERS.fullmatch(symbol):
         return (
-            f"{symbol!r} has characters no symbol needs; use letters, digits, _ ^ {{ }} ' and "
+            f"{symbol!r} has characters no symbol needs - use letters, digits, _ ^ {{ }} ' and "
             "LaTeX commands"
         )
     unknown = sorted(set(re.findall(r"\\([A-Za-z]+)", symbol)) - COMMANDS)
     if unknown:
-        return f"unknown LaTeX command \\{unknown[0]}; {did_you_mean(unknown[0], COMMANDS)}"
+        return f"unknown LaTeX command \\{unknown[0]} - {did_you_mean(unknown[0], COMMANDS)}"
     if not _complete(symbol):
-        return f"{symbol!r} is incomplete; close every brace, give every _ and ^ one thing"
+        return f"{symbol!r} is incomplete - close every brace, give every _ and ^ one thing"
     return None
 
 

@@ -191,11 +191,7 @@ class Template:
     @property
     def angles(self) -> frozenset[str]:
         """The names of the parameters that are angles."""
-        return frozenset(
-            name
-            for name, parameter in self.parameters.items()
-            if parameter.unit.degrees or parameter.unit.text == "rad"
-        )
+        return angles(self.parameters)
 
     @property
     def combinations(self) -> int:
@@ -208,3 +204,12 @@ class Template:
     def asked(self) -> tuple[str, ...]:
         """The asks of an exam that names none: those with points."""
         return tuple(name for name, ask in self.asks.items() if ask.points)
+
+
+def angles(parameters: Mapping[str, Parameter]) -> frozenset[str]:
+    """The names of those parameters that are angles."""
+    return frozenset(
+        name
+        for name, parameter in parameters.items()
+        if parameter.unit.degrees or parameter.unit.text == "rad"
+    )

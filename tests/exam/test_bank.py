@@ -181,7 +181,7 @@ def test_a_template_that_is_not_there_or_faulty_is_told_with_its_place(tmp_path:
         "student: write {{ h }}"
     )
     assert found[1].startswith(
-        f"bank.toml:6: questions[2].template: {tmp_path / 'mine.toml'}: cannot be read: No such file"
+        f"bank.toml:6: questions[2].template: {tmp_path / 'mine.toml'}: cannot be read (No such file"
     )
     assert found[2].startswith(
         'bank.toml:8: questions[3].template: no template "slidercrank": did you mean "slider-crank"?'
@@ -255,10 +255,10 @@ number = 2
         "bank.toml:13: questions[2].asks.a_B.weight: unknown key - known here: points, tolerance",
         "bank.toml:13: questions[2].asks.a_B.points: 1001 - expected points above 0, at most 1000",
         "bank.toml:14: questions[2].draw.q: unknown parameter - known here: alpha, k, omega, phi, r",
-        "bank.toml:14: questions[2].draw.k: draw: expected 1 to 2000 values, each once",
+        "bank.toml:14: questions[2].draw.k: 2 values - expected 1 to 2000 of them, each once",
         'bank.toml:14: questions[2].draw.r: unknown name "x": known here: pi',
-        'bank.toml:14: questions[2].draw.phi: draw: "90 .. 0 step 15": the step must be positive, '
-        "the last value not before the first, and there may be at most 2000 values",
+        'bank.toml:14: questions[2].draw.phi: "90 .. 0 step 15" - expected a step above zero, '
+        "the last value not before the first, and at most 2000 values",
         "bank.toml:15: questions[2].tolerance: allows nothing - expected a tolerance above zero",
         "bank.toml:16: questions[2].points: asks says the points already "
         "- leave one of the two out",

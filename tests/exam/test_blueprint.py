@@ -198,7 +198,7 @@ def test_a_faulty_template_on_the_shelf_is_told(tmp_path: Path) -> None:
     shelf = write_shelf(tmp_path / "templates")
     (shelf / "gear-1.toml").write_text("title = 3", encoding="utf-8")
     found = faults(shelf, 'family = "gear"')
-    assert found[0] == ": gear-1.toml: family is missing: every template needs it"
+    assert found[0] == ": gear-1.toml: family: missing - expected in every template"
     # Where nothing is drawn the shelf is not read
     assert len(blueprint(shelf, 'template = "gear-2"').slots) == 1
 

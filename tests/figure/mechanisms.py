@@ -8,6 +8,7 @@ from collections.abc import Callable
 from math import cos, radians, sin, sqrt, tan
 from typing import Any
 
+from kinegrade.fields.document import parsed_table
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.joints import (
     GROUND,
@@ -22,7 +23,9 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import FigureHints, read_hints
+from kinegrade.problem.hints import FigureHints
+from kinegrade.problem.sections.figure import Names, read_figure
+from kinegrade.problem.sections.opening import TEMPLATE
 
 RIGHT, UP = Vector(1.0, 0.0), Vector(0.0, 1.0)
 Case = tuple[Mechanism, FigureHints]
@@ -30,7 +33,10 @@ Case = tuple[Mechanism, FigureHints]
 
 def hinted(mechanism: Mechanism, **table: Any) -> Case:
     bodies = {body.name for body in mechanism.bodies}
-    return mechanism, read_hints(table, "case.toml", set(mechanism.points), bodies)
+    file = parsed_table("case.toml", {"figure": table}, TEMPLATE)
+    hints = read_figure(file, Names(set(mechanism.points), bodies))
+    file.faults.require_none()
+    return mechanism, hints
 
 
 def polar(radius: float, degrees: float) -> Vector:

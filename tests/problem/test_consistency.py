@@ -14,10 +14,8 @@ from kinegrade.exact.field import Field
 from kinegrade.expression import elementary, read
 from kinegrade.mechanics.geometry import constructions
 from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.consistency import inconsistencies
 from kinegrade.problem.dimension import LENGTH, SPEED
 from kinegrade.problem.kinds import Arrow, BodyKind, Kind, Ring, Scalar, Side, Straight, in_words
-from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.meaning import Scope
 from kinegrade.problem.quantities import quantities
 from kinegrade.problem.radians import radians_slip
@@ -40,11 +38,6 @@ def faults(*changes: tuple[str, str]) -> list[str]:
 def asking(quantity: str, unit: str) -> list[str]:
     """What reading the crank refuses when something further may be asked for on request."""
     return faults(("\n[asks]\n", ON_REQUEST % (quantity, unit)))
-
-
-@pytest.mark.parametrize("name", template_names())
-def test_every_shipped_template_makes_sense(name: str) -> None:
-    assert inconsistencies(load_template(name)) == []
 
 
 @pytest.mark.parametrize(
@@ -152,7 +145,7 @@ def test_an_ask_on_request_that_makes_no_sense_is_refused(
     quantity: str, unit: str, problem: str
 ) -> None:
     (fault,) = asking(quantity, unit)
-    assert fault.startswith(f"crank.toml: asks.w: {problem}")
+    assert fault.startswith(f"crank.toml:27: asks.w.quantity: {problem}")
 
 
 @pytest.mark.parametrize(
@@ -161,90 +154,94 @@ def test_an_ask_on_request_that_makes_no_sense_is_refused(
         (
             '"(0, h)"',
             '"polar(O, r, 60)"',
-            "points.P: 60 radians: did you mean 60 degrees? write pi/3",
+            "20: points.P: 60 radians: did you mean 60 degrees? write pi/3",
         ),
         (
             "line(P, 0)",
             "line(P, -37/2)",
-            "points.A: -37/2 radians: did you mean -37/2 degrees? write -37*pi/360",
+            "21: points.A: -37/2 radians: did you mean -37/2 degrees? write -37*pi/360",
         ),
-        ("line(P, 0)", "line(P, 1)", "points.A: 1 radian: did you mean 1 degree? write pi/180"),
+        ("line(P, 0)", "line(P, 1)", "21: points.A: 1 radian: did you mean 1 degree? write pi/180"),
         (
             '"(0, h)"',
             '"(0, omega)"',
-            "points.P: its coordinates are an angular velocity (rad/s): expected a length (m): "
+            "20: points.P: its coordinates are an angular velocity (rad/s): expected a length (m): "
             "check the units",
         ),
         (
             '"(0, h)"',
             '"(omega, h)"',
-            "points.P: (x, y): an angular velocity (rad/s) and a length (m) do not go together: "
+            "20: points.P: (x, y): an angular velocity (rad/s) and a length (m) do not go together: "
             "check the units",
         ),
-        ('"(0, h)"', '"h"', "points.P: expected a point, like (x, y) or polar(O, r, phi)"),
+        ('"(0, h)"', '"h"', "20: points.P: expected a point, like (x, y) or polar(O, r, phi)"),
         (
             '"(0, h)"',
             '"(right, h)"',
-            "points.P: (x, y): argument 1 is the name of a side: expected (NUMBER, NUMBER)",
+            "20: points.P: (x, y): argument 1 is the name of a side: expected (NUMBER, NUMBER)",
         ),
         (
             '"OA turns", velocity = "omega"',
             '"OA turns", velocity = "omega*r"',
-            "OA turns: its velocity is a velocity (m/s): expected an angular velocity (rad/s): "
+            "6: inputs[1]: its velocity is a velocity (m/s): expected an angular velocity (rad/s): "
             "check the units",
         ),
         (
             '"OA turns", velocity = "omega"',
             '"OA turns", velocity = "omega", acceleration = "omega"',
-            "OA turns: its acceleration is an angular velocity (rad/s): "
+            "6: inputs[1]: its acceleration is an angular velocity (rad/s): "
             "expected an angular acceleration (rad/s^2): check the units",
         ),
         (
             '"OA turns", velocity = "omega"',
             '"A of OA moves along 30", velocity = "omega*r"',
-            "A of OA moves along 30: 30 radians: did you mean 30 degrees? write pi/6",
+            "6: inputs[1]: 30 radians: did you mean 30 degrees? write pi/6",
         ),
         (
             '"OA turns", velocity = "omega"',
             '"A of OA moves along O", velocity = "omega*r"',
-            "A of OA moves along O: moves along ...: expected +x, -x, +y, -y or an angle, "
+            "6: inputs[1]: moves along ...: expected +x, -x, +y, -y or an angle, "
             "like direction(O, A)",
         ),
         (
             '"pin O: ground OA"',
             '"pin O: ground OA", "circle(O, omega) of OA touches line(A, 0)"',
-            "circle(O, omega) of OA touches line(A, 0): circle(...): a length (m) and "
+            "5: joints[2]: circle(...): a length (m) and "
             "an angular velocity (rad/s) do not go together: check the units",
         ),
         (
             "omega < 10000000",
             "omega < h",
-            'conditions[0]: "omega < h": an angular velocity (rad/s) and a length (m) '
+            '7: conditions[1]: "omega < h": an angular velocity (rad/s) and a length (m) '
             "do not go together: check the units",
         ),
         (
             "omega < 10000000",
             "distance(h, r) < h",
-            'conditions[0]: unknown function "distance": known here: abs, acos, asin and 6 more',
+            '7: conditions[1]: unknown function "distance": known here: abs, acos, asin and 6 more',
         ),
         (
             PUBLISHED,
             'gives = { v_x = "-omega" }',
-            "published[0].gives.v_x: this is an angular velocity (rad/s): "
+            "32: published[1].gives.v_x: this is an angular velocity (rad/s): "
             'it cannot be counted in "m/s": write unit = "rad/s", or ask for something else',
         ),
-        (PUBLISHED, 'gives = { v_x = "omega*length(h)" }', "published[0].gives.v_x: unknown func"),
+        (
+            PUBLISHED,
+            'gives = { v_x = "omega*length(h)" }',
+            "32: published[1].gives.v_x: unknown func",
+        ),
     ],
 )
 def test_what_makes_no_sense_is_refused_with_its_place(old: str, new: str, problem: str) -> None:
     found = faults((old, new))
-    assert any(fault.startswith(f"crank.toml: {problem}") for fault in found), found
+    assert any(fault.startswith(f"crank.toml:{problem}") for fault in found), found
 
 
 def test_a_named_length_of_two_dimensions_is_refused_once() -> None:
     lengths = '\n[lengths]\nmixed = "h + omega"\n\n[points]\n'
     assert faults(("\n[points]\n", lengths), ('"(0, h)"', '"(mixed, mixed)"')) == [
-        'crank.toml: lengths.mixed: "+": a length (m) and an angular velocity (rad/s) '
+        'crank.toml:19: lengths.mixed: "+": a length (m) and an angular velocity (rad/s) '
         "do not go together: check the units"
     ]
 
@@ -268,7 +265,10 @@ def test_check_refuses_a_template_whose_ask_on_request_has_the_wrong_unit(tmp_pa
     )
     shown = kinegrade("check", file)
     assert shown.exit_code == 2
-    assert "asks.w: this is an acceleration (m/s^2): it cannot be counted in" in shown.stderr
+    assert (
+        "crank.toml:27: asks.w.quantity: this is an acceleration (m/s^2): it cannot be counted in"
+        in shown.stderr
+    )
 
 
 def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
@@ -278,7 +278,7 @@ def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
 
 def test_one_unreadable_unit_is_one_fault() -> None:
     assert faults(('r     = { unit = "m"', 'r     = { unit = "furlong"')) == [
-        'crank.toml: parameters.r: unit "furlong": expected a product like m/s^2 of '
+        'crank.toml:14: parameters.r.unit: unit "furlong": expected a product like m/s^2 of '
         "1, cm, deg, h, km, m, min, mm, rad, s"
     ]
 
@@ -286,20 +286,20 @@ def test_one_unreadable_unit_is_one_fault() -> None:
 def test_one_wrong_unit_is_one_fault() -> None:
     (fault,) = faults(('h     = { unit = "m"', 'h     = { unit = "s"'))
     assert fault == (
-        'crank.toml: parameters.h: unit "s" does not fit where h is used: points.P: '
+        'crank.toml:15: parameters.h.unit: "s" does not fit where h is used: points.P: '
         "its coordinates are a time (s): expected a length (m): check the units (and 1 more fault)"
     )
 
 
 def test_one_point_or_ask_that_cannot_be_read_is_one_fault() -> None:
     assert faults(('"(0, h)"', '"(0, h"')) == [
-        'crank.toml: points.P: "(0, h", character 6: found the end, expected "," or ")"'
+        'crank.toml:20: points.P: "(0, h", character 6: found the end, expected "," or ")"'
     ]
     assert faults(('"(0, 0)"', '"(0 0)"')) == [
-        'crank.toml: points.O: "(0 0)", character 4: found "0", expected "," or ")"'
+        'crank.toml:19: points.O: "(0 0)", character 4: found "0", expected "," or ")"'
     ]
     assert faults(('"x(velocity(A))"', '"x(velocity(A)"')) == [
-        'crank.toml: asks.v_x: "x(velocity(A)", character 14: found the end, expected "," or ")"'
+        'crank.toml:27: asks.v_x.quantity: "x(velocity(A)", character 14: found the end, expected "," or ")"'
     ]
 
 
@@ -372,27 +372,27 @@ def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
     [
         (
             [("h     = {", "height = {")],
-            'points.P: unknown name "h": known here: O, clockwise, counterclockwise and 8 more '
-            "(and at 3 more places)",
+            '20: points.P: unknown name "h" (and at 3 more places) - '
+            "known here: O, clockwise, counterclockwise and 8 more",
         ),
         (
             [('OA = "O A"', 'CA = "O A"')],
-            'pin O: ground OA: no body "OA": known here: CA, ground (and at 1 more place)',
+            '5: joints[1]: no body "OA" (and at 1 more place) - known here: CA, ground',
         ),
         (
             [('quantity = "x(v', 'qantity = "x(v')],
-            'asks.v_x: unknown key "qantity": did you mean "quantity"? (known here: cyclic, means, '
-            "points, quantity, sign, symbol, unit, vanishes)",
+            '27: asks.v_x.qantity: unknown key - did you mean "quantity"? (known here: cyclic, '
+            "means, points, quantity, sign, symbol, unit, vanishes)",
         ),
     ],
 )
 def test_one_misspelt_name_does_not_flood_its_author(
     changes: list[tuple[str, str]], fault: str
 ) -> None:
-    assert faults(*changes) == [f"crank.toml: {fault}"]
+    assert faults(*changes) == [f"crank.toml:{fault}"]
 
 
 def test_one_misspelt_table_does_not_make_every_name_unknown() -> None:
     assert faults(("[parameters]", "[parameter]")) == [
-        "crank.toml: unknown table or key 'parameter': did you mean \"parameters\"?"
+        'crank.toml:13: parameter: unknown table or key - did you mean "parameters"?'
     ]

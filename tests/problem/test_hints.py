@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
-
 import pytest
 
 from kinegrade.errors import TemplateError
+from kinegrade.fields.document import toml_table
 from kinegrade.problem.hints import (
     Angle,
     FigureHints,
@@ -15,14 +14,18 @@ from kinegrade.problem.hints import (
     Radius,
     Rimmed,
     Turning,
-    read_hints,
 )
+from kinegrade.problem.sections.figure import Names, read_figure
+from kinegrade.problem.sections.opening import TEMPLATE
 
 POINTS, BODIES = {"O", "A", "B"}, {"OA", "AB"}
 
 
 def read(text: str) -> FigureHints:
-    return read_hints(tomllib.loads(text), "crank.toml", POINTS, BODIES)
+    table = toml_table("crank.toml", f"[figure]\n{text}", TEMPLATE)
+    hints = read_figure(table, Names(POINTS, BODIES))
+    table.faults.require_none()
+    return hints
 
 
 def faults(text: str) -> tuple[str, ...]:
@@ -71,66 +74,87 @@ def test_all_faults_come_at_once() -> None:
         shapes = { AB = "geer" }
         axis = true
     """) == (
-        "crank.toml: figure.lengths[1].to: no point 'C'; known here: A, B, O",
-        'crank.toml: figure.angles: expected a list of tables; write [{ symbol = "r", ... }]',
-        "crank.toml: figure.shapes.AB: no shape 'geer'; "
-        'did you mean "gear"? (known here: bar, bent, cam, gear, through)',
-        'crank.toml: figure.axis: unknown entry; did you mean "axes"?',
+        'crank.toml:3: figure.lengths[1].to: no point "C" - known here: A, B, O',
+        'crank.toml:4: figure.angles: "none" - expected a list of tables like [{ symbol = "r", ... }]',
+        'crank.toml:5: figure.shapes.AB: "geer" - expected gear or cam or bent or bar or through',
+        'crank.toml:6: figure.axis: unknown key - did you mean "axes"?',
     )
 
 
 @pytest.mark.parametrize(
-    ("text", "fragment"),
+    ("text", "expected"),
     [
-        ("axes = 1", "figure.axes: expected true or false"),
-        ("labels = []", "figure.labels: expected a table of names and values"),
-        ("labels = { Q = 'x' }", "figure.labels.Q: nothing has this name"),
-        ("labels = { A = 3 }", "figure.labels.A: not a symbol"),
+        ("axes = 1", ["axes: 1 - expected true or false"]),
+        ("labels = []", ["labels: a list - expected a table like { O = 'O_1' }"]),
+        (
+            "labels = { Q = 'x' }",
+            ["labels.Q: unknown point or body - known here: A, AB, B, O, OA, ground"],
+        ),
+        (
+            "labels = { A = 3 }",
+            ["labels.A: 3 - expected LaTeX math without dollar signs, like '\\omega_{AB}'"],
+        ),
         (
             "radii = [{ symbol = 'r', center = 'O' }]",
-            "figure.radii[1]: unknown entry 'center'; did you mean \"centre\"?",
+            [
+                'radii[1].center: unknown key - did you mean "centre"? (known here: centre, of, symbol, through)'
+            ],
         ),
-        (
-            "radii = [{ symbol = 'r' }]",
-            "figure.radii[1]: 'centre' is missing; needed here: symbol, centre",
-        ),
+        ("radii = [{ symbol = 'r' }]", ["radii[1].centre: missing"]),
         (
             "radii = [{ symbol = 'r', centre = 'O', through = 'Q' }]",
-            "figure.radii[1].through: no point 'Q'",
+            ['radii[1].through: no point "Q" - known here: A, B, O'],
         ),
         (
             "circles = [{ body = 'O', centre = 'O', through = 'A' }]",
-            "figure.circles[1].body: no body 'O'",
+            ['circles[1].body: no body "O" - did you mean "OA"? (known here: AB, OA, ground)'],
         ),
-        ("circles = [{ body = 'OA', centre = 'O' }]", "figure.circles[1]: 'through' is missing"),
+        ("circles = [{ body = 'OA', centre = 'O' }]", ["circles[1].through: missing"]),
         (
             "circles = [{ body = 'OA', centre = 'O', through = 'O' }]",
-            "figure.circles[1]: a circle about 'O' through itself; name another point for "
-            "'through'",
+            ['circles[1].through: a circle about "O" through itself - expected another point'],
         ),
-        ("lines = ['O', 'B']", 'figure.lines[1]: expected two points; write lines = [["O", "B"]]'),
-        ("lines = [['O', 'O']]", "figure.lines[1]: expected two points"),
-        ("lines = 'OB'", "figure.lines[1]: expected two points"),
-        ("lines = [['O', 'A'], ['O', 'Q']]", "figure.lines[2]: no point 'Q'"),
-        ("arrows = [{ symbol = 'r', turns = 'O' }]", "figure.arrows[1].turns: no body 'O'"),
+        (
+            "lines = ['O', 'B']",
+            [
+                'lines[1]: "O" - expected two points, like lines = [["O", "B"]]',
+                'lines[2]: "B" - expected two points, like lines = [["O", "B"]]',
+            ],
+        ),
+        ("lines = [['O', 'O']]", ['lines[1]: a line from "O" to itself - expected two points']),
+        ("lines = 'OB'", ['lines: "OB" - expected a list [...]']),
+        ("lines = [['O', 'A'], ['O', 'Q']]", ['lines[2]: no point "Q" - known here: A, B, O']),
+        (
+            "arrows = [{ symbol = 'r', turns = 'O' }]",
+            ['arrows[1].turns: no body "O" - did you mean "OA"? (known here: AB, OA)'],
+        ),
         (
             "arrows = [{ symbol = 'r', turns = 'OA', sense = 'up' }]",
-            "figure.arrows[1].sense: no choice 'up'",
+            ['arrows[1].sense: "up" - expected ccw or cw'],
         ),
         (
             "arrows = [{ symbol = 'v', moves = 'A', along = 'norht' }]",
-            "figure.arrows[1].along: no point or side 'norht'",
+            [
+                'arrows[1].along: no point or side "norht" - did you mean "right"? (known here: A, B, O, down, left, right, up)'
+            ],
         ),
         (
             "lengths = [{ symbol = '#read', from = 'O', to = 'A' }]",
-            "has characters no symbol needs",
+            [
+                "lengths[1].symbol: '#read' has characters no symbol needs - use letters, digits, _ ^ { } ' and LaTeX commands"
+            ],
         ),
         (
-            r"lengths = [{ symbol = '\inptu', from = 'O', to = 'A' }]",
-            r"unknown LaTeX command \inptu",
+            "lengths = [{ symbol = '\\inptu', from = 'O', to = 'A' }]",
+            ['lengths[1].symbol: unknown LaTeX command \\inptu - did you mean "infty"?'],
         ),
-        ("lengths = [{ symbol = 'r_', from = 'O', to = 'A' }]", "is incomplete"),
+        (
+            "lengths = [{ symbol = 'r_', from = 'O', to = 'A' }]",
+            [
+                "lengths[1].symbol: 'r_' is incomplete - close every brace, give every _ and ^ one thing"
+            ],
+        ),
     ],
 )
-def test_a_fault_is_named_with_its_place(text: str, fragment: str) -> None:
-    assert any(fragment in fault for fault in faults(text))
+def test_a_fault_is_reported_with_its_place(text: str, expected: list[str]) -> None:
+    assert faults(text) == tuple(f"crank.toml:2: figure.{fault}" for fault in expected)

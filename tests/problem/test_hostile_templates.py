@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TemplateError
 from kinegrade.problem.reading import read_template
-from kinegrade.problem.toml_text import MAX_CHARACTERS
+from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from tests.problem.turning_crank import CRANK, faults, one_line_each, refused
 
 
@@ -44,7 +44,8 @@ def test_hostile_toml_is_refused_in_short_lines(text: str) -> None:
 
 def test_large_files_and_strange_names_are_refused_before_reading() -> None:
     with pytest.raises(
-        TemplateError, match=r"hostile.toml: 100001 characters: at most 100000 are read"
+        TemplateError,
+        match=r"hostile.toml: 100001 characters - expected a template of at most 100000",
     ):
         read_template("hostile", "#" * (MAX_CHARACTERS + 1))
     for name in ("../crank", "crank.toml", "Crank", "", "a b", "-a", "con\n"):

@@ -21,7 +21,7 @@ def test_the_small_template_is_sound() -> None:
     assert solve_template(template, {"r": "3/2"})["v_A"].exact == "3"
 
 
-def test_a_template_with_many_faults_reports_all_of_them_each_with_its_place() -> None:
+def test_a_dozen_faults_are_reported_each_with_its_line_in_the_order_of_the_file() -> None:
     found = faults(
         ('family = "crank"', 'familie = "crank"'),
         ("pin O: ground OA", "pin O ground OA"),
@@ -37,221 +37,263 @@ def test_a_template_with_many_faults_reports_all_of_them_each_with_its_place() -
         ("magnitude(velocity(A))", "magnitude(velocity(A)"),
         ('"v = omega r"', '"v"\nyear = 1'),
     )
-    places = [
-        "crank.toml: unknown table or key 'familie': did you mean \"family\"?",
-        'crank.toml: parameters.r: unit "ft"',
-        'crank.toml: parameters.phi: draw: "0 .. 90 step 0": the step',
-        "crank.toml: parameters.omega: draw is missing",
-        'crank.toml: lengths.half: "r/", character 3',
-        'crank.toml: points.A: "polar(O, r phi)", character 12',
-        'crank.toml: bodies.OA: no point "B"',
-        'crank.toml: joints[0]: "pin O ground OA": no such joint',
-        'crank.toml: inputs[0]: "OA spins": no such input',
-        'crank.toml: conditions[0]: "r = 2": expected "left < right"',
-        'crank.toml: asks.v_A: "magnitude(velocity(A)"',
-        'crank.toml: published[0]: unknown key "year"',
-        "crank.toml: title: title: expected texts in both languages",
+    assert found == [
+        'crank.toml:2: familie: unknown table or key - did you mean "family"?',
+        'crank.toml:4: joints[1]: "pin O ground OA": no such joint - expected one of "pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", "... meshes with ... on ...", "... slides through ... along ...", "... translates"',
+        'crank.toml:5: inputs[1].motion: "OA spins": no such input - expected one of "OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"',
+        'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==',
+        'crank.toml:7: title: a table of en - expected texts in all languages, { en = "...", zh = "..." }',
+        'crank.toml:11: parameters.r.unit: unit "ft": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s',
+        'crank.toml:12: parameters.phi.draw: "0 .. 90 step 0" - expected a step above zero, the last value not before the first, and at most 2000 values',
+        'crank.toml:13: parameters.omega.draw: missing - expected a list, or a range like "0.1 .. 0.5 step 0.05"',
+        'crank.toml:16: lengths.half: "r/", character 3: found the end, expected a number, a name or a bracket',
+        'crank.toml:20: points.A: "polar(O, r phi)", character 12: found "phi", expected "," or ")"',
+        'crank.toml:24: bodies.OA: no point "B" - known here: M, O',
+        'crank.toml:27: asks.v_A.quantity: "magnitude(velocity(A)", character 22: found the end, expected "," or ")"',
+        "crank.toml:31: published[1].year: unknown key - known here: given, gives, source",
     ]
-    for place in places:
-        assert any(problem.startswith(place) for problem in found), (place, found)
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("old", "new", "expected"),
     [
-        ("[lengths]", "[length]", "unknown table or key 'length': did you mean \"lengths\"?"),
+        (
+            "[lengths]",
+            "[length]",
+            ['crank.toml:15: length: unknown table or key - did you mean "lengths"?'],
+        ),
         (
             'joints = ["pin O: ground OA"]',
             "",
-            "crank.toml: joints is missing: every template needs it",
+            ["crank.toml: joints: missing - expected in every template"],
         ),
         (
             'joints = ["pin O: ground OA"]',
             'joints = "pin O: ground OA"',
-            "crank.toml: joints: expected a list",
+            ['crank.toml:4: joints: "pin O: ground OA" - expected a list [...]'],
         ),
-        ('family = "crank"', "family = 3", "crank.toml: family: expected a text"),
-        ('[lengths]\nhalf = "r/2"', "", 'unknown name "half"'),
+        (
+            'family = "crank"',
+            "family = 3",
+            ['crank.toml:2: family: 3 - expected a text in quotation marks, "..."'],
+        ),
         (
             "[parameters]",
             "[parameters]\nq = 3",
-            "crank.toml: parameters.q: expected a table with draw, unit",
+            [
+                'crank.toml:11: parameters.q: 3 - expected a table like { unit = "m", draw = [1, 2] }'
+            ],
         ),
         (
             'published = "60"',
             'publish = "60"',
-            'parameters.phi: unknown key "publish": did you mean "published"?',
+            [
+                'crank.toml:12: parameters.phi.publish: unknown key - did you mean "published"? (known here: draw, means, published, symbol, unit)'
+            ],
         ),
-        ('published = "60"', 'published = "60,"', 'parameters.phi: "60,", character 3'),
+        (
+            'published = "60"',
+            'published = "60,"',
+            [
+                'crank.toml:12: parameters.phi.published: "60,", character 3: found ",", expected an operator or the end'
+            ],
+        ),
         (
             'means = { en = "length", zh = "长" }',
             'means = "length"',
-            "parameters.r: means: expected texts in both languages",
+            [
+                'crank.toml:11: parameters.r.means: "length" - expected texts in all languages, { en = "...", zh = "..." }'
+            ],
         ),
         (
             'means = { en = "length", zh = "长" }',
             'means = { en = "length", zh = " " }',
-            "parameters.r: means: expected texts",
+            ['crank.toml:11: parameters.r.means: " " - expected a text in quotation marks, "..."'],
         ),
         (
             'draw = [1, "3/2"]',
             "draw = [1, 1]",
-            "parameters.r: draw: expected 1 to 2000 values, each once",
+            ["crank.toml:11: parameters.r.draw: 2 values - expected 1 to 2000 of them, each once"],
         ),
         (
             'draw = [1, "3/2"]',
             "draw = []",
-            "parameters.r: draw: expected 1 to 2000 values, each once",
+            ["crank.toml:11: parameters.r.draw: 0 values - expected 1 to 2000 of them, each once"],
         ),
         (
             'draw = [1, "3/2"]',
             'draw = "1 to 2"',
-            'parameters.r: draw: "1 to 2": expected a list, or a range like',
+            [
+                'crank.toml:11: parameters.r.draw: "1 to 2" - expected a list, or a range like "0.1 .. 0.5 step 0.05"'
+            ],
         ),
         (
             "r = { unit",
             "left = { unit",
-            "left: not usable as a name: a letter, then letters, digits and _ ; not",
+            [
+                "crank.toml:11: parameters.left: not usable as a name - expected a name other than clockwise, counterclockwise, ground, left, lower, pi, right, upper",
+                'crank.toml:16: lengths.half: unknown name "r" (and at 5 more places) - known here: left, omega, phi, pi',
+            ],
         ),
-        ("half = ", "pi = ", "pi: not usable as a name"),
-        ('M = "polar', '"M M" = "polar', "M M: not usable as a name"),
-        ('OA = "O A M"', 'OA = "O A M"\nground = "O"', "ground: not usable as a name"),
+        (
+            "half = ",
+            "pi = ",
+            [
+                "crank.toml:16: lengths.pi: not usable as a name - expected a name other than clockwise, counterclockwise, ground, left, lower, pi, right, upper",
+                'crank.toml:21: points.M: unknown name "half" - known here: A, O, clockwise and 9 more',
+            ],
+        ),
+        (
+            'M = "polar',
+            '"M M" = "polar',
+            [
+                "crank.toml:21: points.M M: not usable as a name - expected a letter, then letters, digits and _",
+                'crank.toml:24: bodies.OA: no point "M" - known here: A, M M, O',
+            ],
+        ),
+        (
+            'OA = "O A M"',
+            'OA = "O A M"\nground = "O"',
+            [
+                "crank.toml:25: bodies.ground: not usable as a name - expected a name other than clockwise, counterclockwise, ground, left, lower, pi, right, upper"
+            ],
+        ),
         (
             'half = "r/2"',
             'half = "r/2"\nphi = "1"',
-            "phi: one name for two things: rename one of them",
+            [
+                "crank.toml:17: lengths.phi: one name for two things: parameters.phi is there too - rename one of them"
+            ],
         ),
-        ('OA = "O A M"', 'OA = "O A M"\nr = "O"', "r: one name for two things: rename one of them"),
-        ('OA = "O A M"', 'OA = ""', 'bodies.OA: expected its points, like "O A", or "particle M"'),
+        (
+            'OA = "O A M"',
+            'OA = "O A M"\nr = "O"',
+            [
+                "crank.toml:25: bodies.r: one name for two things: parameters.r is there too - rename one of them"
+            ],
+        ),
+        (
+            'OA = "O A M"',
+            'OA = ""',
+            ['crank.toml:24: bodies.OA: "" - expected its points, like "O A", or "particle M"'],
+        ),
         (
             'OA = "O A M"',
             'OA = "particle O A"',
-            'bodies.OA: expected its points, like "O A", or "particle M"',
+            [
+                'crank.toml:24: bodies.OA: "particle O A" - expected its points, like "O A", or "particle M"'
+            ],
         ),
-        ("v_A = { quantity", '"v A" = { quantity', "asks.v A: not usable as a name"),
+        (
+            "v_A = { quantity",
+            '"v A" = { quantity',
+            [
+                "crank.toml:27: asks.v A: not usable as a name - expected a letter, then letters, digits and _",
+                'crank.toml:31: published[1].gives.v_A: no ask "v_A" - did you mean "v A"? (known here: v A)',
+            ],
+        ),
         (
             'unit = "m/s", means',
             'unit = "m/s", points = 2.5, means',
-            "asks.v_A: points: expected a whole number from 0 to 100",
+            ["crank.toml:27: asks.v_A.points: 2.5 - expected a whole number from 0 to 100"],
         ),
         (
             'unit = "m/s", means',
             'unit = "m/s", points = true, means',
-            "asks.v_A: points: expected a whole number",
+            ["crank.toml:27: asks.v_A.points: true - expected a whole number from 0 to 100"],
         ),
         (
             'unit = "m/s", means',
             'unit = "m/s", vanishes = "yes", means',
-            "asks.v_A: vanishes: expected true or false",
+            ['crank.toml:27: asks.v_A.vanishes: "yes" - expected true or false'],
         ),
         (
             'unit = "m/s", means',
             'unit = "m/s", sign = "up", means',
-            'asks.v_A: sign "up": known here: +x, +y, ccw, magnitude',
+            [
+                'crank.toml:27: asks.v_A.sign: "up" - expected a keyword, or { en = "...", zh = "..." } - known here: +x, +y, ccw, magnitude, signed, unsigned'
+            ],
         ),
         (
             'unit = "m/s", means',
             'unit = "m/s", sign = 1, means',
-            "asks.v_A: sign: expected a keyword, or texts",
+            ['crank.toml:27: asks.v_A.sign: 1 - expected a keyword, or { en = "...", zh = "..." }'],
         ),
         (
             'velocity = "omega"',
-            'velocity = "omeg"',
-            'OA turns: unknown name "omeg": did you mean "omega"?',
+            'velocity = "omega", speed = 1',
+            [
+                "crank.toml:5: inputs[1].speed: unknown key - known here: acceleration, motion, velocity"
+            ],
         ),
-        ('velocity = "omega"', 'velocity = "omega", speed = 1', 'inputs[0]: unknown key "speed"'),
         (
             "inputs = [{",
             'inputs = ["OA turns", {',
-            "inputs[0]: expected a table with motion, velocity",
+            [
+                'crank.toml:5: inputs[1]: "OA turns" - expected a table like { motion = "OA turns", velocity = "omega" }'
+            ],
         ),
-        ('"r < 2"', '"R < 2"', 'conditions[0]: unknown name "R": did you mean "r"?'),
-        ('"r < 2"', '"phi < 90"', 'conditions[0]: "phi < 90": an angle against a number'),
         (
             '"r < 2"',
             '"r = 2"',
-            'conditions[0]: "r = 2": expected "left < right", with one of <, <=, >, >=, ==',
+            [
+                'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, =='
+            ],
         ),
-        ('half = "r/2"', 'half = "R/2"', 'lengths.half: unknown name "R": did you mean "r"?'),
         (
-            "gives = { v_A",
-            "gives = { v_B",
-            'published[0]: no ask "v_B": did you mean "v_A"? (known here: v_A)',
-        ),
-        ('"omega*r"', '"omega*R"', 'published[0].gives.v_A: unknown name "R": did you mean "r"?'),
-        ('"omega*r"', '"omega*"', 'published[0].gives.v_A: "omega*", character 7'),
-        (
-            "gives = {",
-            "given = { R = 2 }\ngives = {",
-            'published[0]: given: no parameter "R": did you mean "r"?',
+            '"omega*r"',
+            '"omega*"',
+            [
+                'crank.toml:31: published[1].gives.v_A: "omega*", character 7: found the end, expected a number, a name or a bracket'
+            ],
         ),
         (
             "gives = {",
             'given = "r = 2"\ngives = {',
-            "published[0]: given and gives: expected tables",
+            ['crank.toml:31: published[1].given: "r = 2" - expected a table like { r = "1" }'],
         ),
         (
             'gives = { v_A = "omega*r" }',
             "gives = [1]",
-            "published[0]: given and gives: expected tables",
+            [
+                'crank.toml:31: published[1].gives: a list - expected a table like { v_B = "2*omega*r" }'
+            ],
         ),
-        ('gives = { v_A = "omega*r" }', "", "published[0]: gives is missing"),
+        ('gives = { v_A = "omega*r" }', "", ["crank.toml:29: published[1].gives: missing"]),
         (
-            'A = "polar(O, r, phi)"',
-            'A = "polar(O, r, psi)"',
-            'points.A: unknown name "psi": did you mean',
+            "[bodies]",
+            "[figure]\nlength = 1\n[bodies]",
+            ['crank.toml:24: figure.length: unknown key - did you mean "lengths"?'],
         ),
-        (
-            'A = "polar(O, r, phi)"',
-            'A = "polar(M, r, phi)"',
-            'points.A: unknown name "M": known here: O, clockwise, counterclockwise and 9 more',
-        ),
-        ('half = "r/2"', 'half = "whole/2"\nwhole = "r"', 'lengths.half: unknown name "whole"'),
-        (
-            "pin O: ground OA",
-            "pin O: ground OAB",
-            'pin O: ground OAB: no body "OAB": did you mean "OA"? (known here: OA, ground)',
-        ),
-        (
-            "pin O: ground OA",
-            "pin Q: ground OA",
-            'pin Q: ground OA: no point "Q": known here: A, M, O',
-        ),
-        (
-            "pin O: ground OA",
-            "A of OA slides on line(Q, psi)",
-            'A of OA slides on line(Q, psi): unknown name "psi"',
-        ),
-        ('"OA turns"', '"OB turns relative to OC"', 'OB turns relative to OC: no body "OC"'),
-        ('"OA turns"', '"B of OA circles C"', 'B of OA circles C: no point "C"'),
-        ('"OA turns"', '"A of OA moves along direction(O, B)"', 'unknown name "B"'),
-        ("magnitude(velocity(A))", "omega(AB)", 'asks.v_A: unknown name "AB"'),
-        ('"omega*r"', '"omega*half"', 'published[0].gives.v_A: unknown name "half"'),
-        ("[bodies]", "[figure]\nlength = 1\n[bodies]", "crank.toml: figure: "),
         (
             '"pin O: ground OA"',
             '"OA slides on O"',
-            'joints[0]: "OA slides on O": no such joint: write one of',
+            [
+                'crank.toml:4: joints[1]: "OA slides on O": no such joint - expected one of "pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", "... meshes with ... on ...", "... slides through ... along ...", "... translates"'
+            ],
         ),
         (
             '"pin O: ground OA"',
             '"A of OA slides on line(2, 0)"',
-            '"line(2, 0)": expected line(POINT, angle or point)',
+            [
+                'crank.toml:4: joints[1]: "line(2, 0)" - expected line(POINT, angle or point) or circle(POINT, radius)'
+            ],
         ),
         (
             '"pin O: ground OA"',
             '"A of OA slides on line(O)"',
-            '"line(O)": expected line(POINT, angle or point)',
+            [
+                'crank.toml:4: joints[1]: "line(O)" - expected line(POINT, angle or point) or circle(POINT, radius)'
+            ],
         ),
         (
             '"pin O: ground OA"',
-            '"' + "pin O: ground OA " * 30 + '"',
-            "joints[0]: a sentence of 510 characters: at most 400 are read",
+            '"pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA pin O: ground OA "',
+            ["crank.toml:4: joints[1]: a sentence of 510 characters - expected at most 400"],
         ),
     ],
 )
-def test_each_fault_is_told_with_its_place_and_what_was_expected(
-    old: str, new: str, message: str
+def test_each_fault_is_reported_with_its_place_and_what_was_expected(
+    old: str, new: str, expected: list[str]
 ) -> None:
-    found = faults((old, new))
-    assert any(message in problem for problem in found), found
+    assert faults((old, new)) == expected

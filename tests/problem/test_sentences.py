@@ -6,9 +6,11 @@ from typing import Any
 
 import pytest
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import FieldError
+from kinegrade.expression import Number
+from kinegrade.problem.sections.asks import read_sign
 from kinegrade.problem.sentences import read_driver, read_joint
-from kinegrade.problem.signs import read_sign
+from kinegrade.problem.template import Translated
 
 
 @pytest.mark.parametrize(
@@ -58,7 +60,7 @@ from kinegrade.problem.signs import read_sign
 )
 def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) -> None:
     if fields is None:
-        with pytest.raises(ExpressionError, match="no such joint"):
+        with pytest.raises(FieldError, match="no such joint"):
             read_joint(text)
         return
     sentence = read_joint(f"  {text} ")
@@ -77,25 +79,25 @@ def test_joint_sentences(text: str, kind: str, fields: dict[str, Any] | None) ->
     ],
 )
 def test_input_sentences(text: str, kind: str, fields: dict[str, str]) -> None:
-    sentence = read_driver(text, "1", "0")
+    sentence = read_driver(text, Number(1), Number(0))
     assert sentence.kind == kind
     assert {name: getattr(sentence, name) for name in fields} == fields
 
 
 def test_inputs_refused() -> None:
     with pytest.raises(
-        ExpressionError,
-        match='"OA moves": no such input: write "OA turns", "AB turns relative to OA"',
+        FieldError,
+        match='"OA moves": no such input - expected one of "OA turns", "AB turns relative to OA"',
     ):
-        read_driver("OA moves", "1", "0")
-    with pytest.raises(ExpressionError, match="a sentence of 401 characters"):
-        read_driver("O" * 401, "1", "0")
+        read_driver("OA moves", Number(1), Number(0))
+    with pytest.raises(FieldError, match="a sentence of 401 characters - expected at most 400"):
+        read_driver("O" * 401, Number(1), Number(0))
 
 
 def test_signs_in_words() -> None:
-    assert read_sign("ccw") == ("counter-clockwise positive", "逆时针为正")
-    assert read_sign({"en": "up", "zh": "上"}) == ("up", "上")
-    with pytest.raises(ExpressionError, match='sign "cw": did you mean "ccw"'):
+    assert read_sign("ccw") == Translated("counter-clockwise positive", "逆时针为正")
+    assert read_sign({"en": "up", "zh": "上"}) == Translated("up", "上")
+    with pytest.raises(FieldError, match='"cw" - expected a keyword, or .* - did you mean "ccw"'):
         read_sign("cw")
-    with pytest.raises(ExpressionError, match="expected a keyword, or texts"):
+    with pytest.raises(FieldError, match="a table - expected a keyword, or { en = "):
         read_sign({"en": "up"})

@@ -12,9 +12,9 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.problem.library import load_template, shipped, template_names
 from kinegrade.problem.reading import read_template
+from kinegrade.problem.sections.keys import MAX_CHARACTERS
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import MechanismFile, Template
-from kinegrade.problem.toml_text import MAX_CHARACTERS
 from tests.problem.crank import crank
 
 MECHANISM = """
@@ -139,64 +139,79 @@ def test_own_lists_follow_the_shared_ones_and_the_figure_is_laid_over_key_by_key
 
 
 @pytest.mark.parametrize(
-    ("shared", "told"),
+    ("shared", "reported"),
     [
-        (('en = "length of the crank", ', ""), "mechanisms/arm.toml: parameters.r: means: "),
-        (('P = "(0, h)"', 'P = "(0, k)"'), 'mechanisms/arm.toml: points.P: unknown name "k": '),
-        (('OA = "O A"', 'OA = "O B"'), 'mechanisms/arm.toml: bodies.OA: no point "B": '),
+        (
+            ('en = "length of the crank", ', ""),
+            "mechanisms/arm.toml:6: parameters.r.means: a table of zh - expected texts",
+        ),
+        (('P = "(0, h)"', 'P = "(0, k)"'), 'mechanisms/arm.toml:11: points.P: unknown name "k" - '),
+        (('OA = "O A"', 'OA = "O B"'), 'mechanisms/arm.toml:15: bodies.OA: no point "B" - '),
         (
             ("pin O: ground OA", "pin O: ground OC"),
-            'mechanisms/arm.toml: pin O: ground OC: no body "OC": ',
+            'mechanisms/arm.toml:2: joints[1]: no body "OC" - ',
         ),
-        (("pin O: ground OA", "glue O"), "mechanisms/arm.toml: joints[0]: "),
+        (
+            ("pin O: ground OA", "glue O"),
+            'mechanisms/arm.toml:2: joints[1]: "glue O": no such joint - ',
+        ),
         (
             ("omega < 10000000", "omega"),
-            'mechanisms/arm.toml: conditions[0]: "omega": expected "left < right"',
+            'mechanisms/arm.toml:3: conditions[1]: "omega" - expected "left < right"',
         ),
         (
             ("[bodies]", "1X = '(0, 0)'\n[bodies]"),
-            "mechanisms/arm.toml: 1X: not usable as a name: ",
+            "mechanisms/arm.toml:14: points.1X: not usable as a name - ",
         ),
         (
             ('labels = { P = "P" }', "axes = 1"),
-            "mechanisms/arm.toml: figure: crank: figure.axes: expected true or false",
+            "mechanisms/arm.toml:19: figure.axes: 1 - expected true or false",
         ),
         (
             ("h     = { unit", "h     = { unti"),
-            'crank.toml over mechanisms/arm.toml: parameters.h: unknown key "unti": ',
+            'mechanisms/arm.toml:7: parameters.h.unti: unknown key - did you mean "unit"?',
         ),
     ],
 )
-def test_a_fault_of_the_mechanism_is_told_with_its_file(shared: Change, told: str) -> None:
-    assert [problem for problem in faults(shared=(shared,)) if problem.startswith(told)]
+def test_a_fault_of_the_mechanism_is_reported_with_its_file(shared: Change, reported: str) -> None:
+    assert [problem for problem in faults(shared=(shared,)) if problem.startswith(reported)]
 
 
 @pytest.mark.parametrize(
-    ("own", "told"),
+    ("own", "reported"),
     [
         (
             ('mechanism = "arm"', 'mechanism = "arm"\nconditions = ["h"]\njoints = ["glue"]'),
-            "crank.toml: conditions[0]: ",
+            'crank.toml:6: conditions[1]: "h" - ',
         ),
-        (('mechanism = "arm"', 'mechanism = "arm"\njoints = ["glue"]'), "crank.toml: joints[0]: "),
-        (("[asks]", "[points]\nP = '(0, k)'\n[asks]"), 'crank.toml: points.P: unknown name "k": '),
+        (
+            ('mechanism = "arm"', 'mechanism = "arm"\njoints = ["glue"]'),
+            'crank.toml:6: joints[1]: "glue": no such joint - ',
+        ),
+        (
+            ("[asks]", "[points]\nP = '(0, k)'\n[asks]"),
+            'crank.toml:17: points.P: unknown name "k" - ',
+        ),
         (
             ("[asks]", "[figure]\naxes = 1\n[asks]"),
-            "crank.toml: figure: crank: figure.axes: expected true or false",
+            "crank.toml:17: figure.axes: 1 - expected true or false",
         ),
         (
             ("[asks]", "[figure]\nlabels = 1\n[asks]"),
-            "crank.toml: figure: crank: figure.labels: expected a table",
+            "crank.toml:17: figure.labels: 1 - expected a table",
         ),
         (
             ('mechanism = "arm"', 'mechanism = "arm"\npoints = 3'),
-            "crank.toml: points: expected a table",
+            "crank.toml:6: points: 3 - expected a table",
         ),
-        (("x(velocity(A))", "x(velocity(B))"), 'crank.toml: asks.v_x: unknown name "B": '),
+        (
+            ("x(velocity(A))", "x(velocity(B))"),
+            'crank.toml:17: asks.v_x.quantity: unknown name "B" - ',
+        ),
     ],
 )
-def test_a_fault_of_the_template_is_told_with_its_own_file(own: Change, told: str) -> None:
-    assert [problem for problem in faults((own,)) if problem.startswith(told)]
+def test_a_fault_of_the_template_is_reported_with_its_own_file(own: Change, reported: str) -> None:
+    assert [problem for problem in faults((own,)) if problem.startswith(reported)]
 
 
 def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None:
@@ -206,20 +221,18 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
         ('[bodies]\nOA = "O A"', "[other]"),
         ("\njoints = [", "\nbodies = 1\njoints = ["),
     )
-    listed = "bodies, conditions, figure, joints, lengths, parameters, points"
-    found = faults((('family = "crank"', 'famly = "crank"'),), shared)
-    assert found[0] == "crank.toml: unknown table or key 'famly': did you mean \"family\"?"
-    assert found[1:7] == [
-        "mechanisms/arm.toml: bodies: expected a table",
-        "mechanisms/arm.toml: mechanism: a mechanism cannot build on a further one: write all its "
-        "tables in this file",
-        "mechanisms/arm.toml: 'asks' cannot be shared: leave it to the templates: known here: "
-        f"{listed}",
-        "mechanisms/arm.toml: 'tags' cannot be shared: leave it to the templates: known here: "
-        f"{listed}",
-        "mechanisms/arm.toml: 'other' cannot be shared: leave it to the templates: known here: "
-        f"{listed}",
-        "crank.toml: bodies is missing: every template needs it",
+    remedy = (
+        "leave it to the templates: known here: "
+        "bodies, conditions, figure, joints, lengths, parameters, points"
+    )
+    assert faults((('family = "crank"', 'famly = "crank"'),), shared) == [
+        'crank.toml:2: famly: unknown table or key - did you mean "family"?',
+        "mechanisms/arm.toml:2: bodies: 1 - expected a table",
+        "mechanisms/arm.toml:4: mechanism: a mechanism cannot build on a further one - "
+        "write all its tables in this file",
+        f"mechanisms/arm.toml:11: asks: cannot be shared - {remedy}",
+        f"mechanisms/arm.toml:12: tags: cannot be shared - {remedy}",
+        f"mechanisms/arm.toml:18: other: cannot be shared - {remedy}",
     ]
 
 
@@ -227,10 +240,11 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
     "name", ['"../arm"', '"arm.toml"', '""', '"/arm"', '"Arm"', '"arm\\n"', "3", '["arm"]']
 )
 def test_a_mechanism_is_called_by_a_plain_name(name: str) -> None:
-    assert faults((('mechanism = "arm"', f"mechanism = {name}"),)) == [
-        "crank.toml: mechanism: expected a file's name in mechanisms/ without .toml: small "
-        "letters, digits, hyphens"
-    ]
+    (fault,) = faults((('mechanism = "arm"', f"mechanism = {name}"),))
+    assert fault.startswith("crank.toml:5: mechanism: ")
+    assert fault.endswith(
+        " - expected a file's name in mechanisms/ without .toml: small letters, digits and hyphens"
+    )
 
 
 def test_a_mechanism_that_cannot_be_had_says_why(tmp_path: Path) -> None:
@@ -238,28 +252,28 @@ def test_a_mechanism_that_cannot_be_had_says_why(tmp_path: Path) -> None:
         tmp_path, changed(OWN, ('source = "by hand"\nmechanism', "mechanism")), arms=MECHANISM
     )
     assert refusals(file) == [
-        "crank.toml: source is missing: every template needs it",
-        'crank.toml: mechanism: no mechanism "arm" in mechanisms/ beside the template: did you '
-        'mean "arms"? '
-        "(known here: arms)",
+        "crank.toml: source: missing - expected in every template",
+        'crank.toml:4: mechanism: no mechanism "arm" in mechanisms/ beside the template - '
+        'did you mean "arms"? (known here: arms)',
     ]
     shared = tmp_path / "mechanisms" / "arm.toml"
     shared.write_text("#" * (MAX_CHARACTERS + 1), encoding="utf-8")
     assert refusals(file)[1:] == [
-        f"mechanisms/arm.toml: {MAX_CHARACTERS + 1} characters: at most {MAX_CHARACTERS} are read"
+        f"mechanisms/arm.toml: {MAX_CHARACTERS + 1} characters - "
+        f"expected a template of at most {MAX_CHARACTERS} - shorten it"
     ]
     shared.write_text("joints = [", encoding="utf-8")
     assert refusals(file)[1].endswith(" - expected a template in TOML - fix it")
     shared.write_bytes(b"title = '\xff'")
-    assert refusals(file)[1].startswith("crank.toml: mechanism: ")
-    assert "not UTF-8 at byte 9" in refusals(file)[1]
+    assert refusals(file)[1].startswith("crank.toml:4: mechanism: ")
+    assert "not UTF-8" in refusals(file)[1]
 
 
 def test_a_text_alone_has_no_mechanisms_beside_it() -> None:
     with pytest.raises(TemplateError) as caught:
         read_template("crank", OWN)
     assert caught.value.problems == (
-        'crank.toml: mechanism: no folder to look for "arm" in: load the template from its file',
+        'crank.toml:5: mechanism: no folder to look for "arm" in - load the template from its file',
     )
 
 

@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.problem.sections.keys import NEEDED, OPTIONAL
 from kinegrade.problem.starter import starter_text
-from kinegrade.problem.toml_text import KEYS
 from tests.small_class import kinegrade
+
+KEYS = (*NEEDED, *OPTIONAL)
 
 
 def refusal(*arguments: str | Path) -> str:

@@ -86,8 +86,8 @@ NOT_FILLED_IN = [
 @pytest.mark.parametrize("text", NOT_FILLED_IN)
 def test_what_is_no_name_is_refused_when_the_template_is_read_in_one_line(text: str) -> None:
     (problem, *_) = found = faults(text)
-    assert problem.startswith("crank.toml: statement.en: {")
-    assert problem.endswith(": only {{ name }} and {{ name.value }} are filled in")
+    assert problem.startswith("crank.toml:10: statement.en: {")
+    assert problem.endswith(" - only {{ name }} and {{ name.value }} are filled in")
     assert all("\n" not in problem and len(problem) < 140 for problem in found)
 
 
@@ -99,10 +99,10 @@ def test_a_passage_that_is_no_name_is_refused_in_a_text_as_well() -> None:
             ("{{ omega }};", "{{ speed }} {{ speed.value }} {{ omega }};"),
         )
     assert caught.value.problems == (
-        "crank.toml: text.speed[0].en: {{ 7*7 }}: only {{ name }} and {{ name.value }} are filled "
-        "in",
-        "crank.toml: statement.en: {{ speed.value }}: a text has no value: write {{ speed }}",
-        "crank.toml: text.speed[0].zh: {{ speed }}: no such parameter: known here: h, omega, r",
+        "crank.toml:10: statement.en: {{ speed.value }}: a text has no value - write {{ speed }}",
+        "crank.toml:14: text.speed[1].en: {{ 7*7 }} - "
+        "only {{ name }} and {{ name.value }} are filled in",
+        "crank.toml:15: text.speed[1].zh: {{ speed }}: no such parameter - known here: h, omega, r",
     )
 
 
@@ -110,11 +110,11 @@ def test_all_faults_of_both_languages_come_at_once() -> None:
     with pytest.raises(TemplateError) as caught:
         crank((ENGLISH, "en = '''{{ R }} {{ r }} {{ self }}'''"), ("{{ h.value }}。", "{{ H }}。"))
     assert caught.value.problems == (
-        'crank.toml: statement.en: {{ R }}: no such parameter: did you mean "r"? (known here: h, '
-        "omega, r)",
-        "crank.toml: statement.en: {{ self }}: no such parameter: known here: h, omega, r",
-        'crank.toml: statement.zh: {{ H }}: no such parameter: did you mean "h"? (known here: h, '
-        "omega, r)",
+        'crank.toml:10: statement.en: {{ R }}: no such parameter - did you mean "r"? '
+        "(known here: h, omega, r)",
+        "crank.toml:10: statement.en: {{ self }}: no such parameter - known here: h, omega, r",
+        'crank.toml:11: statement.zh: {{ H }}: no such parameter - did you mean "h"? '
+        "(known here: h, omega, r)",
     )
 
 

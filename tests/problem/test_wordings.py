@@ -108,7 +108,7 @@ def test_a_wording_that_could_never_apply_for_its_units_is_refused_on_reading() 
     with pytest.raises(TemplateError) as refusal:
         placed(('"2*h < r"', '"h < omega"'))
     assert refusal.value.problems == (
-        'crank.toml: text.place[0]: "h < omega": a length (m) and an angular velocity (rad/s) '
+        'crank.toml:15: text.place[1].if: "h < omega": a length (m) and an angular velocity (rad/s) '
         "do not go together: check the units",
     )
 
@@ -130,24 +130,45 @@ def test_a_parameter_may_be_given_by_a_text_if_every_wording_gives_it() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "fault"),
     [
-        ('if = "2*h < r"', 'if = "2*H < r"', 'text.place[0]: unknown name "H": did you mean "h"?'),
-        ('if = "2*h < r"', 'if = "h"', 'text.place[0]: "h": expected "left < right"'),
-        ('if = "2*h < r"', "if = 1", "text.place[0]: if: expected a condition as text"),
-        ('if = "2*h < r"', "", 'text.place[0]: without "if" it applies at all values'),
-        ('if = "2*h < r"', 'when = "h < r"', 'text.place[0]: unknown key "when": did you mean'),
-        ('zh = "偏下"', "", "text.place[0]: zh: expected the text in this language"),
-        ("[[text.place]]", "[[text.r]]", "text.r: one name for two things"),
-        ("[[text.place]]", "[[text.'1 x']]", "text.1 x: not usable as a name: a letter"),
-        (PLACE, "[text]\nplace = 'low'\n[parameters]", "text.place: expected 1 to 20 wordings"),
-        (PLACE, "[text]\nplace = [1]\n[parameters]", "text.place[0]: expected a table: { if = "),
+        (
+            'if = "2*h < r"',
+            'if = "2*H < r"',
+            '15: text.place[1].if: unknown name "H" - did you mean "h"?',
+        ),
+        ('if = "2*h < r"', 'if = "h"', '15: text.place[1].if: "h" - expected "left < right"'),
+        ('if = "2*h < r"', "if = 1", "15: text.place[1].if: 1 - expected a text in quotation"),
+        ('if = "2*h < r"', "", '14: text.place[1]: without "if" it applies at all values'),
+        ('if = "2*h < r"', 'when = "h < r"', "15: text.place[1].when: unknown key - did you mean"),
+        ('zh = "偏下"', "", "14: text.place[1].zh: missing"),
+        (
+            "[[text.place]]",
+            "[[text.r]]",
+            "14: text.r: one name for two things: parameters.r is there too",
+        ),
+        (
+            "[[text.place]]",
+            "[[text.'1 x']]",
+            "14: text.1 x: not usable as a name - expected a letter",
+        ),
+        (PLACE, "[text]\nplace = 'low'\n[parameters]", '14: text.place: "low" - expected a list'),
+        (
+            PLACE,
+            "[text]\nplace = []\n[parameters]",
+            "14: text.place: 0 wordings - expected 1 to 20 of them, each under its own [[text.place]]",
+        ),
+        (
+            PLACE,
+            "[text]\nplace = [1]\n[parameters]",
+            "14: text.place[1]: 1 - expected a table like { if = ",
+        ),
         (
             PLACE,
             "[text]\n" + "".join(f"t{n} = []\n" for n in range(21)) + "[parameters]",
-            "text: 21 texts: expected at most 20",
+            "13: text: 21 texts - expected at most 20",
         ),
     ],
 )
 def test_a_fault_of_a_text_is_reported_with_its_place(old: str, new: str, fault: str) -> None:
     with pytest.raises(TemplateError) as caught:
         placed((old, new))
-    assert [one for one in caught.value.problems if one.startswith(f"crank.toml: {fault}")]
+    assert [one for one in caught.value.problems if one.startswith(f"crank.toml:{fault}")]

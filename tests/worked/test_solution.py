@@ -291,7 +291,9 @@ def test_the_author_of_a_template_chooses_the_method() -> None:
     assert Heading("2. $AB$: instantaneous centre of velocity", 2) in told(
         solve_template(template, {})
     )
-    with pytest.raises(TemplateError, match="method: expected one of base-point, projection, pole"):
+    with pytest.raises(
+        TemplateError, match='method: "guess" - expected base-point or projection or pole'
+    ):
         read_template("crank", f'method = "guess"\n{text}')
 
 

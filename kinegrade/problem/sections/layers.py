@@ -1,0 +1,109 @@
+"""A template's file laid over that of a mechanism which it shares with other templates.
+
+Entries of `[parameters]`, `[lengths]`, `[points]` and `[bodies]` are the mechanism's, then the
+template's; of one name the template's wins, and a parameter is laid over key by key. Joints and
+conditions are the mechanism's followed by the template's; the keys of `[figure]` are the template's
+where it has them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from kinegrade.fields.document import Document
+from kinegrade.fields.place import Place, Where
+from kinegrade.problem.sections.keys import SHARED_LISTS, SHARED_TABLES
+
+Content = Mapping[str, object]
+
+
+@dataclass(frozen=True)
+class Layer:
+    """The tables of one file, and the lines on which they stand."""
+
+    content: Content
+    document: Document
+
+
+@dataclass(frozen=True)
+class Layers:
+    """The tables of a template's file over those of its mechanism, as one source of faults."""
+
+    own: Layer
+    shared: Layer
+
+    def content(self) -> dict[str, object]:
+        """The tables together."""
+        own, shared = self.own.content, _sharable(self.shared.content)
+        both = {key: _laid_over(key, shared[key], own[key]) for key in shared if key in own}
+        return {**shared, **own, **both}
+
+    def where(self, place: Place) -> Where:
+        """The file and the line of what stands at a place of the tables together; where both files
+        have it, in the template's.
+        """
+        own = self._own_place(place)
+        entry = 3 if place[:1] == ("parameters",) else 2
+        shared_depth = _depth(self.shared.content, place[:entry])
+        if shared_depth > _depth(self.own.content, own[:entry]):
+            return self.shared.document.where(place)
+        return self.own.document.where(own)
+
+    def _own_place(self, place: Place) -> Place:
+        """A place as it is counted in the template's file; below 0 what stands before it."""
+        match place:
+            case (str() as key, int() as number, *inside) if key in SHARED_LISTS:
+                listed = self.shared.content.get(key)
+                before = len(listed) if isinstance(listed, list) else 0
+                return (key, number - before, *inside)
+            case _:
+                return place
+
+
+def is_sharable(key: str, value: object) -> bool:
+    """Whether templates can share what stands under a key of a mechanism's file."""
+    if key in SHARED_LISTS:
+        return isinstance(value, list)
+    return key in SHARED_TABLES and isinstance(value, dict)
+
+
+def _sharable(content: Content) -> Content:
+    return {key: value for key, value in content.items() if is_sharable(key, value)}
+
+
+def _laid_over(key: str, shared: object, own: object) -> object:
+    """A table or list over the mechanism's; one of the wrong kind is kept, to be refused later."""
+    match shared, own:
+        case list(), list():
+            return [*shared, *own]
+        case dict(), dict():
+            merged = {name: {**shared[name], **own[name]} for name in _both(key, shared, own)}
+            return {**shared, **own, **merged}
+        case _:
+            return own
+
+
+def _both(key: str, shared: Content, own: Content) -> list[str]:
+    """The parameters that both files describe."""
+    if key != "parameters":
+        return []
+    return [
+        name
+        for name in shared
+        if isinstance(shared[name], dict) and isinstance(own.get(name), dict)
+    ]
+
+
+def _depth(content: Content, place: Place) -> int:
+    """How many steps of a place lead to something."""
+    inside: object = content
+    for depth, step in enumerate(place):
+        match inside, step:
+            case dict(), str() if step in inside:
+                inside = inside[step]
+            case list(), int() if 0 <= step < len(inside):
+                inside = inside[step]
+            case _:
+                return depth
+    return len(place)

@@ -1,0 +1,65 @@
+"""The names that a template's file declares: each is plain, and means one thing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from kinegrade.fields.table import Table
+from kinegrade.mechanics.geometry import BRANCHES
+from kinegrade.mechanics.joints import GROUND
+
+_RESERVED = frozenset({"pi", GROUND, *BRANCHES})
+_PLAIN = re.compile(r"[A-Za-z]\w{0,30}", re.ASCII)
+# Tables of names of which no two share one; only a body may be named after its point
+_APART = (
+    ("parameters", "lengths", "points"),
+    ("parameters", "lengths", "bodies"),
+    ("parameters", "text"),
+)
+_DECLARING = ("parameters", "lengths", "points", "bodies", "asks", "text")
+
+_APART_FROM_EXPRESSIONS = ("asks", "text")  # no expression holds their names
+
+Declared = Mapping[str, tuple[str, ...]]
+
+
+def declared_names(table: Table) -> Declared:
+    """The names in each table that declares some, even where what they stand for cannot be read."""
+    found = {}
+    for key in _DECLARING:
+        value = table.value(key)
+        found[key] = tuple(value) if isinstance(value, dict) else ()
+    return found
+
+
+def check_names(table: Table, declared: Declared) -> None:
+    """Notes names that cannot be used in expressions, and those that stand for two things."""
+    for key, listed in declared.items():
+        for name in listed:
+            expected = _expected(key, name)
+            if expected:
+                table.faults.note((key, name), "not usable as a name", expected)
+    for key, name, first in dict.fromkeys(_twice(declared)):
+        what = f"one name for two things: {first}.{name} is there too"
+        table.faults.note((key, name), what, do="rename one of them")
+
+
+def _expected(key: str, name: str) -> str:
+    """What was expected of a name in place of this one; "" where it serves."""
+    if not _PLAIN.fullmatch(name):
+        return "a letter, then letters, digits and _"
+    if name in _RESERVED and key not in _APART_FROM_EXPRESSIONS:
+        return f"a name other than {', '.join(sorted(_RESERVED))}"
+    return ""
+
+
+def _twice(declared: Declared) -> Iterator[tuple[str, str, str]]:
+    """Each name that is declared again: its table, the name, the table that had it before."""
+    for group in _APART:
+        first: dict[str, str] = {}
+        for key in group:
+            for name in declared[key]:
+                if name in first:
+                    yield key, name, first[name]
+                first.setdefault(name, key)

@@ -1,0 +1,142 @@
+"""A template's file opened: its tables, laid over those of the mechanism that it shares."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from kinegrade.errors import FieldError, TemplateError, did_you_mean, message
+from kinegrade.fields.document import Document, FileKind, toml_table
+from kinegrade.fields.faults import Faults
+from kinegrade.fields.lines import lines_of_toml
+from kinegrade.fields.table import Table
+from kinegrade.fields.values import found
+from kinegrade.problem.sections.keys import KNOWN, MAX_CHARACTERS, NEEDED, SHARED, SHARED_LISTS
+from kinegrade.problem.sections.layers import Layer, Layers, is_sharable
+from kinegrade.problem.template import MechanismFile, TemplateFile
+
+FOLDER = "mechanisms"  # beside the templates
+TEMPLATE = FileKind("a template", TemplateError, 4 * MAX_CHARACTERS)
+_FILE_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*", re.ASCII)
+# The text of the mechanism of that name; raises KinegradeError when there is none.
+Mechanisms = Callable[[str], str]
+
+
+@dataclass(frozen=True)
+class Opened:
+    """The tables of a template together, the files that they come from, and the faults of both.
+
+    `strays` are the names in tables that are not known, which may be misspelt ones.
+    """
+
+    table: Table
+    file: TemplateFile
+    faults: tuple[Faults, ...]
+    strays: frozenset[str]
+
+
+def no_mechanisms(name: str) -> str:
+    """Refuses every mechanism: a text alone has no folder beside it."""
+    raise FieldError(f'no folder to look for "{name}" in', do="load the template from its file")
+
+
+def open_template(name: str, text: str, mechanisms: Mechanisms) -> Opened:
+    """The tables of the template of that name.
+
+    Raises TemplateError where a file is no TOML, or where the mechanism cannot be had.
+    """
+    if not _FILE_NAME.fullmatch(name):
+        raise TemplateError(
+            f"{name}.toml: a template's name is made of small letters, digits and hyphens"
+        )
+    own = _toml(f"{name}.toml", text)
+    if "mechanism" in own:
+        return _laid_over(own, f"{name}.toml", text, _mechanism(own, mechanisms))
+    return Opened(_known(own, NEEDED), TemplateFile(text), (own.faults,), _strays(own))
+
+
+def _toml(file: str, text: str) -> Table:
+    if len(text) > MAX_CHARACTERS:
+        expected = f"a template of at most {MAX_CHARACTERS}"
+        raise TemplateError(message(file, f"{len(text)} characters", expected, "shorten it"))
+    return toml_table(file, text, TEMPLATE)
+
+
+def _known(table: Table, needed: Sequence[str]) -> Table:
+    """The tables that are known; others, and needed ones that are missing, are faults."""
+    known = table.only(*KNOWN, kind="table or key")
+    for key in needed:
+        if key not in known:
+            known.missing(key, "in every template")
+    return known
+
+
+def _strays(table: Table) -> frozenset[str]:
+    unknown = [value for key, value in table.content.items() if key not in KNOWN]
+    return frozenset(name for value in unknown if isinstance(value, dict) for name in value)
+
+
+def _mechanism(own: Table, mechanisms: Mechanisms) -> MechanismFile:
+    """The file that a template shares. Raises TemplateError where it cannot be had, with what else
+    can be said of the template then.
+    """
+
+    def load(value: object) -> MechanismFile:
+        name = _mechanism_name(value)
+        return MechanismFile(name, mechanisms(name))
+
+    mechanism = own.required("mechanism", load)
+    if mechanism is None:
+        raise TemplateError(*_outline_faults(own))
+    return mechanism
+
+
+def _shared(own: Table, file: str, mechanism: MechanismFile) -> Table:
+    """The tables of the mechanism's file. Raises TemplateError where it is no TOML."""
+    try:
+        return _toml(file, mechanism.text)
+    except TemplateError as error:
+        raise TemplateError(*_outline_faults(own), *error.problems) from error
+
+
+def _outline_faults(own: Table) -> tuple[str, ...]:
+    """What can be said of a template whose mechanism cannot be read."""
+    _known(own, [key for key in NEEDED if key not in SHARED])
+    return own.faults.raised().problems
+
+
+def _mechanism_name(value: object) -> str:
+    """A name that can stand for a file in the folder and nowhere else."""
+    if isinstance(value, str) and _FILE_NAME.fullmatch(value):
+        return value
+    expected = f"a file's name in {FOLDER}/ without .toml: small letters, digits and hyphens"
+    raise FieldError(found(value), expected)
+
+
+def _laid_over(own: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
+    shared_file = f"{FOLDER}/{mechanism.name}.toml"
+    shared = _shared(own, shared_file, mechanism)
+    for key, value in shared.content.items():
+        if not is_sharable(key, value):
+            _refuse(shared, key, value)
+    layers = Layers(
+        Layer(own.content, Document(file, text, lines_of_toml)),
+        Layer(shared.content, Document(shared_file, mechanism.text, lines_of_toml)),
+    )
+    both = Table(Faults(layers, TemplateError), (), layers.content())
+    table = _known(both, [key for key in NEEDED if key not in shared])
+    faults = (table.faults, shared.faults)
+    return Opened(table, TemplateFile(text, mechanism), faults, _strays(own))
+
+
+def _refuse(shared: Table, key: str, value: object) -> None:
+    """Note why what stands under a key of a mechanism's file cannot be shared."""
+    if key == "mechanism":
+        remedy = "write all its tables in this file"
+        shared.fault(key, "a mechanism cannot build on a further one", do=remedy)
+    elif key in SHARED:
+        shared.fault(key, found(value), "a list" if key in SHARED_LISTS else "a table")
+    else:
+        remedy = f"leave it to the templates: {did_you_mean(key, SHARED)}"
+        shared.fault(key, "cannot be shared", do=remedy)
