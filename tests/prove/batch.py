@@ -21,7 +21,7 @@ from kinegrade.temporary import temporary_folder
 from tests.prove.outcome import Outcome
 
 MEMORY = 1 << 30  # bytes
-SECONDS = 120  # after which even code that never looks at signals is ended
+SECONDS = 600  # after which even code that never looks at signals is ended
 
 
 def main(address: str, first: str, stop: str) -> None:
