@@ -3,65 +3,21 @@
 from __future__ import annotations
 
 import ast
-import io
 import sys
-import tokenize
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
+from benchmarks.duplicates import duplicates
+from benchmarks.modules import File, Function, read_package
+from benchmarks.unused import unused_names
+
 PACKAGE = Path(__file__).parent.parent / "kinegrade"
 WIDEST = 100  # columns
 MOST_PARAMETERS = 6
 MOST_FILES = 20
-NO_CODE = frozenset(
-    {
-        tokenize.COMMENT,
-        tokenize.NL,
-        tokenize.NEWLINE,
-        tokenize.INDENT,
-        tokenize.DEDENT,
-        tokenize.ENDMARKER,
-    }
-)
-Documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
-Function = ast.FunctionDef | ast.AsyncFunctionDef
-
-
-@dataclass(frozen=True)
-class File:
-    """A module of the package: where it is, its text and its syntax tree."""
-
-    path: Path
-    text: str
-    tree: ast.Module
-
-    def nodes(self) -> Iterator[ast.AST]:
-        """All nodes of the syntax tree."""
-        return ast.walk(self.tree)
-
-    def functions(self) -> Iterator[Function]:
-        """All functions and methods."""
-        return (node for node in self.nodes() if isinstance(node, Function))
-
-    def code_lines(self) -> int:
-        """How many lines hold code: no blank lines, comments or docstrings."""
-        lines: set[int] = set()
-        for token in tokenize.generate_tokens(io.StringIO(self.text).readline):
-            if token.type not in NO_CODE:
-                lines.update(range(token.start[0], token.end[0] + 1))
-        return len(lines - self.docstring_lines())
-
-    def docstring_lines(self) -> set[int]:
-        """The lines on which docstrings stand."""
-        lines: set[int] = set()
-        for node in self.nodes():
-            if isinstance(node, Documented) and ast.get_docstring(node) is not None:
-                docstring = node.body[0]
-                lines.update(range(docstring.lineno, (docstring.end_lineno or 0) + 1))
-        return lines
 
 
 @dataclass(frozen=True)
@@ -75,16 +31,6 @@ class Measure:
     def line(self) -> str:
         """The measure as a line of the report."""
         return f"{self.name:<44} {self.value:>10}   {self.aim}"
-
-
-def read_package(package: Path) -> list[File]:
-    """Every module below a folder."""
-    paths = sorted(package.rglob("*.py"))
-    texts = [path.read_text(encoding="utf-8") for path in paths]
-    return [
-        File(path.relative_to(package.parent), text, ast.parse(text))
-        for path, text in zip(paths, texts, strict=True)
-    ]
 
 
 def measures(files: Sequence[File]) -> list[Measure]:
@@ -128,10 +74,28 @@ def uses_of_any(files: Sequence[File]) -> int:
     return sum(name.id == "Any" for name in names)
 
 
+def folder_sizes(files: Sequence[File]) -> Iterator[Measure]:
+    """The files and lines of code of every folder, without the folders in it."""
+    by_folder: dict[Path, list[File]] = {}
+    for file in files:
+        by_folder.setdefault(file.path.parent, []).append(file)
+    for folder, held in sorted(by_folder.items()):
+        lines = sum(file.code_lines() for file in held)
+        yield Measure(f"{folder.as_posix()}/", f"{len(held)} files", f"{lines:,} lines of code")
+
+
 def main() -> int:
-    """Print every measure."""
-    for measure in measures(read_package(PACKAGE)):
+    """Print every measure, the size of every folder, then what stands twice or is used nowhere."""
+    files = read_package(PACKAGE)
+    copies, unused = duplicates(files), unused_names(PACKAGE)
+    counts = (
+        Measure("functions that stand twice", f"{len(copies)}", "none"),
+        Measure("names that nothing uses", f"{len(unused)}", "none"),
+    )
+    for measure in (*measures(files), *counts, *folder_sizes(files)):
         print(measure.line())
+    for line in (*copies, *unused):
+        print(line)
     return 0
 
 

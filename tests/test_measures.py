@@ -6,7 +6,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from benchmarks.measures import measures, read_package
+from benchmarks.duplicates import duplicates
+from benchmarks.measures import PACKAGE, folder_sizes, measures
+from benchmarks.modules import read_package
+from benchmarks.unused import unused_names
 
 TEXT = '''"""A module
 of two lines of docstring."""
@@ -43,3 +46,63 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
     assert found["functions of more than 6 parameters"] == "1"
     assert found["folders of more than 20 files"] == "0"
     assert found["uses of Any"] == "1"
+
+
+CLEARED = ("exact", "figure", "lms", "mechanics", "worked")  # `make measure` names the rest
+COPIED = """
+def total(rows, key):
+    found = [row[key] for row in rows if row[key] is not None]
+    return sum(found) / len(found) if found else 0.0
+"""
+RENAMED = """
+def mean_of(lines, column):
+    'The mean of a column.'
+    cells = [line[column] for line in lines if line[column] is not None]
+    return sum(cells) / len(cells) if cells else 0.0
+"""
+ANOTHER = RENAMED.replace("else 0.0", "else 1.0").replace("mean_of", "mean_or_one")
+
+
+def write_package(folder: Path, **texts: str) -> Path:
+    """A package of these modules."""
+    package = folder / "package"
+    package.mkdir()
+    for name, text in texts.items():
+        (package / f"{name}.py").write_text(text, encoding="utf-8")
+    return package
+
+
+def test_a_copy_is_found_whatever_its_names(tmp_path: Path) -> None:
+    package = write_package(tmp_path, one=COPIED, three=ANOTHER, two=RENAMED)
+    assert duplicates(read_package(package)) == [
+        "package/two.py:2 mean_of: stands in package/one.py:2 total too"
+    ]
+
+
+def test_short_functions_may_say_the_same(tmp_path: Path) -> None:
+    short = "def name(self):\n    return self.name\n"
+    assert duplicates(read_package(write_package(tmp_path, one=short, two=short))) == []
+
+
+def test_folders_are_measured_without_the_folders_in_them(tmp_path: Path) -> None:
+    package = write_package(tmp_path, one="x = 1\ny = 2\n")
+    (package / "room").mkdir()
+    (package / "room" / "two.py").write_text("z = 3\n", encoding="utf-8")
+    found = [(size.name, size.value, size.aim) for size in folder_sizes(read_package(package))]
+    assert found == [
+        ("package/", "1 files", "2 lines of code"),
+        ("package/room/", "1 files", "1 lines of code"),
+    ]
+
+
+def test_what_nothing_uses_is_named_and_what_a_layout_prints_is_used(tmp_path: Path) -> None:
+    words = "class Words:\n    title: str\n    forgotten: str\n\n\nWords()\n"
+    package = write_package(tmp_path, words=words)
+    (package / "layouts").mkdir()
+    (package / "layouts" / "page.html").write_text("{{ words.title }}", encoding="utf-8")
+    assert unused_names(package) == ["package/words.py:3 forgotten: used nowhere"]
+
+
+def test_nothing_is_unused_in_the_folders_that_are_cleared() -> None:
+    cleared = tuple(f"kinegrade/{folder}/" for folder in CLEARED)
+    assert [line for line in unused_names(PACKAGE) if line.startswith(cleared)] == []

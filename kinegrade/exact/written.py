@@ -1,5 +1,5 @@
-"""Numbers and texts as they stand in files, read exactly and within bounds: the one way from a file
-to a fraction.
+"""Numbers as they stand in files, read exactly and within bounds: the one way from a file to a
+fraction.
 
 `Fraction("1e9999999999")` would work for days at a number that no exam holds. Every reader of
 folders, downloads, banks and policies that does not bound its numbers by a pattern of its own comes
@@ -55,15 +55,6 @@ def written_number(found: object) -> Fraction:
     if abs(value) > _LIMIT:
         raise NumberError(text)
     return value
-
-
-def written_text(found: object) -> str:
-    """A text of JSON. Raises TypeError for anything else, which would be printed as Python shows
-    it.
-    """
-    if not isinstance(found, str):
-        raise TypeError(f"a text was expected, not a {type(found).__name__}")
-    return found
 
 
 def _is_number(text: str) -> bool:

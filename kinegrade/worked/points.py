@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any, assert_never
+from typing import assert_never
 
 from kinegrade.expression import Expression
 from kinegrade.mechanics.joints import GROUND
@@ -35,7 +35,6 @@ from kinegrade.worked.numbers import (
     stated,
 )
 from kinegrade.worked.phrases import phrase
-from kinegrade.worked.scalars import turning_value
 from kinegrade.worked.senses import direction_words
 from kinegrade.worked.solution_case import LETTERS, Case
 from kinegrade.worked.summands import NUMBER, Summand, component, sum_line, sum_of
@@ -382,8 +381,3 @@ def part_symbol(part: Part, head: str, number: str = "") -> str:
         case _:
             assert_never(part.role)
     return rf"{head}_{{\mathrm{{{lower}}}{number}}}{upper}"
-
-
-def relative_rotation(body: str, of: str, case: Case, level: Level) -> Any:
-    """The rotation of one body relative to another."""
-    return turning_value(body, case, level) - turning_value(of, case, level)

@@ -66,20 +66,15 @@ def functions(tree: Expression) -> frozenset[str]:
     return frozenset(part.function for part in every_part(tree) if isinstance(part, Call))
 
 
-def pose_answer(solution: Solution, ask_name: str, language: Language) -> tuple[Block, ...]:
-    """The working of an answer for which `is_positional` holds, from coordinates to the answer as
-    it stands in the key.
-
-    In the ask's own unit; angles counter-clockwise. Raises KeyError for an ask that was not solved.
-    """
-    return pose_answers(solution, (ask_name,), language)
-
-
 def pose_answers(
     solution: Solution, ask_names: Iterable[str], language: Language
 ) -> tuple[Block, ...]:
-    """The workings of several such answers, one after the other; a length that two of them need is
-    found once.
+    """The workings of answers for which `is_positional` holds, one after the other, from
+    coordinates to each answer as it stands in the key; a length that two of them need is found
+    once.
+
+    In the asks' own units; angles counter-clockwise. Raises KeyError for an ask that was not
+    solved.
     """
     blocks: tuple[Block, ...] = ()
     found: frozenset[Expression] = frozenset()

@@ -46,7 +46,6 @@ class PositionWords:
     y_axis: str
     circle: str
     triangle: str
-    circles_without_triangle: str
     reached_along: str
     lengths_and_directions: str
 
@@ -97,7 +96,6 @@ ENGLISH = PositionWords(
     circle="the circle about ${centre}$ of radius ${radius}$",
     triangle="In the triangle ${first}{second}{point}$ all sides are known; the law of cosines "
     "gives its angle at ${first}$:",
-    circles_without_triangle="Both circles give one equation each:",
     reached_along="From ${first}$ the point ${point}$ is seen in the direction of "
     "${first}{second}$ turned through this angle {sense}:",
     lengths_and_directions="Lengths and directions, angles counted counter-clockwise from the $x$ "
@@ -148,7 +146,6 @@ CHINESE = PositionWords(
     y_axis=" $y$ 轴",
     circle="以 ${centre}$ 为圆心、${radius}$ 为半径的圆",
     triangle="三角形 ${first}{second}{point}$ 的三边已知，由余弦定理求 ${first}$ 处的角：",
-    circles_without_triangle="由两圆各得一个方程：",
     reached_along="将 ${first}{second}$ 的方向{sense}转过该角，即为由 ${first}$ 到 ${point}$ 的方向：",
     lengths_and_directions="各段的长度和方向（角度由 $x$ 轴正向逆时针量取）：",
 )

@@ -8,7 +8,7 @@ from time import perf_counter
 
 import pytest
 
-from kinegrade.exact.written import NumberError, written_number, written_text
+from kinegrade.exact.written import NumberError, written_number
 
 
 @pytest.mark.parametrize(
@@ -41,9 +41,3 @@ def test_anything_else_is_refused_at_once_and_briefly(found: object) -> None:
         written_number(found)
     assert perf_counter() - start < 0.1
     assert len(str(caught.value)) < 120
-
-
-def test_a_text_is_a_text_and_not_what_python_shows_of_something_else() -> None:
-    assert written_text("Ann") == "Ann"
-    with pytest.raises(TypeError, match="a text was expected, not a dict"):
-        written_text({})

@@ -18,7 +18,7 @@ from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_width import WIDEST, width
-from kinegrade.worked.pose_answers import is_positional, pose_answer, pose_answers
+from kinegrade.worked.pose_answers import is_positional, pose_answers
 from kinegrade.worked.positions import lengths_and_directions, positions
 from tests.worked.chains import chains, disagreements, part_value
 
@@ -131,7 +131,7 @@ ANSWERS = [
 def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
     for solution in drawn(name):
         answer = solution[ask]
-        symbol, parts = list(chains(pose_answer(solution, ask, "en")))[-1]
+        symbol, parts = list(chains(pose_answers(solution, (ask,), "en")))[-1]
         assert symbol == solution.template.asks[ask].symbol
         assert parts[-1].split(r"\,\mathrm")[0] in (answer.decimal(4), answer.decimal(12))
         if answer.closed_form is not None:
@@ -293,9 +293,9 @@ def test_every_measure_of_a_pose_ends_with_its_answer(quantity: str, unit: str, 
     )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
-        blocks = pose_answer(solution, "q", "en")
+        blocks = pose_answers(solution, ("q",), "en")
         require_printable(blocks, quantity)
-        require_printable(pose_answer(solution, "q", "zh"), quantity)
+        require_printable(pose_answers(solution, ("q",), "zh"), quantity)
         assert disagreements(blocks)[1] == []
         symbol, parts = list(chains(blocks))[-1]
         assert symbol == "q"
@@ -335,4 +335,4 @@ def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
         f"1, vanishes = true, means = {TEXTS} }}"
     )
     solution = solve_template(read_template("test", text), {"r": "2", "phi": phi})
-    assert told in sentences(pose_answer(solution, "q", "en"))[-1]
+    assert told in sentences(pose_answers(solution, ("q",), "en"))[-1]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from tempfile import TemporaryFile
-from types import TracebackType
 from typing import IO
 
 from kinegrade.lms.quiz.xml_text import Xml
@@ -22,12 +21,7 @@ class Manifest:
     def __enter__(self) -> Manifest:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        fault: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._stream.close()
 
     def add(self, *resources: Xml) -> None:

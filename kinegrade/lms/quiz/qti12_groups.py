@@ -7,7 +7,6 @@ from __future__ import annotations
 import shutil
 from fractions import Fraction
 from tempfile import TemporaryFile
-from types import TracebackType
 from typing import IO
 from xml.sax.saxutils import quoteattr
 
@@ -36,12 +35,7 @@ class Groups:
     def __enter__(self) -> Groups:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        fault: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         for stream in self._streams.values():
             stream.close()
 

@@ -1,0 +1,67 @@
+"""The modules of the package as they are measured: text and syntax tree."""
+
+from __future__ import annotations
+
+import ast
+import io
+import tokenize
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+NO_CODE = frozenset(
+    {
+        tokenize.COMMENT,
+        tokenize.NL,
+        tokenize.NEWLINE,
+        tokenize.INDENT,
+        tokenize.DEDENT,
+        tokenize.ENDMARKER,
+    }
+)
+Documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+@dataclass(frozen=True)
+class File:
+    """A module of the package: where it is, its text and its syntax tree."""
+
+    path: Path
+    text: str
+    tree: ast.Module
+
+    def nodes(self) -> Iterator[ast.AST]:
+        """All nodes of the syntax tree."""
+        return ast.walk(self.tree)
+
+    def functions(self) -> Iterator[Function]:
+        """All functions and methods."""
+        return (node for node in self.nodes() if isinstance(node, Function))
+
+    def code_lines(self) -> int:
+        """How many lines hold code: no blank lines, comments or docstrings."""
+        lines: set[int] = set()
+        for token in tokenize.generate_tokens(io.StringIO(self.text).readline):
+            if token.type not in NO_CODE:
+                lines.update(range(token.start[0], token.end[0] + 1))
+        return len(lines - self.docstring_lines())
+
+    def docstring_lines(self) -> set[int]:
+        """The lines on which docstrings stand."""
+        lines: set[int] = set()
+        for node in self.nodes():
+            if isinstance(node, Documented) and ast.get_docstring(node) is not None:
+                docstring = node.body[0]
+                lines.update(range(docstring.lineno, (docstring.end_lineno or 0) + 1))
+        return lines
+
+
+def read_package(package: Path) -> list[File]:
+    """Every module below a folder."""
+    paths = sorted(package.rglob("*.py"))
+    texts = [path.read_text(encoding="utf-8") for path in paths]
+    return [
+        File(path.relative_to(package.parent), text, ast.parse(text))
+        for path, text in zip(paths, texts, strict=True)
+    ]
