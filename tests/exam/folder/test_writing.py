@@ -1,0 +1,147 @@
+"""What an exam folder writes is what it reads again: every field of its records, digit by digit."""
+
+from __future__ import annotations
+
+import json
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+from kinegrade.exam.folder.contents import CONTENTS
+from kinegrade.exam.folder.exact_keys import key_line
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.records import (
+    Candidate,
+    ExamHead,
+    ExamQuestion,
+    KeyLine,
+    KeyQuestion,
+    StatedAnswer,
+    StatedNumber,
+    StatedTolerance,
+)
+from kinegrade.exam.folder.writing import few_digits, head_json, line_json
+from tests.small_class import contents
+
+HEAD = ExamHead(
+    format=2,
+    kinegrade="0.2.0",
+    warning="gives the key away",
+    title='Mid"term\n',
+    course="力学",
+    date="2026-05-01",
+    language="zh",
+    paper_size="letter",
+    engine="latex",
+    secret="00" * 32,
+    label="spring",
+    codes="11" * 32,
+    versions=("A", "B"),
+    credit={"follow-through": "1/2", "mistakes": {"sense-reversed": "1/4"}},
+    solutions=True,
+    questions=(
+        ExamQuestion(
+            question="q1",
+            template="slider-crank",
+            points=Fraction(11, 2),
+            combinations=21780,
+            refused={"mistake": 1},
+            asks=(
+                Ask("q1", "v_B", "m/s", Fraction(3), "magnitude"),
+                Ask("q1", "a_B", "m/s^2", Fraction(5, 2), "+x"),
+            ),
+        ),
+    ),
+    students=(Candidate("=2", "王伟", "wei@example.org", "WJPK-SNPQ", "A", "papers/%3D2.pdf"),),
+    editable={"bank.toml": "0f"},
+)
+ANSWER = StatedAnswer(
+    exact="sqrt(3)",
+    value=Decimal("1.7320508075688772"),
+    unit="m/s",
+    decimal="1.732050807568877293527446341505872366943",
+    tolerance=StatedTolerance(Decimal("0.01"), Decimal("2.5e-7"), 3),
+    period=Decimal("6.283185307179586476925286766559005768394"),
+    points=Decimal("2.5"),
+    mistakes={"wrong-pole": "6.86616684"},
+)
+LINE = KeyLine(
+    student="=2",
+    paper="A-WJPK-SNPQ",
+    version="A",
+    place=17,
+    printed=("q1",),
+    questions=(
+        KeyQuestion(
+            question="q1",
+            template="slider-crank",
+            parameters={"r": StatedNumber("7/20", Decimal("0.35"), "m")},
+            drawn={"r": "0.35"},
+            asks={"v_B": ANSWER},
+        ),
+    ),
+)
+
+
+def fields_left_at_their_default(record: msgspec.Struct) -> set[str]:
+    return {
+        field.name
+        for field in msgspec.structs.fields(record)
+        if getattr(record, field.name) in (field.default, None)
+    }
+
+
+@pytest.mark.parametrize(
+    ("record", "left"),
+    [
+        (HEAD, {"reproducible", "seed"}),  # the other kinds of secrets
+        (HEAD.questions[0], set()),
+        (HEAD.students[0], set()),
+        (LINE, set()),
+        (LINE.questions[0], set()),
+        (ANSWER, set()),
+    ],
+)
+def test_these_records_have_every_field(record: Any, left: set[str]) -> None:
+    """Or a new field would go unseen through the tests below."""
+    assert fields_left_at_their_default(record) == left
+
+
+def test_a_head_is_read_as_it_was_written(tmp_path: Path) -> None:
+    (tmp_path / "exam.json").write_bytes(head_json(HEAD))
+    assert open_exam(tmp_path).head == HEAD
+
+
+def test_points_stand_in_the_head_as_numbers_and_the_question_once() -> None:
+    question = json.loads(head_json(HEAD))["questions"][0]
+    assert question["points"] == 5.5
+    assert question["asks"][0] == {"ask": "v_B", "unit": "m/s", "points": 3, "sign": "magnitude"}
+
+
+def test_a_line_is_read_as_it_was_written_digit_by_digit() -> None:
+    text = line_json(LINE)
+    assert text.count(b"\n") == 1
+    assert key_line(text) == LINE
+    assert b'"value": 1.7320508075688772, ' in text
+    assert b'"tolerance": {"relative": 0.01, "absolute": 2.5E-7, "figures": 3}' in text
+
+
+def test_what_a_folder_does_not_keep_stands_nowhere_in_it() -> None:
+    bare = KeyLine(student="7", questions=())
+    assert line_json(bare) == b'{"student": "7", "questions": []}\n'
+
+
+@pytest.mark.parametrize(
+    ("number", "text"), [(Fraction(3), "3"), (Fraction(5, 2), "2.5"), (Fraction(1, 1000), "0.001")]
+)
+def test_amounts_are_written_as_people_write_them(number: Fraction, text: str) -> None:
+    assert str(few_digits(number)) == text
+
+
+def test_a_generated_folder_holds_nothing_but_what_is_named(small_class: Path) -> None:
+    assert {name.split("/")[0] for name in contents(small_class / "EXAM")} <= set(CONTENTS)
