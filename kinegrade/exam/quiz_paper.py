@@ -119,6 +119,8 @@ def _question(
             marking_rules(rules, language),
             digits_to_type(rule.tolerance for rule in rules.values()),
         )
+    except FieldError:
+        raise  # a fault of the key, which its reader places
     except KinegradeError as error:
         raise type(error)(
             *(f"{source.exam.path}: paper {code}, {name}: {problem}" for problem in error.problems)

@@ -94,7 +94,7 @@ def test_a_folder_that_names_other_files_as_papers_hands_out_nothing(
     head["students"][0]["file"] = file
     (exam / "exam.json").write_text(json.dumps(head), encoding="utf-8")
     line = refusal(exam, "-o", tmp_path / "OUT")
-    assert "exam.json: the paper" in line or "exam.json: students 1: is broken" in line
+    assert "exam.json: the paper" in line or "exam.json:1: students[1]: is broken" in line
     assert line.endswith("restore the exam folder as it was generated")
     assert not (tmp_path / "OUT").exists()
 

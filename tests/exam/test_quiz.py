@@ -303,17 +303,17 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
         (
             "exam.json",
             b"{}",
-            r'exam.json: no "format" - expected the number of the format',
+            r"exam.json: format: missing - expected 1 or 2, the only ones this kinegrade reads",
         ),
         (
             "exam.json",
             b'{"format": 3}',
-            r'"format" is 3 - expected 1 or 2, the only ones this kinegrade reads - restore the',
+            r"exam.json:1: format: 3 - expected 1 or 2, the only ones this kinegrade reads - restore",
         ),
         (
             "exam.json",
             b'{"format": 1, "questions": [], "students": 5}',
-            r'exam.json: no list "questions" - expected one that is not empty',
+            r"exam.json:1: questions: empty - expected a list that is not empty - restore the",
         ),
         (
             "key.jsonl",
