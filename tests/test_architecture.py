@@ -152,6 +152,19 @@ def test_grading_uses_of_setting_nothing_but_the_exam_folder_the_roster_and_its_
     assert {target for target in above if not target.startswith(EXAM_FOLDER)} <= GRADING_MAY_USE
 
 
+def test_the_exam_folder_knows_of_setting_nothing_but_the_roster_and_the_secret() -> None:
+    below = {
+        target
+        for module, target in edges()
+        if module.startswith(EXAM_FOLDER) and not target.startswith(EXAM_FOLDER)
+    }
+    assert {target for target in below if floor(target) == "exam"} == {
+        "kinegrade.exam.exam_secret",
+        "kinegrade.exam.roster",
+    }
+    assert not {target for target in below if FLOORS[floor(target)] > FLOORS["exam"]}
+
+
 def test_a_template_and_its_mechanics_know_nothing_of_exams() -> None:
     assert not [
         edge

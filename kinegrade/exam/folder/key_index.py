@@ -6,6 +6,7 @@ A class of any size needs a number for each student, and memory for one paper.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,9 +15,15 @@ import msgspec
 
 from kinegrade.exam.folder.faults import broken, damaged, unreadable
 
+_BEGINNING = re.compile(rb'\{"student": ?("(?:[^"\\]|\\.)*")')
+
 
 class _Owner(msgspec.Struct, gc=False):
     student: str
+
+
+_decoded = msgspec.json.Decoder(_Owner).decode
+_decoded_text = msgspec.json.Decoder(str).decode
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,14 +58,21 @@ def index_of(path: Path) -> KeyIndex:
 
 
 def _owners(path: Path) -> Iterator[tuple[int, str]]:
-    """Where each line begins that is not empty, and whose it is."""
-    decode = msgspec.json.Decoder(_Owner).decode
+    """Where each line begins that is not empty, and whose it is; of a line as `generate` writes it
+    only the beginning is looked at.
+    """
     begin = 0
     with path.open("rb") as stream:
         for number, line in enumerate(stream, 1):
             if not line.isspace():
                 try:
-                    yield begin, decode(line).student
+                    yield begin, _owner(line)
                 except (ValueError, RecursionError) as fault:
                     raise broken(path, [f"line {number}: {damaged(fault)}"]) from fault
             begin += len(line)
+
+
+def _owner(line: bytes) -> str:
+    """The student of a line. Raises ValueError, RecursionError."""
+    beginning = _BEGINNING.match(line)
+    return _decoded_text(beginning[1]) if beginning else _decoded(line).student

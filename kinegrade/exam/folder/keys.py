@@ -1,6 +1,6 @@
 """An exam as grading sees it: who was asked what, and the key of each paper.
 
-`exam_folder` and `key_line` fill these values; `sheet`, `judge` and `marks` use them.
+`key_decoding` and `exact_keys` fill these values; `sheet`, `judge` and `marks` use them.
 """
 
 from __future__ import annotations

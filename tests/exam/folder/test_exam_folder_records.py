@@ -130,6 +130,7 @@ def test_a_student_without_a_line_is_refused_where_one_is_needed(tmp_path: Path)
     ("line", "fault"),
     [
         (b"[]", "line 5: is broken (Expected `object`, got `array`)"),
+        (b'{"student": "\\ud800"}', "line 5: is broken ("),
         (b'{"student": "x", "questions": 1}', 'the paper of student "x": is broken (Expected'),
     ],
 )
@@ -208,6 +209,24 @@ def test_all_faults_of_a_head_are_reported_at_once(tmp_path: Path) -> None:
         "wrote it",
         'language: "fr" - expected one of en, zh, which this version of kinegrade knows',
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ('{"format": NaN}', "broken JSON (NaN is not a number) - expected one JSON object"),
+        ("[]", 'no "format" - expected the number of the format'),
+        (
+            '{"format": 1.5}',
+            '"format" is 1.5 - expected 1 or 2, the only ones this kinegrade reads',
+        ),
+    ],
+)
+def test_a_head_that_is_none_is_refused(tmp_path: Path, text: str, fault: str) -> None:
+    (tmp_path / "exam.json").write_text(text, encoding="utf-8")
+    with pytest.raises(ExamError) as caught:
+        open_exam(tmp_path)
+    assert str(caught.value) == f"{tmp_path / 'exam.json'}: {fault} - {RESTORE}"
 
 
 def test_a_template_that_cannot_be_read_costs_those_who_need_it(tmp_path: Path) -> None:
