@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinegrade.errors import ExamError
+from kinegrade.errors import ExamError, message
 from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
 from kinegrade.exam.folder.exact_keys import key_line
 from kinegrade.exam.folder.faults import decoding, unreadable
@@ -217,8 +217,12 @@ class ExamFolder:
 
     def _no_paper(self, student: str) -> ExamError:
         return ExamError(
-            f'{self.key}: no paper of student "{student}" - expected one for everybody who is '
-            "marked - name the exam folder by which these marks were made"
+            message(
+                str(self.key),
+                f'no paper of student "{student}"',
+                "one for everybody who is marked",
+                "name the exam folder by which these marks were made",
+            )
         )
 
     def _variant(self, number: int, text: bytes) -> Paper:

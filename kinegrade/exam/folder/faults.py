@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from kinegrade.errors import ExamError, FieldError
+from kinegrade.errors import ExamError, FieldError, message
 
 AS_GENERATED = "expected it as kinegrade generate wrote it"
 REMEDY = "restore the exam folder as it was generated"
@@ -14,7 +14,7 @@ REMEDY = "restore the exam folder as it was generated"
 
 def broken(where: Path | str, faults: Iterable[str]) -> ExamError:
     """The refusal of a file, or a line of it, with these faults; each says what was expected."""
-    return ExamError(*(f"{where}: {fault} - {REMEDY}" for fault in faults))
+    return ExamError(*(message(str(where), fault, do=REMEDY) for fault in faults))
 
 
 def damaged(fault: Exception) -> str:

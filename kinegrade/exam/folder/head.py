@@ -123,7 +123,10 @@ def _decoded(kind: type, value: object) -> object:
         return value
     if kind is not Fraction:
         raise NotImplementedError(kind)
-    return not_negative("points", value)
+    try:
+        return not_negative("points", value)
+    except FieldError as fault:
+        raise ValueError(fault) from fault  # to which msgspec adds the place in the question
 
 
 def _require_identifier(name: str, value: str) -> None:

@@ -138,7 +138,7 @@ def test_a_format_that_is_not_known_is_refused_by_every_command(
     refused = kinegrade(*(tmp_path / each if each in names else each for each in command))
     assert refused.exit_code == 2
     assert refused.stderr == (
-        f'error: {head}: "format" is 3 - expected 1 or 2, the only ones this kinegrade reads - '
+        f"error: {head}:1: format: 3 - expected 1 or 2, the only ones this kinegrade reads - "
         "restore the exam folder as it was generated\n"
     )
     assert not (tmp_path / "OUT").exists()

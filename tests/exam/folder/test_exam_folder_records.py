@@ -196,16 +196,16 @@ def test_all_faults_of_a_head_are_reported_at_once(tmp_path: Path) -> None:
     with pytest.raises(ExamError) as caught:
         open_exam(path)
     assert [
-        problem.removeprefix(f"{path / 'exam.json'}: ").removesuffix(f" - {RESTORE}")
+        problem.removeprefix(f"{path / 'exam.json'}:1: ").removesuffix(f" - {RESTORE}")
         for problem in caught.value.problems
     ] == [
-        'questions 1: is broken ("points" is -3 - expected zero or more - at `$.asks[1].points`) - '
+        'questions[1]: is broken ("points" is -3 - expected zero or more - at `$.asks[1].points`) - '
         "expected it as kinegrade generate wrote it",
-        "questions 2: question q2 asks nothing - expected at least one ask",
-        "students 1: is broken (Object missing required field `name`) - expected it as kinegrade "
+        "questions[2]: question q2 asks nothing - expected at least one ask",
+        "students[1]: is broken (Object missing required field `name`) - expected it as kinegrade "
         "generate wrote it",
-        'students 2: "student" is empty - expected an id',
-        "students 3: is broken (Expected `object`, got `int`) - expected it as kinegrade generate "
+        'students[2]: "student" is empty - expected an id',
+        "students[3]: is broken (Expected `object`, got `int`) - expected it as kinegrade generate "
         "wrote it",
         'language: "fr" - expected one of en, zh, which this version of kinegrade knows',
     ]
@@ -214,11 +214,14 @@ def test_all_faults_of_a_head_are_reported_at_once(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        ('{"format": NaN}', "broken JSON (NaN is not a number) - expected one JSON object"),
-        ("[]", 'no "format" - expected the number of the format'),
+        (
+            '{"format": NaN}',
+            ": NaN is no number - expected an exam folder made by kinegrade generate in JSON",
+        ),
+        ("[]", ": a list - expected one JSON object"),
         (
             '{"format": 1.5}',
-            '"format" is 1.5 - expected 1 or 2, the only ones this kinegrade reads',
+            ":1: format: 1.5 - expected 1 or 2, the only ones this kinegrade reads",
         ),
     ],
 )
@@ -226,7 +229,7 @@ def test_a_head_that_is_none_is_refused(tmp_path: Path, text: str, fault: str) -
     (tmp_path / "exam.json").write_text(text, encoding="utf-8")
     with pytest.raises(ExamError) as caught:
         open_exam(tmp_path)
-    assert str(caught.value) == f"{tmp_path / 'exam.json'}: {fault} - {RESTORE}"
+    assert str(caught.value) == f"{tmp_path / 'exam.json'}{fault} - {RESTORE}"
 
 
 def test_a_template_that_cannot_be_read_costs_those_who_need_it(tmp_path: Path) -> None:
@@ -252,3 +255,16 @@ def test_orders_are_told_where_they_differ_from_the_bank_s(tmp_path: Path) -> No
     plain = open_exam(folder(tmp_path / "EXAM", {}, {}))
     assert plain.printed_orders() == {}
     assert plain.line_of("0012").order == ("q1", "q2")
+
+
+def test_what_does_not_print_does_not_break_a_message(tmp_path: Path) -> None:
+    papers = [*(paper(student) for student in STUDENTS), paper("x\ny\x1b[2J")]
+    opened = open_exam(write_exam(tmp_path / "EXAM", exam(), papers))
+    with pytest.raises(ExamError) as caught:
+        list(opened.papers())
+    assert str(caught.value) == (
+        f'{opened.key}: student "x·y·[2J" is not in exam.json - expected only its students - '
+        f"{RESTORE}"
+    )
+    with pytest.raises(ExamError, match='no paper of student "a·b" - expected'):
+        opened.line_of("a\nb")
