@@ -91,7 +91,7 @@ class Table:
 
     def numbered(self, key: str, read: Read[Value], like: str = "") -> dict[int, Value]:
         """As `listing`, each by its position in the list, counted from 0."""
-        expected = f"a list like {like}" if like else "a list [...]"
+        expected = f"a list like {like}" if like else "a list"
         values = {
             number: self._read_at((*self.place, key, number), entry, read)
             for number, entry in enumerate(self._list(key, expected))

@@ -320,7 +320,7 @@ def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     exam = write_asks(tmp_path)
     (exam / "exam.json").write_text('{"format": 1, "questions": [1]}')
     with pytest.raises(
-        ExamError, match=r"exam.json: questions 1: is broken \(.*\) - expected it as kinegrade gen"
+        ExamError, match=r"exam.json:1: questions\[1\]: is broken \(.*\) - expected it as kinegrade"
     ):
         responses(tmp_path, "student,q1.v_B\n")
     (exam / "exam.json").unlink()

@@ -122,7 +122,7 @@ def test_all_faults_come_at_once() -> None:
             ],
         ),
         ("lines = [['O', 'O']]", ['lines[1]: a line from "O" to itself - expected two points']),
-        ("lines = 'OB'", ['lines: "OB" - expected a list [...]']),
+        ("lines = 'OB'", ['lines: "OB" - expected a list']),
         ("lines = [['O', 'A'], ['O', 'Q']]", ['lines[2]: no point "Q" - known here: A, B, O']),
         (
             "arrows = [{ symbol = 'r', turns = 'O' }]",
