@@ -1,8 +1,8 @@
 """Tables as people send them: CSV in any usual encoding and separator, read without losing a line
 or a cell.
 
-`read_table` is called by the roster and by grading; both report `Complaint`s, the lines of
-`complaints.csv`. What is written as CSV is in `csv_writing`.
+`read_table` is called by the roster and by grading; both report `Complaint`s. What is written as
+CSV is in `csv_writing`, what a marks folder holds in `marks_folder`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import chain, islice
-from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -129,38 +128,6 @@ def parse_table(content: bytes, file: str, encoding: str | None = None) -> Table
     complaints += [_stray_quote(file, line) for line in stray_quotes]
     complaints += _ragged(rows, len(header.cells), file)
     return Table(file, header.cells, tuple(rows), encoding, separator, tuple(complaints))
-
-
-def written_records(path: Path, columns: Sequence[str]) -> Iterator[tuple[int, tuple[str, ...]]]:
-    """The cells of these columns of a file that kinegrade grade wrote, with the line at which each
-    record ends.
-
-    One record after the other, so that a million need no memory. Raises TableError, at the line
-    where that is found.
-    """
-    mending = "expected the file as kinegrade grade wrote it - grade again"
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as stream:
-            reader = csv.reader(stream, strict=True)
-            header = next(reader, [])
-            missing = [name for name in columns if name not in header]
-            if missing:
-                raise TableError(f"{path}: no column {', '.join(missing)} - {mending}")
-            chosen = itemgetter(*map(header.index, columns))
-            for cells in reader:
-                if len(cells) != len(header):
-                    raise TableError(
-                        f"{path}:{reader.line_num}: {len(cells)} cells under {len(header)} - "
-                        f"{mending}"
-                    )
-                yield reader.line_num, chosen(cells)
-    except OSError as fault:
-        raise TableError(
-            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade "
-            "grade - check the name"
-        ) from fault
-    except (UnicodeDecodeError, csv.Error) as fault:
-        raise TableError(f"{path}: is not a CSV file in UTF-8 ({fault}) - {mending}") from fault
 
 
 def trimmed(text: str) -> str:

@@ -30,7 +30,8 @@ FLOORS = {
     "files": 0,
     "leftovers": 0,
     "temporary": 0,
-    "printed_order": 0,
+    "amounts": 0,
+    "marks_folder": 0,
     "question_numbers": 0,
     "tables": 0,
     "csv_writing": 0,
@@ -202,6 +203,31 @@ def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
         module for module, tree in TREES.items() if "pickle" in set(imported(ast.walk(tree)))
     }
     assert knowing == {"kinegrade.processes"}
+
+
+def texts_without_docstrings(tree: ast.Module) -> Iterator[str]:
+    """The string constants of a module, parts of f-strings too; no docstrings."""
+    documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+    docstrings = {
+        id(node.body[0].value)
+        for node in ast.walk(tree)
+        if isinstance(node, documented) and node.body and isinstance(node.body[0], ast.Expr)
+    }
+    for node in ast.walk(tree):
+        match node:
+            case ast.Constant(value=str(text)) if id(node) not in docstrings:
+                yield text
+
+
+def test_only_one_package_knows_the_files_of_a_marks_folder() -> None:
+    files = ("grades.csv", "marks.csv", "complaints.csv", "printed.csv", "kept.csv", "variants.csv")
+    knowing = {
+        module
+        for module, tree in TREES.items()
+        for text in texts_without_docstrings(tree)
+        if any(file in text for file in files)
+    }
+    assert knowing == {"kinegrade.marks_folder.layout"}
 
 
 def test_only_one_module_starts_programs() -> None:

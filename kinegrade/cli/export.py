@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.lms.dialect import Dialect, ExportOptions, Field
     from kinegrade.lms.grades import ClassGrades
+    from kinegrade.marks_folder.folder import MarksFolder
 
 GradeSystem = Literal["moodle", "canvas", "blackboard", "brightspace", "sakai", "edx", "generic"]
 SYSTEMS = (*get_args(GradeSystem), "xlsx")
@@ -111,26 +112,26 @@ def export(
     Example: kinegrade export MARKS --to moodle -o moodle.csv
     Filled:  kinegrade export MARKS --to canvas --into download.csv -o canvas.csv
     """
-    from kinegrade.grading.checked_totals import refuse_changed_totals
+    from kinegrade.marks_folder.folder import open_marks
 
     if language is not None and system != "generic":
         raise click.UsageError(
             "--lang: only the generic sheet has headers in a language of ours - leave it out"
         )
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
-    refuse_changed_totals(marks)
+    folder = open_marks(marks)
     if system == "xlsx":
         if into is not None:
             raise click.UsageError(
                 "--into: a spreadsheet is written anew - leave it out, or choose a system"
             )
-        _write_workbook(marks, output, force=force)
+        _write_workbook(folder, output, force=force)
         return
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.lms.dialect import ExportOptions
     from kinegrade.lms.grades import read_grades
 
-    grades = read_grades(marks, None if exam is None else open_exam(exam))
+    grades = read_grades(folder, None if exam is None else open_exam(exam))
     named = _columns(columns, grades, per_question=per_question)
     _write(
         _dialect(system, language or grades.language),
@@ -144,7 +145,7 @@ def export(
     )
 
 
-def _write_workbook(marks: Path, output: Path, *, force: bool) -> None:
+def _write_workbook(marks: MarksFolder, output: Path, *, force: bool) -> None:
     from kinegrade.files import write_file
     from kinegrade.lms.workbook import workbook
 

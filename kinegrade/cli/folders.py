@@ -10,11 +10,13 @@ from typing import Literal
 
 from kinegrade.errors import OutputError, TableError
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY
+from kinegrade.marks_folder.layout import ANSWERS, GRADES
+from kinegrade.marks_folder.layout import FILES as MARKS_FILES
 
 Kind = Literal["EXAM", "MARKS"]
 _FILES: Mapping[Kind, tuple[str, ...]] = {
     "EXAM": (HEAD, KEY),
-    "MARKS": ("marks.csv", "grades.csv"),
+    "MARKS": (ANSWERS.name, GRADES.name),
 }
 _EXPECTED: Mapping[Kind, str] = {
     "EXAM": "an exam folder made by kinegrade generate",
@@ -22,7 +24,7 @@ _EXPECTED: Mapping[Kind, str] = {
 }
 _PARTS: Mapping[Kind, tuple[str, ...]] = {
     "EXAM": CONTENTS,
-    "MARKS": (*_FILES["MARKS"], "complaints.csv", "policy.toml", "kept.csv", "variants.csv"),
+    "MARKS": MARKS_FILES,
 }
 
 

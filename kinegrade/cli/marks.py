@@ -12,6 +12,7 @@ from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import FILE, FORCE, finish, refusing
 from kinegrade.counting import counted
 from kinegrade.language import LANGUAGES
+from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
 
 if TYPE_CHECKING:
     from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -106,14 +107,13 @@ def grade(
     """
     from kinegrade.cli.shortlist import shortlist
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.grade import grade as mark_class
     from kinegrade.lms import moodle
     from kinegrade.lms.responses.class_files import ReadingWishes, read_class
+    from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"))
-    if never_lower is not None:
-        refuse_changed_totals(never_lower)
+    earlier = None if never_lower is None else open_marks(never_lower)
     folder = open_exam(exam)
     how = ReadingWishes(source, "all" if unfinished else "finished", encoding, own_papers)
     read = read_class(answers, folder, how)
@@ -126,12 +126,12 @@ def grade(
         exports={"moodle.csv": moodle.export},
         decimal=decimal,
         policy=policy,
-        never_lower=never_lower,
+        never_lower=earlier,
         follows=_following(folder),
         own_papers=own_papers,
     )
     _say(what_was_written(marks, output, kept=never_lower is not None))
-    finish(shortlist(marks.complaints, output / "complaints.csv"))
+    finish(shortlist(marks.complaints, output / COMPLAINTS.name))
 
 
 def _following(exam: ExamFolder) -> Follows:
@@ -154,7 +154,7 @@ def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterato
     if kept:
         who = sum(each.kept is not None for each in marks.grades)
         keep = "keeps" if who == 1 else "keep"
-        yield f"{output / 'kept.csv'}: {counted(who, 'student')} {keep} an earlier total"
+        yield f"{output / KEPT.name}: {counted(who, 'student')} {keep} an earlier total"
 
 
 @click.command()
@@ -175,13 +175,11 @@ def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
     \b
     Example: kinegrade diff MARKS MARKS2 -o changes.csv
     """
-    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.comparison import compare, comparison_csv, comparison_text
+    from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
-    for marks in (before, after):
-        refuse_changed_totals(marks)
-    comparison = compare(before, after)
+    comparison = compare(open_marks(before), open_marks(after))
     if output is not None:
         from kinegrade.files import write_file
 
@@ -210,14 +208,13 @@ def class_report(
     from kinegrade.exam.exam_wording import exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.files import write_file
-    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.class_report import class_report as report_on
+    from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    refuse_changed_totals(marks)
-    folder = open_exam(exam)
+    marked, folder = open_marks(marks), open_exam(exam)
     chosen = language or folder.language
-    page = report_on(marks, folder, exam_wording(folder, chosen), chosen)
+    page = report_on(marked, folder, exam_wording(folder, chosen), chosen)
     write_file(output, page.encode("utf-8", "backslashreplace"), force=force)
 
 
@@ -266,12 +263,11 @@ def feedback(
     """
     from kinegrade.exam.exam_wording import exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.grading.checked_totals import refuse_changed_totals
     from kinegrade.grading.feedback_folder import write_feedback
+    from kinegrade.marks_folder.folder import open_marks
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    refuse_changed_totals(marks)
-    folder = open_exam(exam)
+    marked, folder = open_marks(marks), open_exam(exam)
     wanted = folder.head.solutions if solutions is None else solutions
     if wanted:
         from kinegrade.exam.kept_exam import KeptExam
@@ -280,7 +276,7 @@ def feedback(
     chosen = language or folder.language
     count = write_feedback(
         folder,
-        marks,
+        marked,
         output,
         exam_wording(folder, chosen),
         _printed(form),

@@ -37,8 +37,9 @@ def sharing(exam: Path, marks: Path, output: Path, *, level: float, force: bool)
     from kinegrade.files import write_file
     from kinegrade.grading.sharing import find_sharing
     from kinegrade.grading.sharing_report import sharing_csv, sharing_text
+    from kinegrade.marks_folder.folder import MarksFolder
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
-    found = find_sharing(open_exam(exam), marks, level / 100)
+    found = find_sharing(open_exam(exam), MarksFolder(marks), level / 100)
     write_file(output, sharing_csv(found), force=force)
     click.echo(sharing_text(found), err=True)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from math import isnan
-from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
@@ -32,12 +31,13 @@ from kinegrade.grading.item_statistics import (
     reliability,
     summary,
 )
-from kinegrade.grading.marked_class import complaints
 from kinegrade.grading.math_html import symbol_html
 from kinegrade.grading.plots import bar, box_plot, histogram_plot, stacked_bar
 from kinegrade.grading.report_words import ReportWords, report_words_of
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import COMPLAINTS
 from kinegrade.question_numbers import bank_number
 
 Page = dict[str, Any]  # what a layout reads
@@ -59,7 +59,7 @@ LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that 
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
 
-def class_report(marks: Path, exam: ExamFolder, wording: Wording, language: Language) -> str:
+def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language) -> str:
     """The page of a marks folder, by the exam folder it was made from. Raises TableError,
     ExamError.
     """
@@ -72,7 +72,8 @@ def class_report(marks: Path, exam: ExamFolder, wording: Wording, language: Lang
         "silent": [f"{each.name} ({each.student})" for each in counts.silent],
         "roster": len(counts.answered) + len(counts.silent),
         "enough": ENOUGH,
-        "complaints": complaints(marks),
+        "complaints": marks.complaints(),
+        "complaints_file": COMPLAINTS.name,
         "most_complaints": MOST_COMPLAINTS,
     }
     figures = summary(counts.percents)

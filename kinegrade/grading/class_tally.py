@@ -12,7 +12,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import nan
-from pathlib import Path
 
 import numpy as np
 
@@ -21,14 +20,10 @@ from kinegrade.exact.written import written_number
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.hints import Hint, hint
 from kinegrade.grading.item_statistics import Points
-from kinegrade.grading.marked_class import (
-    MarkedAnswer,
-    StudentTotal,
-    answers_by_student,
-    student_totals,
-)
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords
-from kinegrade.grading.pool import read_put
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import ANSWERS, GRADES
+from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
 RIGHT, BLANK = "right", "blank"
 UNEXPLAINED = "unexplained"
@@ -69,9 +64,7 @@ class ClassTally:
     @property
     def percents(self) -> list[float]:
         """The totals in per cent, as grades.csv has them; of nothing, 0."""
-        return [
-            float(100 * each.total / each.out_of) if each.out_of else 0.0 for each in self.answered
-        ]
+        return [float(100 * each.share) for each in self.answered]
 
 
 @dataclass
@@ -104,17 +97,16 @@ class _Count:
                 self.losses[answer.column][loss(answer, paper)] += 1
 
 
-def tally(marks: Path, exam: ExamFolder) -> ClassTally:
+def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
     """Counts a marks folder by the exam folder it was made from. Raises TableError, ExamError."""
-    papers, totals, count = PaperRecords(exam, read_put(marks)), student_totals(marks), _Count()
-    for student, answers in answers_by_student(marks):
+    papers, totals, count = PaperRecords(exam, marks.put), marks.totals.by_student, _Count()
+    for student, answers in marks.answers_by_student():
         columns = tuple(answer.column for answer in answers)
         _open(count, columns, [float(answer.out_of) for answer in answers])
         if columns != count.columns or student not in totals:
             raise TableError(
-                f'{marks / "marks.csv"}: the lines of student "{student}" do not fit grades.csv or '
-                "the "
-                "others - expected the same asks for everybody - grade again"
+                f'{marks.path / ANSWERS.name}: the lines of student "{student}" do not fit '
+                f"{GRADES.name} or the others - expected the same asks for everybody - grade again"
             )
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
             candidate = exam.head.candidates.get(student)

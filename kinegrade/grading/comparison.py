@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 
+from kinegrade.amounts import amount_text, change_text
 from kinegrade.csv_writing import csv_text, for_people, neutralised
 from kinegrade.errors import one_line
-from kinegrade.grading.amounts import amount_text, change_text
-from kinegrade.grading.marks_folder import Line, Lines, Total, read_lines, read_totals
 from kinegrade.grading.text_table import aligned, cut
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 
 HEADER = (
     "student", "name", "what", "before", "after", "change", "out_of_before", "out_of_after",
@@ -24,7 +24,9 @@ HEADER = (
     "reason_before", "reason_after",
 )  # fmt: skip
 _WIDEST_NAME = 24
-_NOTHING = Line("", "", "", Fraction(0), Fraction(0))
+_NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
+_Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
+_Worth = tuple[Fraction, Fraction]  # points, and out of how many
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,8 +34,8 @@ class AskChange:
     """One answer that is judged otherwise; a side is None where that marking has no such ask."""
 
     column: str
-    before: Line | None
-    after: Line | None
+    before: MarkedAnswer | None
+    after: MarkedAnswer | None
 
     @property
     def change(self) -> Fraction:
@@ -64,8 +66,8 @@ class StudentChange:
     """
 
     student: str
-    before: Total | None
-    after: Total | None
+    before: StudentTotal | None
+    after: StudentTotal | None
     asks: tuple[AskChange, ...]
 
     @property
@@ -92,10 +94,10 @@ class Comparison:
     mean_percent: Fraction
 
 
-def compare(first: Path, second: Path) -> Comparison:
+def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     """Holds two folders of marks against each other. Raises TableError."""
-    before, after = read_totals(first), read_totals(second)
-    asks = _ask_changes(read_lines(first), read_lines(second))
+    before, after = first.totals.by_student, second.totals.by_student
+    asks = _ask_changes(_answers(first), _answers(second))
     found = (
         StudentChange(
             student, before.get(student), after.get(student), tuple(asks.get(student, ()))
@@ -112,7 +114,7 @@ def compare(first: Path, second: Path) -> Comparison:
         len(both),
         sum(new.share > old.share for old, new in both),
         sum(new.share < old.share for old, new in both),
-        _mean([new.points - old.points for old, new in both]),
+        _mean([new.total - old.total for old, new in both]),
         _mean([100 * (new.share - old.share) for old, new in both]),
     )
 
@@ -128,14 +130,27 @@ def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
     for each in comparison.changes:
         person = each.student, neutralised(each.name)
         old, new = each.before, each.after
-        reasons = ("" if old else "only in the second"), (new.kept if new else "only in the first")
-        yield (*person, "total", *_amounts(old, new), "", "", "", "", *map(neutralised, reasons))
+        reasons = (
+            ("" if old else "only in the second"),
+            (_kept(new) if new else "only in the first"),
+        )
+        yield (
+            *person,
+            "total",
+            *_amounts(_worth(old), _worth(new)),
+            "",
+            "",
+            "",
+            "",
+            *map(neutralised, reasons),
+        )
         for ask in each.asks:
             sides = ask.before or _NOTHING, ask.after or _NOTHING
             texts = (
                 getattr(side, part) for part in ("verdict", "typed", "reason") for side in sides
             )
-            yield (*person, ask.column, *_amounts(ask.before, ask.after), *map(neutralised, texts))
+            amounts = _amounts(_worth(ask.before), _worth(ask.after))
+            yield (*person, ask.column, *amounts, *map(neutralised, texts))
 
 
 def comparison_text(comparison: Comparison) -> str:
@@ -143,16 +158,20 @@ def comparison_text(comparison: Comparison) -> str:
     rows: list[tuple[str, ...]] = []
     for each in comparison.changes:
         person = one_line(each.student), cut(one_line(each.name), _WIDEST_NAME)
-        rows.append((*person, "total", *_amounts(each.before, each.after)[:3], _presence(each)))
-        rows += [
-            ("", "", ask.column, *_amounts(ask.before, ask.after)[:3], one_line(ask.why))
-            for ask in each.asks
-        ]
+        points = _amounts(_worth(each.before), _worth(each.after))[:3]
+        rows.append((*person, "total", *points, _presence(each)))
+        for ask in each.asks:
+            points = _amounts(_worth(ask.before), _worth(ask.after))[:3]
+            rows.append(("", "", ask.column, *points, one_line(ask.why)))
     table = aligned((*HEADER[:6], "why"), rows, numbers=(3, 4, 5)) if rows else ""
     return f"{table}{_summary(comparison)}"
 
 
-def _ask_changes(before: Lines, after: Lines) -> Mapping[str, list[AskChange]]:
+def _answers(marks: MarksFolder) -> _Answers:
+    return {(answer.student, answer.column): answer for answer in marks.answers()}
+
+
+def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[AskChange]]:
     found: dict[str, list[AskChange]] = {}
     for place in {**before, **after}:
         student, column = place
@@ -162,30 +181,32 @@ def _ask_changes(before: Lines, after: Lines) -> Mapping[str, list[AskChange]]:
     return found
 
 
-def _said(line: Line | None) -> tuple[object, ...] | None:
+def _said(answer: MarkedAnswer | None) -> tuple[object, ...] | None:
     """What matters of a verdict; the wording of its reason does not."""
-    return (line.verdict, line.points, line.out_of) if line else None
+    return (answer.verdict, answer.points, answer.out_of) if answer else None
 
 
-def _worth(total: Total | None) -> tuple[Fraction, Fraction] | None:
-    return (total.points, total.out_of) if total else None
+def _worth(side: MarkedAnswer | StudentTotal | None) -> _Worth | None:
+    return side.worth if side else None
+
+
+def _kept(total: StudentTotal) -> str:
+    """Why the total is an earlier one; empty where it is not."""
+    return total.kept.reason if total.kept else ""
 
 
 def _mean(amounts: Sequence[Fraction]) -> Fraction:
     return sum(amounts, Fraction(0)) / len(amounts) if amounts else Fraction(0)
 
 
-def _amounts(before: Line | Total | None, after: Line | Total | None) -> tuple[str, ...]:
+def _amounts(before: _Worth | None, after: _Worth | None) -> tuple[str, ...]:
     """Points before, after and their change, then what they are out of before and after; blank on a
     side that is not.
     """
-    points = [amount_text(side.points) if side else "" for side in (before, after)]
-    change = change_text(after.points - before.points) if before and after else ""
-    return (
-        *points,
-        change,
-        *(amount_text(side.out_of) if side else "" for side in (before, after)),
-    )
+    points = [amount_text(side[0]) if side else "" for side in (before, after)]
+    out_of = [amount_text(side[1]) if side else "" for side in (before, after)]
+    change = change_text(after[0] - before[0]) if before and after else ""
+    return (*points, change, *out_of)
 
 
 def _presence(change: StudentChange) -> str:
@@ -194,7 +215,7 @@ def _presence(change: StudentChange) -> str:
     if change.after is None:
         return "only in the first"
     if change.after.kept:
-        return change.after.kept
+        return change.after.kept.reason
     worth = change.before.out_of, change.after.out_of
     return (
         "" if worth[0] == worth[1] else f"out of {amount_text(worth[0])} -> {amount_text(worth[1])}"

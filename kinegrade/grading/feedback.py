@@ -14,24 +14,24 @@ from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
 from itertools import groupby
-from pathlib import Path
 from typing import assert_never
 
+from kinegrade.amounts import PLACES, amount_text
 from kinegrade.errors import ExamError
 from kinegrade.exact.written import written_number
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.grading.amounts import PLACES, amount_text
 from kinegrade.grading.class_tally import hint_of, mistakes_of
 from kinegrade.grading.feedback_words import FULL, FeedbackWords, feedback_words_of
 from kinegrade.grading.hints import Hint
-from kinegrade.grading.marked_class import MarkedAnswer, answers_by_student, student_totals
 from kinegrade.grading.math_html import unit_text
 from kinegrade.grading.paper_record import PaperRecord, PaperRecords, RightAnswer
-from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import GRADES
+from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.question_numbers import other_number
 
 LONGEST_TYPED = 80  # characters: more of a cell says nothing more
@@ -93,19 +93,19 @@ class FeedbackSheet:
 
 
 def feedback_sheets(
-    marks: Path, exam: ExamFolder, wording: Wording, language: Language
+    marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language
 ) -> Iterator[tuple[Candidate, FeedbackSheet]]:
     """The sheets in the order of the roster, each with whose it is. Raises TableError,
     ExamError.
     """
-    head, totals = exam.head, student_totals(marks)
-    papers = PaperRecords(exam, read_put(marks))
+    head, totals = exam.head, marks.totals.by_student
+    papers = PaperRecords(exam, marks.put)
     words = feedback_words_of(language)
-    for student, answers in answers_by_student(marks):
+    for student, answers in marks.answers_by_student():
         if student not in head.candidates or student not in totals:
             raise ExamError(
-                f'{marks}: student "{student}" is not in {HEAD} and grades.csv - expected the '
-                f"marks of this exam - grade again with {exam.path}"
+                f'{marks.path}: student "{student}" is not in {HEAD} and {GRADES.name} - '
+                f"expected the marks of this exam - grade again with {exam.path}"
             )
         candidate, total = head.candidates[student], totals[student]
         paper = papers.marked(student, (answer.column for answer in answers))

@@ -18,9 +18,9 @@ from kinegrade.files import output_folder
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
-from kinegrade.grading.pool import read_put
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
+from kinegrade.marks_folder.folder import MarksFolder
 
 Text = Literal["html", "md"]
 # The sheet as PDF, a solution behind it where there is one
@@ -30,7 +30,7 @@ MARKER, SHEETS = "feedback.csv", "sheets"
 
 def write_feedback(
     exam: ExamFolder,
-    marks: Path,
+    marks: MarksFolder,
     output: Path,
     wording: Wording,
     form: Text | Press,
@@ -45,10 +45,11 @@ def write_feedback(
     With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
     a file beside. Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
-    if solutions and read_put(marks):
+    if solutions and marks.put:
         raise ExamError(
-            f"{marks}: the answers were given to questions from a pool, and {exam.path} has worked "
-            "solutions of the students' own papers - expected no solutions - add --no-solutions"
+            f"{marks.path}: the answers were given to questions from a pool, and {exam.path} has "
+            "worked solutions of the students' own papers - expected no solutions - "
+            "add --no-solutions"
         )
     with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
         (folder / SHEETS).mkdir()

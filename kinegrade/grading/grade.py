@@ -12,24 +12,22 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files import output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.grading.accepted import alternatives
+from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.class_sheet import class_sheet
 from kinegrade.grading.decimal_style import Mark as DecimalMark
 from kinegrade.grading.follow import Follows
-from kinegrade.grading.kept_totals import Kept
 from kinegrade.grading.kept_totals import never_lower as with_kept_totals
 from kinegrade.grading.marks import ClassGrades, class_grades, marked_blocks
-from kinegrade.grading.marks_folder import KEPT, read_totals
 from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy import Policy
 from kinegrade.grading.policy_reading import read_policy, stated_policy
-from kinegrade.grading.pool import VARIANTS, pool_of
-from kinegrade.grading.report import POLICY, write_grades, write_marks
-from kinegrade.printed_order import PRINTED, write_printed
+from kinegrade.grading.pool import pool_of
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import FILES, MARKER
+from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.tables import Table, read_table
 
-MARKER = "complaints.csv"
-FILES = ("marks.csv", "grades.csv", "complaints.csv", POLICY, KEPT, VARIANTS, PRINTED)
-Export = Callable[[Path], str]  # a folder with these files -> the text of one more
+Export = Callable[[MarksFolder], str]  # a marks folder -> the text of one more file in it
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 
@@ -42,7 +40,7 @@ def grade(
     exports: Mapping[str, Export] = _NO_EXPORTS,
     decimal: DecimalMark | None = None,
     policy: Path | None = None,
-    never_lower: Path | None = None,
+    never_lower: MarksFolder | None = None,
     follows: Follows | None = None,
     own_papers: bool = False,
 ) -> ClassGrades:
@@ -51,15 +49,14 @@ def grade(
     `answers` is an answer sheet, as a file or a table, or the files of one class as
     `kinegrade.lms.responses` reads them. `exports` names the files for other systems that go into
     the folder too, such as `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the
-    decimal mark of the sheet. `policy` is the file of a policy, of which the folder gets a copy;
-    `never_lower` an earlier folder of marks below whose totals nobody falls; `follows` works out
-    what follows from wrong answers. A marking in which most answers fit other papers is refused,
-    unless they are said to be to `own_papers`. Raises ExamError, PolicyError, TableError,
-    OutputError.
+    decimal mark of the sheet. `policy` is a file, of which the folder gets a copy; `never_lower` an
+    earlier marking below whose totals nobody falls; `follows` works out what follows from wrong
+    answers. A marking in which most answers fit other papers is refused, unless they are said to be
+    to `own_papers`. Raises ExamError, PolicyError, TableError, OutputError.
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
-    with bulk_work(), written as folder:
-        files = _files(answers)
+    with bulk_work(), written as path:
+        folder, files = MarksWriter(path), _files(answers)
         sheet, rules = class_sheet(files, exam), _policy_for(exam, policy)
         pool, others = pool_of(exam, sheet), OtherPapers(exam.asks)
         accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
@@ -67,26 +64,30 @@ def grade(
         grades = class_grades(exam, sheet, write_marks(folder, others.watched(blocks)))
         if not own_papers:
             others.refuse(exam, ", ".join(each.table.file for each in files))
-        grades, kept = _with_kept_totals(grades, never_lower)
-        write_grades(folder, grades, rules, kept)
-        write_printed(folder, exam.printed_orders())
-        _write_exports(folder, exports)
+        grades = _write_totals(folder, grades, never_lower)
+        folder.policy(rules.text)
+        folder.printed(exam.printed_orders())
+        _write_exports(path, exports)
     return grades
 
 
-def _with_kept_totals(
-    grades: ClassGrades, never_lower: Path | None
-) -> tuple[ClassGrades, tuple[Kept, ...] | None]:
-    """The grades with the earlier totals that stand, and those; without an earlier folder as is."""
-    if never_lower is None:
-        return grades, None
-    return with_kept_totals(grades, read_totals(never_lower))
+def _write_totals(
+    folder: MarksWriter, grades: ClassGrades, never_lower: MarksFolder | None
+) -> ClassGrades:
+    """Writes the totals and complaints, and gives them: with the earlier totals that stand."""
+    if never_lower is not None:
+        grades, kept = with_kept_totals(grades, never_lower.totals.by_student)
+        folder.kept(kept)
+    folder.grades(grades.questions, grades.grades)
+    folder.complaints(grades.complaints)
+    return grades
 
 
-def _write_exports(folder: Path, exports: Mapping[str, Export]) -> None:
+def _write_exports(path: Path, exports: Mapping[str, Export]) -> None:
     """Files for other systems, made of what stands in the folder."""
+    folder = MarksFolder(path)
     for name, export in exports.items():
-        (folder / name).write_text(export(folder), encoding="utf-8", newline="")
+        (path / name).write_text(export(folder), encoding="utf-8", newline="")
 
 
 def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]:

@@ -9,42 +9,29 @@ question takes nothing from anybody.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from math import ceil
 from typing import TypeVar
 
-from kinegrade.grading.amounts import PLACES, amount_text
-from kinegrade.grading.marks import ClassGrades, Grade
-from kinegrade.grading.marks_folder import Total
+from kinegrade.amounts import PLACES, amount_text
+from kinegrade.grading.marks import ClassGrades
+from kinegrade.marks_folder.layout import GRADES
+from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
 from kinegrade.tables import Complaint
 
 Grades = TypeVar("Grades", bound=ClassGrades)
 
 
-@dataclass(frozen=True, slots=True)
-class Kept:
-    """A student whose earlier total stands; `grade` is the one by the new marking alone."""
-
-    grade: Grade
-    before: Total
-    stands: Fraction
-
-    @property
-    def reason(self) -> str:
-        """Why the total is not the sum of the questions."""
-        earlier = f"{amount_text(self.before.points)} of {amount_text(self.before.out_of)}"
-        now = f"{amount_text(self.grade.total)} of {amount_text(self.grade.out_of)}"
-        return f"nobody is lowered: {earlier} before, {now} by this marking"
-
-
-def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tuple[Kept, ...]]:
+def never_lower(
+    marks: Grades, before: Mapping[str, StudentTotal]
+) -> tuple[Grades, tuple[KeptTotal, ...]]:
     """The marks in which nobody's share of the points is below the earlier one, and whose total
     that changes.
 
     Works on `Marks`, or on `ClassGrades` alone.
     """
-    kept = {each.grade.student: each for each in _kept(marks, before)}
+    kept = {each.student: each for each in _kept(marks, before)}
     grades = tuple(
         replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade
         for grade in marks.grades
@@ -56,7 +43,7 @@ def never_lower(marks: Grades, before: Mapping[str, Total]) -> tuple[Grades, tup
     )
 
 
-def _kept(marks: ClassGrades, before: Mapping[str, Total]) -> Iterator[Kept]:
+def _kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[KeptTotal]:
     """Compared as both are written, or the rounding of a third of a point would look like a
     loss.
     """
@@ -65,7 +52,23 @@ def _kept(marks: ClassGrades, before: Mapping[str, Total]) -> Iterator[Kept]:
         if earlier is None or not grade.out_of:
             continue
         if Fraction(amount_text(grade.total)) < earlier.share * grade.out_of:
-            yield Kept(grade, earlier, _rounded_up(earlier.share * grade.out_of))
+            yield _kept_total(grade, earlier)
+
+
+def _kept_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
+    """With why the total is not the sum of the questions."""
+    before = f"{amount_text(earlier.total)} of {amount_text(earlier.out_of)}"
+    now = f"{amount_text(grade.total)} of {amount_text(grade.out_of)}"
+    return KeptTotal(
+        grade.student,
+        grade.name,
+        f"nobody is lowered: {before} before, {now} by this marking",
+        earlier.total,
+        earlier.out_of,
+        grade.total,
+        grade.out_of,
+        _rounded_up(earlier.share * grade.out_of),
+    )
 
 
 def _rounded_up(amount: Fraction) -> Fraction:
@@ -75,4 +78,4 @@ def _rounded_up(amount: Fraction) -> Fraction:
 
 def _stranger(student: str) -> Complaint:
     problem = f'student "{student}" has marks before, and is not in the exam'
-    return Complaint("grades.csv", None, "student", "", problem, "nothing to be kept")
+    return Complaint(GRADES.name, None, "student", "", problem, "nothing to be kept")

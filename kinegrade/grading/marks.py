@@ -1,7 +1,7 @@
 """The marks of a class: a verdict for every student and ask, and the totals.
 
 `marked_blocks` is called by `grade` and gives the class in blocks, so that its size costs little
-memory; `mark` gives all at once. `report` writes what they give.
+memory; `mark` gives all at once. `answer_lines` writes what they give.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, islice
-from math import lcm
 from types import MappingProxyType
 from typing import assert_never
 
+from kinegrade.amounts import added
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, questions
 from kinegrade.grading.accepted import Alternatives
 from kinegrade.grading.answers import Reading
@@ -28,6 +28,7 @@ from kinegrade.grading.judged_block import USUAL_CREDITS, JudgedBlock, Row
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.pool import Pool
 from kinegrade.grading.sheet import Entry, Sheet, repeated
+from kinegrade.marks_folder.rows import Grade
 from kinegrade.tables import Complaint, shortened, trimmed
 
 BLOCK = 250  # papers that are marked together
@@ -44,37 +45,6 @@ class Mark:
     reading: Reading
     verdict: Verdict
     points: Fraction
-
-
-@dataclass(frozen=True, slots=True)
-class Grade:
-    """One student's points for each question, in the order of the paper, and in all.
-
-    `kept` is the total that stands instead of the sum, where an earlier one was higher and nobody
-    is to lose. Who is `absent` answered nothing at all.
-    """
-
-    student: str
-    name: str
-    points: tuple[Fraction, ...]
-    out_of: Fraction
-    kept: Fraction | None = None
-    absent: bool = False
-
-    @property
-    def total(self) -> Fraction:
-        """All points, or what was kept."""
-        return added(self.points) if self.kept is None else self.kept
-
-    @property
-    def percent(self) -> Fraction:
-        """Of the points there are; 0 where there are none."""
-        return percent(self.total, self.out_of)
-
-
-def percent(total: Fraction, out_of: Fraction) -> Fraction:
-    """The share of the points there are, in per cent; 0 where there are none."""
-    return 100 * total / out_of if out_of else Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,19 +141,6 @@ def marked_blocks(
     papers = exam.papers()
     while block := list(islice(papers, BLOCK)):
         yield marker.block(block)
-
-
-def added(amounts: Iterable[Fraction]) -> Fraction:
-    """Their sum: by whole numbers over the common denominator, several times faster than one after
-    the other.
-    """
-    listed = tuple(amounts)
-    common = lcm(*[amount.denominator for amount in listed])
-    if common == 1:
-        return Fraction(sum([amount.numerator for amount in listed]))
-    return Fraction(
-        sum([amount.numerator * (common // amount.denominator) for amount in listed]), common
-    )
 
 
 def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:

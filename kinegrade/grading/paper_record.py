@@ -17,7 +17,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding
 from kinegrade.exam.folder.numbers import number
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
-from kinegrade.grading.pool import Put
+from kinegrade.marks_folder.rows import Put
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,23 +2,18 @@
 somebody's line of the key.
 
 `grade` makes a `Pool` where responses came from one, and writes whose line every answer was marked
-by to variants.csv of the folder of marks; feedback, report and sharing read it there.
+by into the marks folder; feedback, report and sharing read it there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, Sitting
 from kinegrade.grading.sheet import Entry, Sheet
-from kinegrade.tables import written_records
-
-VARIANTS = "variants.csv"
-HEADER = ("student", "question", "ask", "key_of")
-Put = Mapping[str, Mapping[str, str]]  # by student and answer column, whose line of the key
+from kinegrade.marks_folder.rows import Put
 
 
 @dataclass(frozen=True)
@@ -56,23 +51,13 @@ def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
     return Pool(exam.papers_of(wanted - {""}))
 
 
-def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, ...]]:
-    """The lines of variants.csv for one student; none for the own paper."""
+def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str, str]]:
+    """Whose line of the key each of a student's answers is marked by; nothing for the student's
+    paper.
+    """
     if paper.put:
         for number, ask in enumerate(asks):
             yield paper.student, ask.question, ask.ask, paper.source(number)
-
-
-def read_put(marks: Path) -> Put:
-    """Whose line of the key answers were marked by; empty where everybody's own. Raises
-    TableError.
-    """
-    path = marks / VARIANTS
-    found: dict[str, dict[str, str]] = {}
-    if path.exists():
-        for _, (student, question, ask, source) in written_records(path, HEADER):
-            found.setdefault(student, {})[f"{question}.{ask}"] = source
-    return found
 
 
 def exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:

@@ -65,7 +65,7 @@ class ReportWords:
     same_papers: str
     complaints: str
     no_complaints: str
-    more_complaints: str  # takes how many are shown, and how many there are
+    more_complaints: str  # takes how many are shown, how many there are, and the file of all
     line: str
     column: str
     content: str
@@ -136,7 +136,7 @@ ENGLISH = ReportWords(
     same_papers="All papers had the same numbers.",
     complaints="Complaints",
     no_complaints="There are none.",
-    more_complaints="The first {} of {}; all are in complaints.csv.",
+    more_complaints="The first {} of {}; all are in {}.",
     line="Line",
     column="Column",
     content="Content",
@@ -244,7 +244,7 @@ CHINESE = ReportWords(
     same_papers="所有试卷的数据相同。",
     complaints="需人工查看的问题",
     no_complaints="没有。",
-    more_complaints="此处列出前 {} 条，共 {} 条；全部见 complaints.csv。",
+    more_complaints="此处列出前 {} 条，共 {} 条；全部见 {}。",
     line="行",
     column="列",
     content="内容",

@@ -22,7 +22,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import exp, isfinite, lgamma, log
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,9 +29,12 @@ from numpy.typing import NDArray
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Exam, Examinee
-from kinegrade.grading.marked_class import MarkedAnswer, marked_answers
-from kinegrade.grading.pool import exam_as_put, read_put
+from kinegrade.grading.pool import exam_as_put
 from kinegrade.grading.sharing_fits import Numbers, Windows, windows
+from kinegrade.marks_folder.cells import edited
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import ANSWERS
+from kinegrade.marks_folder.rows import MarkedAnswer
 
 LEVEL = 0.01
 MOST = 1000  # pairs told; the most striking ones
@@ -87,14 +89,14 @@ class Sharing:
     level: float
 
 
-def find_sharing(exam: ExamFolder, marks: Path, level: float = LEVEL) -> Sharing:
+def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = LEVEL) -> Sharing:
     """Looks through a folder of marks by its exam folder; questions from a pool count as they were
     put.
 
     Raises ExamError, TableError.
     """
-    known = exam_as_put(exam, exam.in_memory(), read_put(marks))
-    return sharing(known, marked_answers(marks), level)
+    known = exam_as_put(exam, exam.in_memory(), marks.put)
+    return sharing(known, marks.answers(), level)
 
 
 def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
@@ -185,14 +187,11 @@ def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
     if student is None or ask is None:
         who = f'student "{answer.student}"' if student is None else f'ask "{answer.column}"'
         return (
-            f"marks.csv: {who} is not in the exam - expected marks made from this exam folder - "
-            "name the folder by which they were made"
+            f"{ANSWERS.name}: {who} is not in the exam - expected marks made from this exam "
+            "folder - name the folder by which they were made"
         )
-    return (
-        f'marks.csv: student "{answer.student}", {answer.column}: "{answer.read_as[:40]}" stands '
-        "where a number "
-        "should - expected the file as kinegrade grade wrote it - grade again"
-    )
+    problem = f'"{answer.read_as[:40]}" stands where a number should'
+    return edited(f'{ANSWERS.name}: student "{answer.student}", {answer.column}', problem)
 
 
 @dataclass(frozen=True)

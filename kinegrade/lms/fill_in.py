@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
+from kinegrade.amounts import amount_text
 from kinegrade.errors import TableError, one_line
 from kinegrade.lms.cells import Cell, CellTable, Record, read_cells
 from kinegrade.lms.dialect import Dialect, Download, ExportOptions
-from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, decimal_text, feedback_text
+from kinegrade.lms.grades import TOTAL, ClassGrades, StudentGrade, feedback_text
 from kinegrade.lms.item_columns import ItemColumn, ItemColumns, item_columns
 from kinegrade.lms.key_columns import exam_hint, key_columns
 from kinegrade.lms.matching import KeyColumn, Matching, match
@@ -53,7 +54,7 @@ class _Task:
     def written(self, grade: StudentGrade, item: str) -> str:
         """The text of a grade cell."""
         target = target_maximum(self.columns[item].maximum, self.options)
-        text = decimal_text(scaled(grade, item, target), self.dialect.places)
+        text = amount_text(scaled(grade, item, target), self.dialect.places)
         comma = self.download.decimal_comma_with_semicolon and self.table.separator == ";"
         return text.replace(".", ",") if comma else text
 

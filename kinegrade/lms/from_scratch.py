@@ -12,6 +12,7 @@ from fractions import Fraction
 from html import escape
 from typing import assert_never
 
+from kinegrade.amounts import amount_text
 from kinegrade.csv_writing import csv_text, neutralised
 from kinegrade.errors import TableError, one_line
 from kinegrade.exam.folder.contents import HEAD
@@ -21,7 +22,6 @@ from kinegrade.lms.grades import (
     TOTAL,
     ClassGrades,
     StudentGrade,
-    decimal_text,
     feedback_text,
     known_as,
 )
@@ -152,7 +152,7 @@ def _graded(column: Column, title: str, item: str, maxima: Mapping[str, set[Frac
 
 
 def _header(column: Column, title: str, maxima: set[Fraction]) -> str:
-    maximum = decimal_text(min(maxima, default=Fraction(0)))
+    maximum = amount_text(min(maxima, default=Fraction(0)))
     return column.header.replace("{maximum}", maximum).replace("{title}", title)
 
 
@@ -232,7 +232,7 @@ def _cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
         case "name and id":
             return f"{grade.name} [{grade.student}]"
         case "grade":
-            return decimal_text(scaled(grade, item, plan.targets[item]), plan.dialect.places)
+            return amount_text(scaled(grade, item, plan.targets[item]), plan.dialect.places)
         case "feedback":
             text = feedback_text(grade, plan.questions)
             return escape(text, quote=False) if column.text == "html" else text

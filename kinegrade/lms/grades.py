@@ -8,32 +8,23 @@ files.
 
 from __future__ import annotations
 
-import re
-from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
-from itertools import groupby
-from pathlib import Path
-from types import MappingProxyType
 from typing import assert_never
 
-from kinegrade.csv_writing import restored
-from kinegrade.errors import ExamError, TableError, one_line
+from kinegrade.amounts import amount_text
+from kinegrade.csv_writing import neutralised
+from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language import Language
 from kinegrade.lms.dialect import Field
-from kinegrade.printed_order import read_printed
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.rows import StudentSums, StudentTotal
 from kinegrade.question_numbers import bank_number
-from kinegrade.tables import Row, Table, read_table, trimmed, written_records
+from kinegrade.tables import trimmed
 
-Worth = tuple[tuple[str, str], ...]  # (question, points to be had), for each ask
 TOTAL = ""  # the item that is the sum of all questions
-_NOT_QUESTIONS = {"student", "name", "total", "out_of", "percent", "status"}
-ABSENT = "absent"  # in the column status, which folders of earlier versions have not
-_AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
-_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,36 +75,35 @@ def known_as(grade: StudentGrade, field: Field) -> str:
             assert_never(field)
 
 
-def read_grades(folder: Path, exam: ExamFolder | None = None) -> ClassGrades:
-    """Reads grades.csv and marks.csv of a folder; e-mails and the title from an exam folder.
+def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrades:
+    """The grades of a marks folder; e-mails and the title from an exam folder.
 
     Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an
     earlier version that does not say who is absent, whoever answered nothing. Raises TableError for
     a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
-    grades = _table(folder / "grades.csv", ("student", "name", "total"))
-    available, filled = _marked(folder / "marks.csv")
-    kept = _kept(folder / "kept.csv")
-    questions = tuple(name for name in grades.header if name not in _NOT_QUESTIONS)
-    orders = read_printed(folder, questions)
-    students = []
-    for row in grades.rows:
-        cells = {name: row.cell(place) for place, name in enumerate(grades.header)}
-        student, out_of = cells["student"], dict(available.get(cells["student"], {}))
-        points = {name: _amount(grades, row, name) for name in questions}
-        points[TOTAL] = _amount(grades, row, "total")
-        out_of[TOTAL] = sum(out_of.values(), Fraction(0))
-        handed_in = (
-            cells["status"] != ABSENT or student in kept
-            if "status" in cells
-            else student in filled or points[TOTAL] > 0
-        )
-        printed = orders.get(student, ())
-        students.append(
-            StudentGrade(student, cells["name"], "", points, out_of, handed_in, printed)
-        )
-    found = ClassGrades(questions, tuple(students))
+    totals, orders = marks.totals, marks.printed
+    sums = {each.student: each for each in marks.sums()}
+    students = tuple(
+        _student_grade(total, sums.get(total.student), orders.get(total.student, ()))
+        for total in totals.students
+    )
+    found = ClassGrades(totals.questions, students)
     return found if exam is None else _with_exam(found, exam)
+
+
+def _student_grade(
+    total: StudentTotal, sums: StudentSums | None, printed: tuple[str, ...]
+) -> StudentGrade:
+    """What an export gets of a student; one without lines in marks.csv had nothing to get."""
+    points = {**total.points, TOTAL: total.total}
+    out_of = {**sums.out_of, TOTAL: sums.total_out_of} if sums else {TOTAL: Fraction(0)}
+    if total.status is None:
+        handed_in = (sums is not None and sums.answered) or total.total > 0
+    else:
+        handed_in = total.status != "absent" or total.kept is not None
+    name = neutralised(total.name)
+    return StudentGrade(total.student, name, "", points, out_of, handed_in, printed)
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
@@ -134,82 +124,10 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     )
     parts = [
         f"{number}: "
-        f"{decimal_text(grade.points[name])}/{decimal_text(grade.out_of.get(name, Fraction(0)))}"
+        f"{amount_text(grade.points[name])}/{amount_text(grade.out_of.get(name, Fraction(0)))}"
         for number, name in numbered
     ]
     return "; ".join(parts)
-
-
-def decimal_text(amount: Fraction, places: int = 4) -> str:
-    """The shortest decimal with a point and at most that many places, halves rounded up.
-
-    >>> decimal_text(Fraction(2, 3)), decimal_text(Fraction(2, 3), 2), decimal_text(Fraction(1000))
-    ('0.6667', '0.67', '1000')
-    """
-    whole, decimals = divmod((2 * amount * 10**places + 1) // 2, 10**places)
-    digits = f"{decimals:0{places}d}".rstrip("0")
-    return f"{whole}.{digits}" if digits else str(whole)
-
-
-def _table(path: Path, columns: tuple[str, ...]) -> Table:
-    table = read_table(path)
-    missing = [name for name in columns if name not in table.header]
-    if missing or table.complaints:
-        problems = [*(f"no column {name}" for name in missing), *map(str, table.complaints)]
-        raise TableError(
-            f"{path}: {'; '.join(problems)} - expected the file as kinegrade grade wrote it - "
-            "grade again"
-        )
-    return table
-
-
-def _kept(path: Path) -> set[str]:
-    """Whose earlier total stands."""
-    if not path.exists():
-        return set()
-    return {student for _, (student, _) in written_records(path, ("student", "stands"))}
-
-
-def _amount(table: Table, row: Row, name: str) -> Fraction:
-    cell = row.cell(table.header.index(name))
-    if _AMOUNT.fullmatch(cell):
-        return Fraction(cell)
-    raise _no_amount(f"{table.file}:{row.line}", name, cell)
-
-
-def _no_amount(place: str, name: str, cell: str) -> TableError:
-    return TableError(
-        f'{place}: {name} is "{one_line(cell[:40])}" - expected a number - grade again'
-    )
-
-
-def _marked(path: Path) -> tuple[Mapping[str, Mapping[str, Fraction]], set[str]]:
-    """The points each student could get in each question, and who wrote something besides blanks
-    and dashes.
-    """
-    worth: dict[str, Worth] = defaultdict(tuple)
-    same: dict[Worth, Worth] = {}  # so that it is kept once for a class
-    filled: set[str] = set()
-    records = written_records(path, ("student", "question", "response", "out_of"))
-    for student, lines in groupby(records, lambda record: record[1][0]):
-        found: Worth = ()
-        for line, (_, question, response, out_of) in lines:
-            if not _AMOUNT.fullmatch(out_of):
-                raise _no_amount(f"{path.name}:{line}", "out_of", out_of)
-            found = (*found, (question, out_of))
-            if student not in filled and trimmed(restored(response)).strip(f"{_DASHES} "):
-                filled.add(student)
-        found = worth[student] + found
-        worth[student] = same.setdefault(found, found)
-    return {student: _available(parts) for student, parts in worth.items()}, filled
-
-
-@lru_cache(maxsize=64)  # mostly the same for everybody
-def _available(worth: Worth) -> Mapping[str, Fraction]:
-    available: dict[str, Fraction] = defaultdict(Fraction)
-    for question, out_of in worth:
-        available[question] += Fraction(out_of)
-    return MappingProxyType(dict(available))
 
 
 def _with_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:

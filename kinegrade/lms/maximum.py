@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
+from kinegrade.amounts import amount_text
 from kinegrade.lms.dialect import ExportOptions
-from kinegrade.lms.grades import StudentGrade, decimal_text
+from kinegrade.lms.grades import StudentGrade
 
 
 def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction | None:
@@ -68,4 +69,4 @@ def maximum_faults(
 
 
 def _shown(amount: Fraction | None) -> str:
-    return decimal_text(amount or Fraction(0))
+    return amount_text(amount or Fraction(0))

@@ -12,7 +12,6 @@ it, so its columns are found by what they hold.
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 from kinegrade.lms.dialect import (
     Channel,
@@ -26,6 +25,7 @@ from kinegrade.lms.dialect import (
 )
 from kinegrade.lms.from_scratch import new_file
 from kinegrade.lms.grades import read_grades
+from kinegrade.marks_folder.folder import MarksFolder
 
 _KEYS = (
     Key("id", ("ID number", "ID-Nummer", "学号")),
@@ -73,10 +73,10 @@ MOODLE = Dialect(
 )
 
 
-def export(marks_folder: Path) -> str:
-    """The text of moodle.csv from grades.csv and marks.csv of a folder; raises TableError.
+def export(marks: MarksFolder) -> str:
+    """The text of moodle.csv; raises TableError.
 
     Feedback is a line such as "1: 4/7; 2: 3/3", by the numbers on the student's own paper. Names
     stay neutralised against spreadsheets.
     """
-    return new_file(MOODLE, read_grades(marks_folder), ExportOptions()).text
+    return new_file(MOODLE, read_grades(marks), ExportOptions()).text

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import io
 import re
-from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from openpyxl import Workbook
@@ -19,27 +18,10 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
 from kinegrade.csv_writing import restored
-from kinegrade.lms.grades import ABSENT
-from kinegrade.tables import Row, Table, read_table
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.layout import TEXT_COLUMNS, Status
+from kinegrade.tables import Row, Table
 
-_FILES = ("grades", "marks", "complaints")
-_TEXTS = {
-    "student",
-    "name",
-    "question",
-    "ask",
-    "response",
-    "read_as",
-    "unit",
-    "verdict",
-    "status",
-    "reason",
-    "file",
-    "column",
-    "content",
-    "problem",
-    "done",
-}
 _NUMBER = re.compile(r"[0-9]{1,15}(?:\.[0-9]{1,15})?")
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 _TIME = re.compile(rb">[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z<")
@@ -47,12 +29,12 @@ _LONGEST_CELL, _WIDEST_COLUMN, _WIDEST_NAME = 32_767, 60, 30
 _TEXT_FORMAT = "@"
 
 
-def workbook(folder: Path) -> bytes:
+def workbook(marks: MarksFolder) -> bytes:
     """The bytes of an .xlsx file of a folder of marks; raises TableError."""
     book = Workbook()
     book.remove(book.active)
-    for name in _FILES:
-        _fill(book.create_sheet(name), read_table(folder / f"{name}.csv"))
+    for name, table in marks.tables():
+        _fill(book.create_sheet(name), table)
     stream = io.BytesIO()
     book.save(stream)
     return _repeatable(stream.getvalue())
@@ -93,13 +75,14 @@ def _fill(sheet: Worksheet, table: Table) -> None:
 
 def _is_absent(table: Table, row: Row) -> bool:
     """Whether a row is that of somebody absent, whose zeros an average would count."""
-    return "status" in table.header and row.cell(table.header.index("status")) == ABSENT
+    absent: Status = "absent"
+    return "status" in table.header and row.cell(table.header.index("status")) == absent
 
 
 def _write(sheet: Worksheet, line: int, place: int, title: str, text: str) -> None:
     if not text:
         return
-    if title not in _TEXTS and _NUMBER.fullmatch(text):
+    if title not in TEXT_COLUMNS and _NUMBER.fullmatch(text):
         sheet.cell(line, place, float(text) if "." in text else int(text))
         return
     cell = _text_cell(sheet, line, place, text if title == "student" else restored(text))

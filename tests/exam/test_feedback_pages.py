@@ -20,6 +20,7 @@ from kinegrade.exam.feedback_pages import FeedbackPress
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_folder import write_feedback
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, mark_class
 
 WORDING = ExamWording({"q1": "Crank $OA$"}, {"q1.v_B": "speed of $B$"}, {"q1.v_B": "v_{B}"})
@@ -34,7 +35,7 @@ def sheet_of(
     folder: Path, cells: tuple[str, ...], wording: ExamWording = WORDING, language: str = "en"
 ) -> FeedbackSheet:
     exam, marks = mark_class(folder, {"7": cells})
-    ((_, sheet),) = feedback_sheets(marks, open_exam(exam), wording, language)  # type: ignore[arg-type]
+    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), wording, language)  # type: ignore[arg-type]
     return sheet
 
 
@@ -134,7 +135,7 @@ def test_a_whole_class_gets_its_sheets(
     grade(open_exam(exam), exam / "answers.csv", tmp_path / "MARKS")
     count = write_feedback(
         open_exam(exam),
-        tmp_path / "MARKS",
+        MarksFolder(tmp_path / "MARKS"),
         tmp_path / "OUT",
         exam_wording(open_exam(exam), "en"),
         press.feedback,

@@ -18,6 +18,7 @@ from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import Mark, Marks, mark
 from kinegrade.grading.policy import AS_PRINTED, Policy
 from kinegrade.grading.policy_reading import read_policy
+from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.tables import parse_table
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 
@@ -117,6 +118,6 @@ def regraded(exam: Path, name: str, policy: str | None = None, before: Path | No
         exam.parent / "answers.csv",
         marks,
         policy=None if policy is None else file,
-        never_lower=before,
+        never_lower=before and MarksFolder(before),
     )
     return marks

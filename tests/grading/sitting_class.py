@@ -10,7 +10,7 @@ from fractions import Fraction
 from random import Random
 
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Key, rule
-from kinegrade.grading.marked_class import MarkedAnswer
+from kinegrade.marks_folder.rows import MarkedAnswer
 
 ASKS = {
     "q1": ("v", "omega", "a"),

@@ -14,9 +14,9 @@ from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_report import class_report
 from kinegrade.grading.class_tally import ClassTally, tally
-from kinegrade.grading.marked_class import marked_answers
 from kinegrade.grading.math_html import prose_html, symbol_html
 from kinegrade.grading.report_words import CHINESE, ENGLISH
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Answers, Page, mark_class
 
 WRONG = ("99", "99", "99")
@@ -35,11 +35,11 @@ def report(
     folder: Path, answers: Answers, language: Literal["en", "zh"] = "en", **more: object
 ) -> str:
     exam, marks = mark_class(folder, answers, **more)  # type: ignore[arg-type]
-    return class_report(marks, open_exam(exam), WORDING, language)
+    return class_report(MarksFolder(marks), open_exam(exam), WORDING, language)
 
 
 def tallied(exam: Path, marks: Path) -> ClassTally:
-    return tally(marks, open_exam(exam))
+    return tally(MarksFolder(marks), open_exam(exam))
 
 
 def in_turns(count: int, *rows: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
@@ -78,8 +78,8 @@ def test_the_same_marks_give_the_same_page(tmp_path: Path) -> None:
     exam, marks = mark_class(
         tmp_path, in_turns(31, RIGHT, WRONG), parameters=lambda student: {"r": float(student)}
     )
-    assert class_report(marks, open_exam(exam), WORDING, "zh") == class_report(
-        marks, open_exam(exam), WORDING, "zh"
+    assert class_report(MarksFolder(marks), open_exam(exam), WORDING, "zh") == class_report(
+        MarksFolder(marks), open_exam(exam), WORDING, "zh"
     )
 
 
@@ -110,7 +110,7 @@ def test_every_answer_that_lost_points_has_one_reason(tmp_path: Path) -> None:
     }
     assert counts.losses["q1.omega_AB"] == {"unexplained": 1, "wrong unit": 1}
     assert counts.losses["q2.a_B"] == {"unreadable": 1, "blank": 1, "twice": 1, "unexplained": 1}
-    short = [answer for answer in marked_answers(marks) if answer.points < answer.out_of]
+    short = [answer for answer in MarksFolder(marks).answers() if answer.points < answer.out_of]
     assert sum(reasons.total() for reasons in counts.losses.values()) == len(short)
     assert sum(verdicts.total() for verdicts in counts.verdicts.values()) == 3 * len(rows)
 
@@ -121,7 +121,7 @@ def test_mistakes_that_the_marks_name_are_counted_by_their_sentences(tmp_path: P
     named = re.sub(r"(q1,v_B,.*),wrong,0,4,.*", r"\1,mistake,1,4,wrong-pole: leads to 99", text)
     (marks / "marks.csv").write_text(named.replace("wrong-pole", "brand-new", 1), encoding="utf-8")
     assert tallied(exam, marks).losses["q1.v_B"] == {"wrong-pole": 2, "brand-new": 1}
-    page = Page(class_report(marks, open_exam(exam), WORDING, "en"))
+    page = Page(class_report(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     assert "The pole lies elsewhere." in page.text
     assert "brand-new" in page.text
     assert "known mistake\u00a03" in page.text
@@ -191,7 +191,7 @@ def test_nothing_from_a_file_becomes_a_tag(tmp_path: Path, language: Literal["en
 
 def test_complaints_are_listed_up_to_a_limit(tmp_path: Path) -> None:
     page = Page(report(tmp_path, in_turns(201, ("?", "", ""))))
-    assert ENGLISH.more_complaints.format(200, 201) in page.text
+    assert ENGLISH.more_complaints.format(200, 201, "complaints.csv") in page.text
     none = Page(report(tmp_path / "2", in_turns(3, RIGHT)))
     assert ENGLISH.no_complaints in none.text
     assert ENGLISH.no_losses in none.text
@@ -204,7 +204,7 @@ def test_marks_of_students_with_different_asks_are_refused(tmp_path: Path) -> No
     with pytest.raises(
         TableError, match='the lines of student "2" do not fit grades.csv or the others - expected'
     ):
-        class_report(marks, open_exam(exam), PLAIN, "en")
+        class_report(MarksFolder(marks), open_exam(exam), PLAIN, "en")
 
 
 @pytest.mark.parametrize(

@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 from kinegrade.errors import TableError
 from kinegrade.grading.comparison import HEADER, compare, comparison_csv, comparison_text
 from kinegrade.grading.kept_totals import never_lower
-from kinegrade.grading.marks_folder import Total, read_totals
 from kinegrade.lms import moodle
+from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.rows import StudentTotal
 from tests.grading.policies import marked, policy_of, regraded
 from tests.small_class import kinegrade
 
@@ -65,7 +66,7 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
     marks = regraded(answered, "MARKS", POLICY)
-    comparison = compare(marks, marks)
+    comparison = compare(MarksFolder(marks), MarksFolder(marks))
     assert comparison.changes == ()
     assert comparison_csv(comparison).decode("utf-8-sig") == ",".join(HEADER) + "\n"
     assert comparison_text(comparison) == (
@@ -75,8 +76,8 @@ def test_a_marking_does_not_differ_from_itself(answered: Path) -> None:
 
 def test_who_changes_by_how_much_and_why(answered: Path) -> None:
     first, second = regraded(answered, "MARKS"), regraded(answered, "MARKS2", POLICY)
-    assert comparison_text(compare(first, second)) == TABLE
-    back = compare(second, first)
+    assert comparison_text(compare(MarksFolder(first), MarksFolder(second))) == TABLE
+    back = compare(MarksFolder(second), MarksFolder(first))
     assert (back.up, back.down, back.mean_points) == (2, 1, Fraction(1, 8))
     assert [change.student for change in back.changes] == ["007", "0012", "S9", "12"]
 
@@ -123,7 +124,11 @@ def test_cells_of_the_file_do_not_run_in_a_spreadsheet(answered: Path) -> None:
         regraded(answered, "MARKS2", "[questions.q2]\nvoid = 'drop'"),
     )
     rows = list(
-        csv.DictReader(comparison_csv(compare(first, second)).decode("utf-8-sig").splitlines())
+        csv.DictReader(
+            comparison_csv(compare(MarksFolder(first), MarksFolder(second)))
+            .decode("utf-8-sig")
+            .splitlines()
+        )
     )
     assert {row["name"] for row in rows if row["student"] == "S9"} == {"'=HYPERLINK(1)"}
     assert [row["response_after"] for row in rows if row["student"] == "12"] == ["", "'=1+1"]
@@ -139,7 +144,7 @@ def test_students_and_asks_of_one_marking_only_are_told(answered: Path) -> None:
             if not line.startswith(("007,", "12,q2,a_B"))
         ]
         (second / name).write_text("".join(kept), encoding="utf-8")
-    comparison = compare(first, second)
+    comparison = compare(MarksFolder(first), MarksFolder(second))
     told = [(change.student, *(ask.column for ask in change.asks)) for change in comparison.changes]
     assert told == [
         ("007", "q1.v_B", "q1.omega_AB", "q2.a_B"),
@@ -164,7 +169,10 @@ def test_an_answer_of_another_row_is_shown(answered: Path) -> None:
     with (answered.parent / "answers.csv").open("a", encoding="utf-8") as stream:
         stream.write("12,Ann,1.73,\x1b[31m,\n")
     text = comparison_text(
-        compare(regraded(answered, "MARKS", "attempts = 'first'"), regraded(answered, "MARKS2"))
+        compare(
+            MarksFolder(regraded(answered, "MARKS", "attempts = 'first'")),
+            MarksFolder(regraded(answered, "MARKS2")),
+        )
     )
     assert 'q1.v_B            0      4      +4  "" -> "1.73", blank -> right: key 1.73205' in text
     assert "\x1b" not in text
@@ -194,9 +202,11 @@ def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
     ]
     assert [row["name"] for row in kept] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)"]
     assert "nobody is lowered: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
-        compare(first, second)
+        compare(MarksFolder(first), MarksFolder(second))
     )
-    assert moodle.export(second).splitlines()[1] == "007,王伟,3.7632,1: 0/4; 2: 2.5/2.5"
+    assert (
+        moodle.export(MarksFolder(second)).splitlines()[1] == "007,王伟,3.7632,1: 0/4; 2: 2.5/2.5"
+    )
 
 
 def test_with_equal_points_the_earlier_total_itself_stands(answered: Path) -> None:
@@ -204,7 +214,7 @@ def test_with_equal_points_the_earlier_total_itself_stands(answered: Path) -> No
     second = regraded(answered, "MARKS2", before=first)
     assert [row["total"] for row in rows_of(second / "grades.csv")] == ["9.5", "5.5", "3", "0"]
     assert [row["student"] for row in rows_of(second / "kept.csv")] == ["007"]
-    assert compare(first, second).down == 0
+    assert compare(MarksFolder(first), MarksFolder(second)).down == 0
 
 
 def test_never_lower_through_the_command_line_may_replace_the_marks_it_looks_at(
@@ -232,9 +242,7 @@ def test_never_lower_through_the_command_line_may_replace_the_marks_it_looks_at(
 
 
 def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
-    marks, kept = never_lower(
-        marked("007,2,0,30\n"), {"008": Total("Eve", Fraction(9), Fraction(9))}
-    )
+    marks, kept = never_lower(marked("007,2,0,30\n"), {"008": total("008", Fraction(9), 9)})
     assert kept == ()
     assert str(marks.complaints[0]) == (
         'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to '
@@ -248,7 +256,8 @@ def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
         (
             "grades.csv",
             None,
-            "cannot be read (No such file or directory) - expected a CSV file - check the name",
+            "cannot be read (No such file or directory) - expected a folder made by kinegrade grade - "
+            "check the name",
         ),
         (
             "grades.csv",
@@ -263,8 +272,8 @@ def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
         (
             "grades.csv",
             "student,name,total,out_of\n1,x,2\n",
-            "grades.csv:2: the line has 3 cells, the header 4 - the missing cells are taken as "
-            "blank - grade again",
+            "grades.csv:2: the line has 3 cells, the header 4 - expected the file as kinegrade grade "
+            "wrote it - grade again",
         ),
     ],
 )
@@ -274,9 +283,13 @@ def test_a_folder_that_is_none_of_marks_is_refused(
     if content is not None:
         (tmp_path / name).write_text(content, encoding="utf-8")
     with pytest.raises(TableError) as caught:
-        read_totals(tmp_path)
+        _ = MarksFolder(tmp_path).totals
     assert str(caught.value).endswith(reason)
     assert str(caught.value).startswith(str(tmp_path))
+
+
+def total(student: str, points: Fraction, out_of: int) -> StudentTotal:
+    return StudentTotal(2, student, student, {}, points, Fraction(out_of), None, None, None)
 
 
 AMOUNTS = st.fractions(0, 1, max_denominator=60)
@@ -294,7 +307,7 @@ def test_never_lower_never_lowers(
 ) -> None:
     new = marked("007,2,0,30\nS9,2,9,\n12,,,30\n", policy_of(policy, tmp_path))
     before = {
-        student: Total(student, (share * out_of * 10**4 // 1) / Fraction(10**4), Fraction(out_of))
+        student: total(student, (share * out_of * 10**4 // 1) / Fraction(10**4), out_of)
         for student, (share, out_of) in zip(("007", "S9", "12"), earlier, strict=True)
     }
     marks, kept = never_lower(new, before)
@@ -303,6 +316,6 @@ def test_never_lower_never_lowers(
         assert grade.total >= alone.total
         assert round(grade.total, 4) >= old * grade.out_of - Fraction(1, 20000)
         assert grade.kept is None or grade.total / grade.out_of >= old
-    assert {each.grade.student for each in kept} == {
+    assert {each.student for each in kept} == {
         grade.student for grade in marks.grades if grade.kept is not None
     }

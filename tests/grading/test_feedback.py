@@ -22,8 +22,8 @@ from kinegrade.grading.feedback_folder import write_feedback
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
 from kinegrade.grading.hints import Hint, hint
-from kinegrade.grading.marked_class import answers_by_student, complaints, student_totals
 from kinegrade.grading.paper_record import PaperRecords, RightAnswer
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, Page, mark_class
 
 HOSTILE = ("<script>alert(1)</script>", "|_[x](javascript:alert(1))_$a$", "=cmd|' /C calc'!A0")
@@ -40,7 +40,10 @@ WORDING = ExamWording(
 
 def sheets(folder: Path, *rows: tuple[str, ...], language: str = "en") -> list[FeedbackSheet]:
     exam, marks = mark_class(folder, {str(place): row for place, row in enumerate(rows)})
-    return [sheet for _, sheet in feedback_sheets(marks, open_exam(exam), WORDING, language)]  # type: ignore[arg-type]
+    return [
+        sheet
+        for _, sheet in feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
+    ]  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -193,7 +196,7 @@ def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> F
     lines = file.read_text(encoding="utf-8").splitlines()
     lines[1] = f"7,q1,v_B,1,1,m/s,{marked}"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    ((_, sheet),) = feedback_sheets(marks, open_exam(exam), WORDING, language)
+    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
     return sheet.questions[0].rows[0]
 
 
@@ -201,7 +204,7 @@ def test_a_total_that_was_kept_is_told(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"7": ("1", "2", "3")})
     grades = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(grades.replace(",0,9.5,0", ",8,9.5,84.21"), encoding="utf-8")
-    ((_, sheet),) = feedback_sheets(marks, open_exam(exam), WORDING, "en")
+    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert (sheet.total, sheet.kept) == ("8 / 9.5", True)
     assert sheet.words.kept in feedback_markdown(sheet)
     assert sheet.words.kept in feedback_html(sheet)
@@ -213,7 +216,7 @@ def test_questions_follow_as_on_the_paper(tmp_path: Path) -> None:
     (exam / "key.jsonl").write_text(
         json.dumps(record | {"printed": ["q2", "q1"]}), encoding="utf-8"
     )
-    ((_, sheet),) = feedback_sheets(marks, open_exam(exam), WORDING, "en")
+    ((_, sheet),) = feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
     assert [question.heading for question in sheet.questions] == [
         "Question 1 (no. 2 in the answer sheet)",
         "Question 2 (no. 1 in the answer sheet)",
@@ -265,15 +268,26 @@ def test_nothing_a_student_typed_becomes_markdown(tmp_path: Path) -> None:
 def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT, "007": ()})
     assert (
-        write_feedback(open_exam(exam), marks, tmp_path / "OUT", WORDING, "md", language="en") == 2
+        write_feedback(
+            open_exam(exam), MarksFolder(marks), tmp_path / "OUT", WORDING, "md", language="en"
+        )
+        == 2
     )
     listed = list(csv.DictReader((tmp_path / "OUT" / "feedback.csv").open(encoding="utf-8-sig")))
     assert [row["file"] for row in listed] == ["sheets/a%2Fb.md", "sheets/007.md"]
     assert all((tmp_path / "OUT" / row["file"]).is_file() for row in listed)
     with pytest.raises(OutputError, match="already exists - expected a new folder"):
-        write_feedback(open_exam(exam), marks, tmp_path / "OUT", WORDING, "html", language="en")
+        write_feedback(
+            open_exam(exam), MarksFolder(marks), tmp_path / "OUT", WORDING, "html", language="en"
+        )
     write_feedback(
-        open_exam(exam), marks, tmp_path / "OUT", WORDING, "html", language="zh", force=True
+        open_exam(exam),
+        MarksFolder(marks),
+        tmp_path / "OUT",
+        WORDING,
+        "html",
+        language="zh",
+        force=True,
     )
     assert sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir()) == [
         "007.html",
@@ -289,13 +303,25 @@ def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> Non
         match=r"solutions/a%2Fb.pdf: cannot be read .* - generate the exam with --solutions",
     ):
         write_feedback(
-            open_exam(exam), marks, tmp_path / "OUT", WORDING, "html", language="en", solutions=True
+            open_exam(exam),
+            MarksFolder(marks),
+            tmp_path / "OUT",
+            WORDING,
+            "html",
+            language="en",
+            solutions=True,
         )
     assert not (tmp_path / "OUT").exists()
     (exam / "solutions").mkdir()
     (exam / "solutions" / "a%2Fb.pdf").write_bytes(b"%PDF")
     write_feedback(
-        open_exam(exam), marks, tmp_path / "OUT", WORDING, form, language="en", solutions=True
+        open_exam(exam),
+        MarksFolder(marks),
+        tmp_path / "OUT",
+        WORDING,
+        form,
+        language="en",
+        solutions=True,
     )  # type: ignore[arg-type]
     assert (tmp_path / "OUT" / "sheets" / "a%2Fb-solution.pdf").read_bytes() == b"%PDF"
     assert "a%252Fb-solution.pdf" in (tmp_path / "OUT" / "sheets" / f"a%2Fb.{form}").read_text(
@@ -306,7 +332,9 @@ def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> Non
 def test_the_same_marks_give_the_same_bytes(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"1": HOSTILE, "2": RIGHT})
     for name in ("A", "B"):
-        write_feedback(open_exam(exam), marks, tmp_path / name, WORDING, "html", language="en")
+        write_feedback(
+            open_exam(exam), MarksFolder(marks), tmp_path / name, WORDING, "html", language="en"
+        )
     files = [path.relative_to(tmp_path / "A") for path in (tmp_path / "A").rglob("*.*")]
     assert len(files) == 3
     assert all(
@@ -322,7 +350,7 @@ def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
         ExamError,
         match='student "8" is not in exam.json and grades.csv - expected the marks of this',
     ):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     with pytest.raises(
         ExamError, match='no paper of student "8" - expected one for everybody who is marked'
     ):
@@ -343,9 +371,9 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
         "this exam - name the exam folder by which they were made"
     )
     with pytest.raises(ExamError, match=message):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     with pytest.raises(ExamError, match=message):
-        tally(marks, open_exam(exam))
+        tally(MarksFolder(marks), open_exam(exam))
 
 
 @pytest.mark.parametrize(
@@ -357,8 +385,14 @@ def test_marks_of_another_exam_with_the_same_students_are_refused_by_feedback_an
             r"marks.csv:2: 2 cells under 10 - expected the file as kinegrade grade wrote it - "
             r"grade again",
         ),
-        ("HEAD\n7,q1,a,1,1,m,right,much,4,\n", 'marks.csv:2: "much" stands where points should'),
-        ("HEAD\n7,q1,a,1,1,m,right,1/0,4,\n", 'marks.csv:2: "1/0" stands where points should'),
+        (
+            "HEAD\n7,q1,a,1,1,m,right,much,4,\n",
+            'marks.csv:2: points is "much" - expected a number of zero or more',
+        ),
+        (
+            "HEAD\n7,q1,a,1,1,m,right,1/0,4,\n",
+            'marks.csv:2: points is "1/0" - expected a number of zero',
+        ),
         ('HEAD\n7,q1,a,"1"1,1,m,right,4,4,\n', "is not a CSV file in UTF-8"),
     ],
 )
@@ -368,26 +402,26 @@ def test_marks_that_were_changed_by_hand_are_refused(
     head = "student,question,ask,response,read_as,unit,verdict,points,out_of,reason"
     (tmp_path / "marks.csv").write_text(text.replace("HEAD", head), encoding="utf-8")
     with pytest.raises(TableError, match=message):
-        list(answers_by_student(tmp_path))
+        list(MarksFolder(tmp_path).answers_by_student())
 
 
 def test_marks_that_are_missing_are_refused(tmp_path: Path) -> None:
     with pytest.raises(
         TableError, match=r"grades.csv: cannot be read \(No such file .* made by kinegrade grade"
     ):
-        student_totals(tmp_path)
+        _ = MarksFolder(tmp_path).totals
     (tmp_path / "complaints.csv").write_text(
         "file,line,column,content,problem,done\na,x,,,,\n", encoding="utf-8"
     )
     with pytest.raises(
-        TableError, match='complaints.csv:2: line is "x" - expected the file as kinegrade'
+        TableError, match='complaints.csv:2: line is "x" - expected the number of a line'
     ):
-        complaints(tmp_path)
+        MarksFolder(tmp_path).complaints()
 
 
 def test_what_was_made_safe_for_spreadsheets_is_shown_as_it_was_typed(tmp_path: Path) -> None:
     _, marks = mark_class(tmp_path, {"7": ("=1+1", "'=1", "-1")})
-    ((_, answers),) = answers_by_student(marks)
+    ((_, answers),) = MarksFolder(marks).answers_by_student()
     assert [answer.typed for answer in answers] == ["=1+1", "'=1", "-1"]
     assert "'=1+1" in (marks / "marks.csv").read_text(encoding="utf-8")
 
@@ -399,12 +433,12 @@ def test_a_broken_key_is_told(tmp_path: Path, line: str) -> None:
     exam, marks = mark_class(tmp_path, {"7": RIGHT})
     (exam / "key.jsonl").write_text(line + "\n", encoding="utf-8")
     with pytest.raises(ExamError, match=r"key.jsonl.* is broken .* - restore the exam folder"):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     (exam / "key.jsonl").unlink()
     with pytest.raises(
         ExamError, match=r"key.jsonl: cannot be read .* - expected an exam folder made by kinegrade"
     ):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
 
 
 def test_a_broken_exam_is_told(tmp_path: Path) -> None:
@@ -413,7 +447,7 @@ def test_a_broken_exam_is_told(tmp_path: Path) -> None:
     with pytest.raises(
         ExamError, match=r"exam.json: format: missing - .* - restore the exam folder"
     ):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     (exam / "exam.json").unlink()
     with pytest.raises(ExamError, match=r"exam.json: cannot be read"):
-        list(feedback_sheets(marks, open_exam(exam), WORDING, "en"))
+        list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))

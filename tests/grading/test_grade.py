@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.amounts import amount_text
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.grading.amounts import amount_text
 from kinegrade.grading.grade import grade
 from kinegrade.grading.marks import ClassGrades, Grade
 from kinegrade.lms import moodle

@@ -15,6 +15,7 @@ from kinegrade.lms.dialect import Dialect, ExportOptions
 from kinegrade.lms.fill_in import Filled, fill_in
 from kinegrade.lms.from_scratch import Fresh, new_file
 from kinegrade.lms.grades import ClassGrades, read_grades
+from kinegrade.marks_folder.folder import MarksFolder
 
 STUDENTS = {
     "0012345": ("王伟", "w1@example.invalid"),
@@ -96,7 +97,9 @@ def write_exam(folder: Path, title: str = "Kinematics quiz", language: str = "en
 
 def grades_of(folder: Path) -> ClassGrades:
     """The class with titles and e-mails."""
-    return read_grades(write_marks(folder / "MARKS"), open_exam(write_exam(folder / "EXAM")))
+    return read_grades(
+        MarksFolder(write_marks(folder / "MARKS")), open_exam(write_exam(folder / "EXAM"))
+    )
 
 
 def fresh(folder: Path, dialect: Dialect, options: ExportOptions | None = None) -> Fresh:

@@ -11,6 +11,8 @@ import pytest
 from openpyxl import load_workbook
 
 from kinegrade.cli.export import SYSTEMS
+from kinegrade.csv_writing import write_csv
+from kinegrade.marks_folder.layout import KEPT
 from tests.lms.marked_folder import STUDENTS, write_exam, write_marks
 from tests.small_class import kinegrade
 
@@ -67,7 +69,7 @@ def test_an_earlier_total_that_is_kept_is_exported_though_its_student_was_absent
     (marks / "grades.csv").write_text(
         text.replace(",0,0,0,10,0,", ",0,0,5,10,50,"), encoding="utf-8"
     )
-    (marks / "kept.csv").write_text(f"student,stands,reason\n{ABSENT},5,x\n", encoding="utf-8")
+    write_csv(marks / "kept.csv", KEPT.columns, [(ABSENT, "x", "5", "10", "0", "10", "5", "x")])
     assert f"{ABSENT},'=HYPERLINK(1),5," in exported(tmp_path, "moodle")
     rows = grades_sheet(tmp_path)
     assert rows[ABSENT] == ["=HYPERLINK(1)", None, None, 5, 10, 50, "absent"]

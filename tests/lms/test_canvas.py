@@ -14,6 +14,7 @@ import pytest
 from kinegrade.errors import TableError
 from kinegrade.lms.canvas import CANVAS
 from kinegrade.lms.dialect import ExportOptions
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_exam, write_marks
 from tests.small_class import kinegrade
@@ -257,4 +258,4 @@ def test_a_new_assignment_needs_a_title(tmp_path: Path) -> None:
         TableError,
         match="Canvas: the item has no title - expected one - give it by --title, or name",
     ):
-        new_file(CANVAS, read_grades(write_marks(tmp_path)), ExportOptions())
+        new_file(CANVAS, read_grades(MarksFolder(write_marks(tmp_path))), ExportOptions())

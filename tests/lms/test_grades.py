@@ -9,11 +9,12 @@ import pytest
 from kinegrade.errors import ExamError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.grades import read_grades
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.marked_folder import write_exam, write_marks
 
 
 def test_blanks_and_dashes_are_nothing_handed_in(tmp_path: Path) -> None:
-    grades = read_grades(write_marks(tmp_path))
+    grades = read_grades(MarksFolder(write_marks(tmp_path)))
     assert [each.student for each in grades.students if not each.handed_in] == ["0012347"]
     assert grades.questions == ("q1", "q2")
 
@@ -22,12 +23,12 @@ def test_points_without_an_answer_count_as_handed_in(tmp_path: Path) -> None:
     marks = write_marks(tmp_path)  # a kept total, or full points for a void question
     text = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(text.replace("0,0,0,10", "0,0,5,10"), encoding="utf-8")
-    assert all(each.handed_in for each in read_grades(marks).students)
+    assert all(each.handed_in for each in read_grades(MarksFolder(marks)).students)
 
 
 def test_an_exam_gives_title_and_addresses(tmp_path: Path) -> None:
     grades = read_grades(
-        write_marks(tmp_path), open_exam(write_exam(tmp_path / "EXAM", " A\n title "))
+        MarksFolder(write_marks(tmp_path)), open_exam(write_exam(tmp_path / "EXAM", " A\n title "))
     )
     assert grades.title == "A title"
     assert [each.email for each in grades.students][::3] == ["w1@example.invalid", ""]
@@ -68,7 +69,7 @@ def test_a_damaged_or_another_exam_is_refused(
     if content is not None:
         (tmp_path / "exam.json").write_text(content, encoding="utf-8")
     with pytest.raises(ExamError, match=message):
-        read_grades(write_marks(tmp_path / "MARKS"), open_exam(tmp_path))
+        read_grades(MarksFolder(write_marks(tmp_path / "MARKS")), open_exam(tmp_path))
 
 
 def test_a_total_that_is_no_number_is_refused(tmp_path: Path) -> None:
@@ -76,4 +77,4 @@ def test_a_total_that_is_no_number_is_refused(tmp_path: Path) -> None:
     text = (marks / "grades.csv").read_text(encoding="utf-8")
     (marks / "grades.csv").write_text(text.replace("8.25", "8,25x"), encoding="utf-8")
     with pytest.raises(TableError, match="grades.csv:2|grades.csv: .*the line has"):
-        read_grades(marks)
+        read_grades(MarksFolder(marks))

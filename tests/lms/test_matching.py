@@ -13,6 +13,7 @@ from kinegrade.lms.dialect import ExportOptions
 from kinegrade.lms.fill_in import fill_in
 from kinegrade.lms.grades import read_grades
 from kinegrade.lms.moodle import MOODLE
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.marked_folder import changed, filled, write_marks
 
 GRADE = "Quiz (Real)"
@@ -53,7 +54,7 @@ def test_a_number_in_short_form_is_nobody_certain(tmp_path: Path) -> None:
     marks = write_marks(tmp_path / "MARKS", students=long)
     path = tmp_path / "download.csv"
     path.write_text(f"ID number,{GRADE}\n2.021E+11,\n202100000003,\n", encoding="utf-8")
-    result = fill_in(MOODLE, read_grades(marks), path, ExportOptions())
+    result = fill_in(MOODLE, read_grades(MarksFolder(marks)), path, ExportOptions())
     complaints = [str(each) for each in result.complaints]
     assert result.content.decode().splitlines()[1:] == ["2.021E+11,", "202100000003,9.6667"]
     for complaint in complaints[:2]:

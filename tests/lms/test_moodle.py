@@ -14,6 +14,7 @@ from kinegrade.lms.dialect import ExportOptions
 from kinegrade.lms.fill_in import fill_in
 from kinegrade.lms.grades import read_grades
 from kinegrade.lms.moodle import MOODLE, export
+from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.tables import parse_table
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_marks
@@ -53,7 +54,7 @@ def sample(language: str) -> bytes:
 
 
 def test_the_file_is_what_moodle_imports(tmp_path: Path) -> None:
-    assert export(folder(tmp_path)) == (
+    assert export(MarksFolder(folder(tmp_path))) == (
         "ID number,Full name,Grade,Feedback\n"
         "0012345,王伟,7,1: 4/7; 2: 3/3\n"
         '=9,"O\'Neil, ""Zoë""",0.3333,1: 0/7; 2: 0.3333/3\n'
@@ -61,25 +62,25 @@ def test_the_file_is_what_moodle_imports(tmp_path: Path) -> None:
 
 
 def test_the_golden_file(tmp_path: Path, hold: Hold) -> None:
-    hold("lms/moodle.csv", export(write_marks(tmp_path)))
+    hold("lms/moodle.csv", export(MarksFolder(write_marks(tmp_path))))
 
 
 def test_feedback_holds_no_html(tmp_path: Path) -> None:
     marked = folder(tmp_path, GRADES.replace("q1", "<b>"), MARKS.replace("q1", "<b>"))
-    assert "&lt;b&gt;: 4/7" in export(marked)
+    assert "&lt;b&gt;: 4/7" in export(MarksFolder(marked))
 
 
 def test_who_handed_in_nothing_is_left_out_because_an_empty_grade_erases_one(
     tmp_path: Path,
 ) -> None:
-    assert "0012347" not in export(write_marks(tmp_path))
+    assert "0012347" not in export(MarksFolder(write_marks(tmp_path)))
     everybody = fresh(tmp_path, MOODLE, ExportOptions(ungraded=True))
     assert "0012347,'=HYPERLINK(1),0,1: 0/7; 2: 0/3\n" in everybody.text
     assert (everybody.students, fresh(tmp_path, MOODLE).students) == (4, 3)
 
 
 def test_lines_are_of_one_length_not_blank_and_without_the_export_time(tmp_path: Path) -> None:
-    table = parse_table(export(write_marks(tmp_path)).encode(), "moodle.csv")
+    table = parse_table(export(MarksFolder(write_marks(tmp_path))).encode(), "moodle.csv")
     assert table.complaints == ()
     assert {len(row.cells) for row in table.rows} == {len(table.header)} == {4}
     assert not any("downloaded" in title.lower() for title in table.header)
@@ -91,7 +92,7 @@ def test_a_grade_above_the_maximum_would_stop_the_whole_import(tmp_path: Path) -
     with pytest.raises(
         TableError, match='student "0012345": 11 points of 10 - expected no more than there are'
     ):
-        export(more)
+        export(MarksFolder(more))
 
 
 def test_questions_in_columns_of_their_own(tmp_path: Path) -> None:
@@ -220,7 +221,10 @@ def test_where_nobodys_address_is_known_the_exam_is_asked_for(tmp_path: Path) ->
         TableError, match=r"other keys \(--by\), or the exam that knows the addresses \(--exam\)"
     ):
         fill_in(
-            MOODLE, read_grades(write_marks(tmp_path)), tmp_path / "download.csv", ExportOptions()
+            MOODLE,
+            read_grades(MarksFolder(write_marks(tmp_path))),
+            tmp_path / "download.csv",
+            ExportOptions(),
         )
 
 
@@ -241,14 +245,15 @@ def test_moodle_keeps_five_decimals(tmp_path: Path) -> None:
 
 def test_a_damaged_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(TableError, match="grades.csv: cannot be read"):
-        export(tmp_path)
+        export(MarksFolder(tmp_path))
     with pytest.raises(
         TableError, match="grades.csv: no column total - expected the file as kinegrade"
     ):
-        export(folder(tmp_path, grades=GRADES.replace("total", "sum")))
-    with pytest.raises(TableError, match="grades.csv: .*the line has 1 cells, the header 7"):
-        export(folder(tmp_path, grades=GRADES + "7\n"))
+        export(MarksFolder(folder(tmp_path, grades=GRADES.replace("total", "sum"))))
+    with pytest.raises(TableError, match="grades.csv:.*the line has 1 cells, the header 7"):
+        export(MarksFolder(folder(tmp_path, grades=GRADES + "7\n")))
     with pytest.raises(
-        TableError, match='marks.csv:6: out_of is "x" - expected a number - grade again'
+        TableError,
+        match='marks.csv:6: out_of is "x" - expected a number of zero or more - grade again',
     ):
-        export(folder(tmp_path, marks=MARKS.replace("0,4,", "0,x,")))
+        export(MarksFolder(folder(tmp_path, marks=MARKS.replace("0,4,", "0,x,"))))

@@ -13,7 +13,7 @@ import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.paper_record import PaperRecords
-from kinegrade.grading.pool import read_put
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.test_canvas_pool import analysis, groups, pooled
 from tests.lms.test_pool_texts import STUDENTS, set_exam
 from tests.problem.crank import crank_text
@@ -113,7 +113,7 @@ def test_numbers_of_several_variants_are_no_numbers_of_one_question(
     each.
     """
     marks = graded(exam, tmp_path, {})
-    papers = PaperRecords(open_exam(exam), read_put(marks))
+    papers = PaperRecords(open_exam(exam), MarksFolder(marks).put)
     found = papers.marked("S1", ["q1.v_x", "q1.v_y"])
     assert all(isnan(number) for number in found.parameters.values())
     assert {column: float(answer.value) for column, answer in found.answers.items()} == {

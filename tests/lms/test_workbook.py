@@ -13,11 +13,12 @@ from openpyxl import load_workbook
 
 from kinegrade.errors import TableError
 from kinegrade.lms.workbook import workbook
+from kinegrade.marks_folder.folder import MarksFolder
 from tests.lms.marked_folder import write_marks
 
 
 def test_ids_names_and_answers_are_text_cells(tmp_path: Path) -> None:
-    book = load_workbook(io.BytesIO(workbook(write_marks(tmp_path))))
+    book = load_workbook(io.BytesIO(workbook(MarksFolder(write_marks(tmp_path)))))
     assert book.sheetnames == ["grades", "marks", "complaints"]
     cells = [cell for sheet in book for row in sheet for cell in row if cell.value is not None]
     assert {cell.data_type for cell in cells} == {"s", "n"}
@@ -38,7 +39,7 @@ def test_ids_names_and_answers_are_text_cells(tmp_path: Path) -> None:
 
 
 def test_the_file_does_not_say_when_it_was_made(tmp_path: Path) -> None:
-    with ZipFile(io.BytesIO(workbook(write_marks(tmp_path)))) as archive:
+    with ZipFile(io.BytesIO(workbook(MarksFolder(write_marks(tmp_path))))) as archive:
         assert {part.date_time for part in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
         assert archive.read("docProps/core.xml").count(b">2000-01-01T00:00:00Z<") == 2
 
@@ -50,7 +51,7 @@ def test_what_a_spreadsheet_cannot_hold_is_shown_otherwise(tmp_path: Path) -> No
         path.read_text(encoding="utf-8").replace("why", f'"a\x07b{"x" * 40_000}"', 1),
         encoding="utf-8",
     )
-    cell = load_workbook(io.BytesIO(workbook(marks)))["marks"]["J2"]
+    cell = load_workbook(io.BytesIO(workbook(MarksFolder(marks))))["marks"]["J2"]
     assert cell.value.startswith("a·bxx")
     assert len(cell.value) == 32_767
 
@@ -58,4 +59,4 @@ def test_what_a_spreadsheet_cannot_hold_is_shown_otherwise(tmp_path: Path) -> No
 def test_a_missing_table_is_refused(tmp_path: Path) -> None:
     (write_marks(tmp_path) / "complaints.csv").unlink()
     with pytest.raises(TableError, match="complaints.csv: cannot be read"):
-        workbook(tmp_path)
+        workbook(MarksFolder(tmp_path))

@@ -24,13 +24,13 @@ from kinegrade.fields.document import FileKind, json_table, read_text
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import Read, found
 from kinegrade.language import LANGUAGES, Language
+from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # which this kinegrade writes
 FORMATS = (1, FORMAT)  # which it reads
 _MOST_BYTES = 10**9  # a class of any size
 _HEAD_FILE = FileKind("an exam folder made by kinegrade generate", ExamError, _MOST_BYTES, REMEDY)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
-_COLUMNS_OF_GRADES = {"student", "name", "total", "out_of", "percent", "status"}
 _Item = TypeVar("_Item")
 
 
@@ -131,10 +131,10 @@ def _decoded(kind: type, value: object) -> object:
 
 def _require_identifier(name: str, value: str) -> None:
     """Raises FieldError where that cannot be the id of a question or an ask."""
-    if not _IDENTIFIER.fullmatch(value) or value in _COLUMNS_OF_GRADES:
+    if not _IDENTIFIER.fullmatch(value) or value in GRADES.columns:
         raise FieldError(
             f'"{name}" is {found(value)}',
-            'letters, digits, "_" and "-", and no column of grades.csv',
+            f'letters, digits, "_" and "-", and no column of {GRADES.name}',
         )
 
 

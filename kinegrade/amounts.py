@@ -1,9 +1,11 @@
-"""How points are written: the shortest decimal with at most four places."""
+"""How points are added, and written: the shortest decimal with at most four places."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
+from math import lcm
 
 PLACES = 4
 
@@ -36,3 +38,16 @@ def change_text(change: Fraction, places: int = PLACES) -> str:
     """
     size = amount_text(abs(change), places)
     return size if size == "0" else f"{'-' if change < 0 else '+'}{size}"
+
+
+def added(amounts: Iterable[Fraction]) -> Fraction:
+    """Their sum: by whole numbers over the common denominator, several times faster than one after
+    the other.
+    """
+    listed = tuple(amounts)
+    common = lcm(*[amount.denominator for amount in listed])
+    if common == 1:
+        return Fraction(sum([amount.numerator for amount in listed]))
+    return Fraction(
+        sum([amount.numerator * (common // amount.denominator) for amount in listed]), common
+    )

@@ -1,0 +1,111 @@
+"""The cells of a marks folder's files, read as they are written: records one after the other, whole
+tables, and amounts. What cannot be read is refused in one way.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import lru_cache
+from operator import itemgetter
+from pathlib import Path
+
+from kinegrade.errors import TableError, one_line
+from kinegrade.marks_folder.layout import TableFile
+from kinegrade.tables import Table, parse_table
+
+EXPECTED = "expected the file as kinegrade grade wrote it - grade again"
+Record = tuple[str, ...]
+_AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
+_LONGEST_SHOWN = 40
+
+
+def edited(where: Path | str, problem: str) -> str:
+    """What is said of a file that somebody changed so that it cannot be read."""
+    return f"{where}: {problem} - {EXPECTED}"
+
+
+def wrong_cell(path: Path, line: int, column: str, cell: str, expected: str) -> str:
+    """What is said of one cell."""
+    shown = one_line(cell[:_LONGEST_SHOWN])
+    return f'{path}:{line}: {column} is "{shown}" - expected {expected} - grade again'
+
+
+def wrong_amount(path: Path, line: int, column: str, cell: str) -> str:
+    """What is said of a cell that should hold a number of points."""
+    return wrong_cell(path, line, column, cell, "a number of zero or more")
+
+
+def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
+    """The cells of a file in the order of its columns, with the line at which each record ends.
+
+    One record after the other, so that a million need no memory. Raises TableError, at the line
+    where that is found.
+    """
+    path = folder / file.name
+    try:
+        with _readable(path), path.open(encoding="utf-8-sig", newline="") as stream:
+            reader = csv.reader(stream, strict=True)
+            header = next(reader, [])
+            missing = [name for name in file.columns if name not in header]
+            if missing:
+                raise TableError(edited(path, f"no column {', '.join(missing)}"))
+            chosen = itemgetter(*map(header.index, file.columns))
+            for cells in reader:
+                if len(cells) != len(header):
+                    problem = f"{len(cells)} cells under {len(header)}"
+                    raise TableError(edited(f"{path}:{reader.line_num}", problem))
+                yield reader.line_num, chosen(cells)
+    except (UnicodeDecodeError, csv.Error) as fault:
+        raise TableError(edited(path, f"is not a CSV file in UTF-8 ({fault})")) from fault
+
+
+def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
+    """The same of a file that is not in every folder."""
+    if (folder / file.name).exists():
+        yield from read_records(folder, file)
+
+
+def read_whole(folder: Path, file: TableFile) -> Table:
+    """A file at once, whatever separator a spreadsheet gave it. Raises TableError."""
+    path = folder / file.name
+    with _readable(path):
+        content = path.read_bytes()
+    table = parse_table(content, str(path))
+    required = [name for name in file.columns if name not in file.optional]
+    missing = [name for name in required if name not in table.header]
+    faults = [edited(path, f"no column {', '.join(missing)}")] if missing else []
+    for each in table.complaints:
+        where = path if each.line is None else f"{path}:{each.line}"
+        faults.append(edited(where, each.problem))
+    if faults:
+        raise TableError(*faults)
+    return table
+
+
+@lru_cache(maxsize=4096)  # few amounts are different
+def amount(cell: str) -> Fraction | None:
+    """A number of points as it is written; None for anything else."""
+    return Fraction(cell) if _AMOUNT.fullmatch(cell) else None
+
+
+def read_amount(cell: str, path: Path, line: int, column: str) -> Fraction:
+    """A number of points. Raises TableError."""
+    found = amount(cell)
+    if found is None:
+        raise TableError(wrong_amount(path, line, column, cell))
+    return found
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as fault:
+        raise TableError(
+            f"{path}: cannot be read ({fault.strerror}) - expected a folder made by kinegrade "
+            "grade - check the name"
+        ) from fault

@@ -1,0 +1,125 @@
+"""Whether grades.csv still says what marks.csv adds up to: totals that were changed by hand are
+refused.
+
+A total that kept.csv keeps is held against kept.csv. Every amount is written with four places, so a
+sum of amounts may be off by half a place for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.amounts import PLACES, amount_text
+from kinegrade.errors import TableError, one_line
+from kinegrade.marks_folder.cells import EXPECTED
+from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, STATUSES
+from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
+
+_HALF_A_PLACE = Fraction(1, 2 * 10**PLACES)
+_MOST_NAMED = 20
+
+
+def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> None:
+    """Raises TableError naming each row of grades.csv that marks.csv or kept.csv contradicts."""
+    faults = list(_faults(totals, sums))
+    if not faults:
+        return
+    path = folder / GRADES.name
+    shown = [f"{path}{fault}" for fault in faults[:_MOST_NAMED]]
+    more = len(faults) - len(shown)
+    if more:
+        shown.append(f"{path}: {more} more rows do not agree with {ANSWERS.name}")
+    raise TableError(
+        *(f"{fault} - {EXPECTED}; to change marks, grade by a --policy" for fault in shown)
+    )
+
+
+def _faults(totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[str]:
+    """What is to be said of grades.csv, each after its path."""
+    yield from _doubled(totals)
+    rows = dict(totals.by_student)
+    full = 0  # lines of the first student: nobody has more
+    for each in sums:
+        row = rows.pop(each.student, None)
+        if row is None:
+            yield f': student "{one_line(each.student)}" has marks and no row here'
+            continue
+        lines = sum(each.lines.values())
+        if not full:
+            full = lines
+            yield from (f": no column {name}" for name in each.points if name not in row.points)
+        problems = "; ".join(_problems(row, each, is_whole=lines == full))
+        if problems:
+            yield _of_row(row, problems)
+    for row in rows.values():
+        yield _of_row(row, f"has no lines in {ANSWERS.name}")
+
+
+def _doubled(totals: ClassTotals) -> Iterator[str]:
+    seen: set[str] = set()
+    for row in totals.students:
+        if row.student in seen:
+            yield _of_row(row, "stands there twice")
+        seen.add(row.student)
+
+
+def _of_row(row: StudentTotal, problem: str) -> str:
+    return f':{row.line}: student "{one_line(row.student)}": {problem}'
+
+
+def _problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[str]:
+    """What the row of a student says otherwise than the sums.
+
+    Where lines of marks.csv are missing, what reports or compares them sees that.
+    """
+    lines = sum(sums.lines.values())
+    problems = [*_wrong_points(row, sums), *_wrong_total(row, sums, lines)]
+    if is_whole:
+        problems += _difference("out_of", row.out_of, sums.total_out_of, lines)
+    problems += _wrong_status(row, sums)
+    return problems or list(_wrong_percent(row))
+
+
+def _wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+    for name, points in row.points.items():
+        expected, lines = sums.points.get(name, Fraction(0)), sums.lines.get(name, 0)
+        yield from _difference(name, points, expected, lines)
+
+
+def _wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[str]:
+    if row.kept is None:
+        yield from _difference("total", row.total, sums.total, lines)
+    elif row.total != row.kept.stands:
+        stands = amount_text(row.kept.stands)
+        yield f"total is {amount_text(row.total)}, {stands} by {KEPT.name}"
+
+
+def _wrong_percent(row: StudentTotal) -> Iterator[str]:
+    """The share is held against the total and the maximum beside it; all three are rounded."""
+    if row.percent is None:
+        return
+    expected = 100 * row.share
+    rounding = Fraction(1, 100) * (1 + (1 / row.out_of if row.out_of else 0))
+    if abs(row.percent - expected) > rounding:
+        shown = amount_text(expected, places=2)
+        yield f"percent is {amount_text(row.percent)}, {shown} by the total"
+
+
+def _wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
+    """Folders of earlier versions have no status."""
+    if row.status is None:
+        return
+    if row.status not in STATUSES:
+        yield f'status is "{one_line(row.status[:40])}", neither {" nor ".join(STATUSES)}'
+    elif row.status == "absent" and sums.answered:
+        yield f"status is absent, and {ANSWERS.name} has answers"
+
+
+def _difference(name: str, amount: Fraction, expected: Fraction, lines: int) -> Iterator[str]:
+    """What to say where an amount is not the sum of so many, each of them rounded."""
+    if amount == expected:
+        return
+    if abs(amount - expected) > (lines + 1) * _HALF_A_PLACE:
+        yield f"{name} is {amount_text(amount)}, {amount_text(expected)} by {ANSWERS.name}"

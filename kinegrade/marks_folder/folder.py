@@ -1,0 +1,172 @@
+"""A marks folder, read: the one way to what `kinegrade grade` wrote.
+
+A command opens the folder once, by `open_marks`, and passes it on. What is in a file is read when
+it is asked for; marks.csv one line after the other, so that a class of any size needs no memory.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+from operator import attrgetter
+from pathlib import Path
+
+from kinegrade.csv_writing import restored
+from kinegrade.errors import TableError
+from kinegrade.exact.written import NumberError, written_number
+from kinegrade.marks_folder.cells import (
+    Record,
+    read_amount,
+    read_records,
+    read_records_if_any,
+    read_whole,
+    wrong_cell,
+)
+from kinegrade.marks_folder.check import refuse_changed_totals
+from kinegrade.marks_folder.layout import (
+    ANSWERS,
+    COMPLAINTS,
+    FOR_PEOPLE,
+    GRADES,
+    KEPT,
+    PRINTED,
+    PUT,
+    QUESTIONS_BETWEEN,
+)
+from kinegrade.marks_folder.rows import (
+    ClassTotals,
+    KeptTotal,
+    MarkedAnswer,
+    Orders,
+    Put,
+    StudentSums,
+)
+from kinegrade.marks_folder.sums import read_sums
+from kinegrade.marks_folder.totals import read_totals
+from kinegrade.tables import Complaint, Table
+
+_PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
+
+
+@dataclass(frozen=True)
+class MarksFolder:
+    """The files of a marks folder at `path`. Every reading raises TableError for a file that is
+    missing, or that `grade` cannot have written.
+    """
+
+    path: Path
+
+    @cached_property
+    def totals(self) -> ClassTotals:
+        """grades.csv, with what kept.csv says of its students."""
+        return read_totals(self.path, self.kept)
+
+    @cached_property
+    def kept(self) -> Mapping[str, KeptTotal]:
+        """Whose earlier total stands; empty where there is no kept.csv."""
+        path = self.path / KEPT.name
+        records = read_records_if_any(self.path, KEPT)
+        return {cells[0]: _kept_total(cells, path, line) for line, cells in records}
+
+    @cached_property
+    def put(self) -> Put:
+        """Whose line of the key answers were marked by, where questions came from a pool; empty
+        where everybody's own.
+        """
+        found: dict[str, dict[str, str]] = {}
+        for _, (student, question, ask, source) in read_records_if_any(self.path, PUT):
+            found.setdefault(student, {})[f"{question}.{ask}"] = source
+        return found
+
+    @cached_property
+    def printed(self) -> Orders:
+        """The orders of questions on paper that differ from that of grades.csv."""
+        found: dict[str, tuple[str, ...]] = {}
+        for line, (student, listed) in read_records_if_any(self.path, PRINTED):
+            found[student] = tuple(listed.split(QUESTIONS_BETWEEN))
+            if sorted(found[student]) != sorted(self.totals.questions):
+                expected = f"the questions of {GRADES.name} in the order of the paper"
+                path = self.path / PRINTED.name
+                raise TableError(wrong_cell(path, line, "questions", listed, expected))
+        return found
+
+    def answers(self) -> Iterator[MarkedAnswer]:
+        """The lines of marks.csv one by one."""
+        path = self.path / ANSWERS.name
+        for line, cells in read_records(self.path, ANSWERS):
+            student, question, ask, typed, read_as, unit, verdict, points, out_of, reason = cells
+            yield MarkedAnswer(
+                student,
+                question,
+                ask,
+                restored(typed),
+                _number(read_as, path, line),
+                unit,
+                verdict,
+                read_amount(points, path, line, "points"),
+                read_amount(out_of, path, line, "out_of"),
+                restored(reason),
+            )
+
+    def answers_by_student(self) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
+        """The answers of each student, in the order of the roster and of the asks; one student at
+        a time.
+        """
+        for student, answers in groupby(self.answers(), attrgetter("student")):
+            yield student, tuple(answers)
+
+    def sums(self) -> Iterator[StudentSums]:
+        """What marks.csv adds up to, one student at a time."""
+        return read_sums(self.path)
+
+    def complaints(self) -> tuple[Complaint, ...]:
+        """The lines of complaints.csv."""
+        path = self.path / COMPLAINTS.name
+        found = []
+        for line, cells in read_records(self.path, COMPLAINTS):
+            file, number, column, content, problem, done = map(restored, cells)
+            if number and not number.isdecimal():
+                raise TableError(wrong_cell(path, line, "line", number, "the number of a line"))
+            found.append(
+                Complaint(file, int(number) if number else None, column, content, problem, done)
+            )
+        return tuple(found)
+
+    def tables(self) -> Iterator[tuple[str, Table]]:
+        """The tables that people look at, as they stand, each with its name."""
+        for file in FOR_PEOPLE:
+            yield Path(file.name).stem, read_whole(self.path, file)
+
+
+def open_marks(path: Path) -> MarksFolder:
+    """The marks folder there. Raises TableError where its totals are not what its marks add up to,
+    or where it is none.
+    """
+    folder = MarksFolder(path)
+    refuse_changed_totals(path, folder.totals, folder.sums())
+    return folder
+
+
+def _kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
+    student, name, *amounts, reason = cells
+    columns = KEPT.columns[2:-1]
+    points = [
+        read_amount(cell, path, line, column) for cell, column in zip(amounts, columns, strict=True)
+    ]
+    return KeptTotal(student, restored(name), restored(reason), *points)
+
+
+def _number(text: str, path: Path, line: int) -> str:
+    """What an answer was read as, as it stands there, if it is a number of bounded size or
+    empty.
+    """
+    if not text or _PLAIN.fullmatch(text):
+        return text
+    try:
+        written_number(text)
+    except NumberError as fault:
+        raise TableError(wrong_cell(path, line, "read_as", text, "a number")) from fault
+    return text

@@ -1,0 +1,74 @@
+"""What stands in a marks folder: the names of its files and of their columns, once for what writes
+them and what reads them.
+
+Columns are found by their names, so that columns which a later version adds do no harm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, Literal, NamedTuple
+
+
+class TableFile(NamedTuple):
+    """A file of the folder that is a table: its columns in the order in which they are written,
+    and those that may be missing.
+    """
+
+    name: str
+    columns: tuple[str, ...]
+    optional: tuple[str, ...] = ()
+
+
+class AnswerCells(NamedTuple):
+    """Lines of marks.csv, column by column: cells as they stand in a CSV file, each column as long
+    as the others. A class is written faster so than line by line.
+    """
+
+    student: Sequence[str]
+    question: Sequence[str]
+    ask: Sequence[str]
+    response: Sequence[str]
+    read_as: Sequence[str]
+    unit: Sequence[str]
+    verdict: Sequence[str]
+    points: Sequence[str]
+    out_of: Sequence[str]
+    reason: Sequence[str]
+
+
+# In grades.csv a column for each question stands between these
+_BEFORE_QUESTIONS = ("student", "name")
+_AFTER_QUESTIONS = ("total", "out_of", "percent", "status")
+_KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
+
+ANSWERS: Final = TableFile("marks.csv", AnswerCells._fields)
+# Earlier versions wrote no status
+GRADES: Final = TableFile(
+    "grades.csv", (*_BEFORE_QUESTIONS, *_AFTER_QUESTIONS), optional=("percent", "status")
+)
+COMPLAINTS: Final = TableFile(
+    "complaints.csv", ("file", "line", "column", "content", "problem", "done")
+)
+# Only where --never-lower was given
+KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"))
+# Only where questions came from a pool: whose line of the key each answer was marked by
+PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
+# Only where questions stood in another order than the bank's
+PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
+QUESTIONS_BETWEEN: Final = " "  # no identifier of a question holds one
+POLICY: Final = "policy.toml"
+_TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED)
+FILES: Final = (*(file.name for file in _TABLES), POLICY)
+MARKER: Final = COMPLAINTS.name  # by which kinegrade knows a folder as one of marks
+
+Status = Literal["marked", "absent"]  # who is absent answered nothing at all
+STATUSES: Final[tuple[Status, ...]] = ("marked", "absent")
+FOR_PEOPLE: Final = (GRADES, ANSWERS, COMPLAINTS)
+_OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # and the columns of questions
+TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
+
+
+def grades_header(questions: tuple[str, ...]) -> tuple[str, ...]:
+    """The columns of grades.csv for these questions."""
+    return (*_BEFORE_QUESTIONS, *questions, *_AFTER_QUESTIONS)

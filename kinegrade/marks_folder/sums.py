@@ -1,0 +1,58 @@
+"""What the lines of marks.csv add up to, one student after the other."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import groupby
+from pathlib import Path
+
+from kinegrade.amounts import added
+from kinegrade.csv_writing import restored
+from kinegrade.errors import TableError, one_line
+from kinegrade.marks_folder.cells import Record, edited, read_amount, read_records
+from kinegrade.marks_folder.layout import ANSWERS
+from kinegrade.marks_folder.rows import StudentSums
+from kinegrade.tables import trimmed
+
+_DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d"
+_Line = tuple[int, Record]
+
+
+def read_sums(folder: Path) -> Iterator[StudentSums]:
+    """The sums of each student, in the order of marks.csv. Raises TableError, at the line where
+    that is found.
+    """
+    path = folder / ANSWERS.name
+    seen: set[str] = set()
+    for student, lines in groupby(read_records(folder, ANSWERS), _student):
+        sums = _sums(student, lines, path)
+        if student in seen:
+            problem = f'the lines of student "{one_line(student)}" do not stand together'
+            raise TableError(edited(f"{path}:{sums.line}", problem))
+        seen.add(student)
+        yield sums
+
+
+def _student(line: _Line) -> str:
+    return line[1][0]
+
+
+def _sums(student: str, lines: Iterable[_Line], path: Path) -> StudentSums:
+    points, out_of = defaultdict[str, list[Fraction]](list), defaultdict[str, list[Fraction]](list)
+    answered, line = False, 0
+    for line, (_, question, _, response, _, _, _, got, possible, _) in lines:
+        points[question].append(read_amount(got, path, line, "points"))
+        out_of[question].append(read_amount(possible, path, line, "out_of"))
+        answered = answered or _is_answer(response)
+    counts = {question: len(amounts) for question, amounts in points.items()}
+    return StudentSums(line, student, _by_question(points), _by_question(out_of), counts, answered)
+
+
+def _is_answer(response: str) -> bool:
+    return bool(response) and bool(trimmed(restored(response)).strip(f"{_DASHES} "))
+
+
+def _by_question(amounts: Mapping[str, Sequence[Fraction]]) -> Mapping[str, Fraction]:
+    return {question: added(each) for question, each in amounts.items()}

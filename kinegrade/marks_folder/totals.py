@@ -1,0 +1,63 @@
+"""grades.csv, read with what kept.csv says of its students."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.csv_writing import restored
+from kinegrade.errors import TableError
+from kinegrade.marks_folder.cells import amount, read_whole, wrong_amount
+from kinegrade.marks_folder.layout import GRADES
+from kinegrade.marks_folder.rows import ClassTotals, KeptTotal, StudentTotal
+from kinegrade.tables import Row, Table
+
+
+def read_totals(folder: Path, kept: Mapping[str, KeptTotal]) -> ClassTotals:
+    """Everybody's line of grades.csv. Raises TableError with all cells that are no amounts."""
+    table = read_whole(folder, GRADES)
+    questions = tuple(name for name in table.header if name not in GRADES.columns)
+    reader = _Reader(folder / GRADES.name, table, questions, kept)
+    students = tuple(map(reader.total, table.rows))
+    if reader.faults:
+        raise TableError(*reader.faults)
+    return ClassTotals(questions, students)
+
+
+@dataclass
+class _Reader:
+    """Rows by the columns of their table; `faults` are those found so far."""
+
+    path: Path
+    table: Table
+    questions: tuple[str, ...]
+    kept: Mapping[str, KeptTotal]
+    faults: list[str] = field(default_factory=list)
+
+    def total(self, row: Row) -> StudentTotal:
+        """A row, typed."""
+        cells = {name: row.cell(place) for place, name in enumerate(self.table.header)}
+        amounts = {
+            name: self._amount(row, name, cells[name])
+            for name in (*self.questions, "total", "out_of", "percent")
+            if name in cells
+        }
+        return StudentTotal(
+            row.line,
+            cells["student"],
+            restored(cells["name"]),
+            {name: amounts[name] for name in self.questions},
+            amounts["total"],
+            amounts["out_of"],
+            amounts.get("percent"),
+            cells.get("status"),
+            self.kept.get(cells["student"]),
+        )
+
+    def _amount(self, row: Row, column: str, cell: str) -> Fraction:
+        found = amount(cell)
+        if found is None:
+            self.faults.append(wrong_amount(self.path, row.line, column, cell))
+        return found or Fraction(0)

@@ -1,0 +1,125 @@
+"""Writing the files of a marks folder: marks.csv while the class is marked, the others after it.
+
+Typed text and names are written `neutralised`, so that no cell runs as a formula in a spreadsheet;
+ids and numbers are written as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+from kinegrade.amounts import amount_text
+from kinegrade.csv_writing import csv_text, encoded, neutralised, write_csv, write_for_people
+from kinegrade.marks_folder.layout import (
+    ANSWERS,
+    COMPLAINTS,
+    GRADES,
+    KEPT,
+    POLICY,
+    PRINTED,
+    PUT,
+    QUESTIONS_BETWEEN,
+    AnswerCells,
+    Status,
+    grades_header,
+)
+from kinegrade.marks_folder.rows import Grade, KeptTotal, Orders
+from kinegrade.tables import Complaint
+
+_NO_POLICY = "# No policy: marked as the papers say.\n"
+
+
+@dataclass(frozen=True, slots=True)
+class MarksWriter:
+    """Writes into a folder that is there."""
+
+    path: Path
+
+    @contextmanager
+    def answers(self) -> Iterator[Callable[[AnswerCells], None]]:
+        """Gives what writes some lines of marks.csv after the others."""
+        with (self.path / ANSWERS.name).open("wb") as stream:
+            stream.write(encoded(csv_text(ANSWERS.columns, [])))
+
+            def write(cells: AnswerCells) -> None:
+                stream.write(encoded(_answer_lines(cells)))
+
+            yield write
+
+    def put(self, rows: Sequence[tuple[str, str, str, str]]) -> None:
+        """Whose line of the key answers were marked by, where it is not always the student's own:
+        student, question, ask, and whose.
+        """
+        if rows:
+            write_csv(self.path / PUT.name, PUT.columns, rows)
+
+    def grades(self, questions: tuple[str, ...], grades: Iterable[Grade]) -> None:
+        """Everybody's points."""
+        rows = _grade_rows(grades)
+        write_for_people(self.path / GRADES.name, grades_header(questions), rows)
+
+    def complaints(self, complaints: Iterable[Complaint]) -> None:
+        """What a person should look at."""
+        rows = map(_complaint_row, complaints)
+        write_for_people(self.path / COMPLAINTS.name, COMPLAINTS.columns, rows)
+
+    def policy(self, text: str) -> None:
+        """The policy by which the class was marked; empty where the papers alone say how."""
+        (self.path / POLICY).write_bytes((text or _NO_POLICY).encode("utf-8"))
+
+    def kept(self, kept: Iterable[KeptTotal]) -> None:
+        """Whose earlier total stands."""
+        write_for_people(self.path / KEPT.name, KEPT.columns, map(_kept_row, kept))
+
+    def printed(self, orders: Orders) -> None:
+        """By student the order of the questions on paper, where it is not that of the bank."""
+        if orders:
+            rows = [(student, QUESTIONS_BETWEEN.join(order)) for student, order in orders.items()]
+            write_csv(self.path / PRINTED.name, PRINTED.columns, rows)
+
+
+def _answer_lines(cells: AnswerCells) -> str:
+    """The columns as lines: each cell at its place, and a comma or the end of the line after it.
+
+    To join line by line takes half as long again.
+    """
+    width = 2 * len(cells)
+    parts = [","] * (width * len(cells.student))
+    for place, column in enumerate(cells):
+        parts[2 * place :: width] = column
+    parts[width - 1 :: width] = ["\n"] * len(cells.student)
+    return "".join(parts)
+
+
+def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
+    """Most students share their points, as one and the same tuple, with others: such amounts are
+    written once.
+    """
+    known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
+    for grade in grades:
+        which = id(grade.points), id(grade.out_of), grade.kept
+        status: Status = "absent" if grade.absent else "marked"
+        if which not in known:
+            known[which] = _amounts(grade)
+        yield (grade.student, neutralised(grade.name), *known[which], status)
+
+
+def _amounts(grade: Grade) -> tuple[str, ...]:
+    """Points by question, in all, out of, and in per cent."""
+    amounts = map(amount_text, (*grade.points, grade.total, grade.out_of))
+    return (*amounts, amount_text(grade.percent, places=2))
+
+
+def _complaint_row(complaint: Complaint) -> tuple[str, ...]:
+    line = "" if complaint.line is None else str(complaint.line)
+    texts = complaint.column, complaint.content, complaint.problem, complaint.done
+    return (neutralised(complaint.file), line, *map(neutralised, texts))
+
+
+def _kept_row(kept: KeptTotal) -> tuple[str, ...]:
+    amounts = kept.before, kept.before_out_of, kept.by_this_marking, kept.out_of, kept.stands
+    return (kept.student, neutralised(kept.name), *map(amount_text, amounts), kept.reason)
