@@ -42,14 +42,19 @@ gives = { v_A = "omega*r" }
 """
 
 
-def faults(*changes: tuple[str, str], name: str = "crank") -> list[str]:
-    """The faults of the crank's template with some texts replaced."""
+def changed(*changes: tuple[str, str]) -> str:
+    """The crank's template with the first of each of some texts replaced; each must occur."""
     text = CRANK
     for old, new in changes:
-        assert text.count(old) >= 1, old
+        assert old in text, old
         text = text.replace(old, new, 1)
+    return text
+
+
+def faults(*changes: tuple[str, str], name: str = "crank") -> list[str]:
+    """The faults of the crank's template with some texts replaced."""
     with pytest.raises(TemplateError) as refusal:
-        read_template(name, text)
+        read_template(name, changed(*changes))
     assert all("\n" not in problem and len(problem) < 700 for problem in refusal.value.problems)
     return list(refusal.value.problems)
 
@@ -58,12 +63,8 @@ def solving(*changes: tuple[str, str], **values: str) -> str:
     """What solving the changed template refuses, read as an exam keeps it: without a look at
     dimensions.
     """
-    text = CRANK
-    for old, new in changes:
-        assert text.count(old) >= 1, old
-        text = text.replace(old, new, 1)
     with pytest.raises(KinegradeError) as refusal:
-        solve_template(read_template("crank", text, kept=True), values)
+        solve_template(read_template("crank", changed(*changes), kept=True), values)
     assert all("\n" not in problem for problem in refusal.value.problems)
     return str(refusal.value)
 

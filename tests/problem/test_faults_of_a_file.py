@@ -1,0 +1,53 @@
+"""A template with a fault in every section, through the door: all are listed, each with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.problem.turning_crank import changed
+from tests.small_class import kinegrade
+
+CHANGES = (
+    ('family = "crank"', 'familie = "crank"'),
+    ("pin O: ground OA", "pin O ground OA"),
+    ("OA turns", "OA spins"),
+    ("r < 2", "r = 2"),
+    (', zh = "曲柄" }', " }"),
+    ('unit = "m",', 'unit = "ft",'),
+    ("0 .. 90 step 30", "0 .. 90 step 0"),
+    ("draw = [2], means", "means"),
+    ('half = "r/2"', 'half = "r/"'),
+    ('A = "polar(O, r, phi)"', 'A = "polar(O, r phi)"'),
+    ('OA = "O A M"', 'OA = "O B"'),
+    ("magnitude(velocity(A))", "magnitude(velocity(A)"),
+    ('"v = omega r"', '"v"\nyear = 1'),
+)
+FAULTS = [
+    'crank.toml:2: familie: unknown table or key - did you mean "family"?',
+    'crank.toml:4: joints[1]: "pin O ground OA": no such joint - expected one of "pin A: OA AB", "B of AB slides on line(O, 0)", "... stays on circle(C, r) of ...", "... touches ...", "... rolls on ...", "... meshes with ... on ...", "... slides through ... along ...", "... translates"',
+    'crank.toml:5: inputs[1].motion: "OA spins": no such input - expected one of "OA turns", "AB turns relative to OA", "B of AB moves along +x", "A of W circles O"',
+    'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==',
+    'crank.toml:7: title: a table of en - expected texts in all languages, { en = "...", zh = "..." }',
+    'crank.toml:11: parameters.r.unit: unit "ft": expected a product like m/s^2 of 1, cm, deg, h, km, m, min, mm, rad, s',
+    'crank.toml:12: parameters.phi.draw: "0 .. 90 step 0" - expected a step above zero, the last value not before the first, and at most 2000 values',
+    'crank.toml:13: parameters.omega.draw: missing - expected a list, or a range like "0.1 .. 0.5 step 0.05"',
+    'crank.toml:16: lengths.half: "r/", character 3: found the end, expected a number, a name or a bracket',
+    'crank.toml:20: points.A: "polar(O, r phi)", character 12: found "phi", expected "," or ")"',
+    'crank.toml:24: bodies.OA: no point "B" - known here: M, O',
+    'crank.toml:27: asks.v_A.quantity: "magnitude(velocity(A)", character 22: found the end, expected "," or ")"',
+    "crank.toml:31: published[1].year: unknown key - known here: given, gives, source",
+]
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+def test_check_lists_a_dozen_faults_in_the_order_of_the_file(
+    tmp_path: Path, line_end: str, encoding: str
+) -> None:
+    file = tmp_path / "crank.toml"
+    file.write_text(changed(*CHANGES), encoding=encoding, newline=line_end)
+    result = kinegrade("check", file)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr.splitlines() == [f"error: {fault}" for fault in FAULTS]
