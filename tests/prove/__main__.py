@@ -2,10 +2,10 @@
 
     python -m tests.prove [--minutes 55] [--scale 0.01] [--seed 1] [--only PROOF]
 
-Prints a table of the proofs, each with its first seed and how many cases of how many were run, then
-every failure as the line that belongs into `tests/prove/failed_seeds.py`. The status is 1 if there
-is any. No batch begins after the minutes are over: a table with fewer cases than it should have
-says so by its numbers.
+Prints a table of the proofs, each with its first seed and how many cases were run of those that the
+proof in full has, then every failure as the line that belongs into `tests/prove/failed_seeds.py`.
+The status is 1 if there is any. No batch begins after the minutes are over: a table with fewer
+cases than it should have says so by its numbers.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOF
         found = list(outcomes(proof, range(first, first + cases), wanted.jobs, until))
         lines = [_line(proof, each) for each in found if each.fault]
         seconds = time.monotonic() - begin
-        row = f"{proof.name:24}{first:12}{len(found):8}{cases:8}{seconds:9.0f}{len(lines):10}"
+        row = f"{proof.name:24}{first:12}{len(found):8}{proof.cases:8}{seconds:9.0f}{len(lines):10}"
         print(row, flush=True)
         failures += lines
     if failures:

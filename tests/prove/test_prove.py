@@ -70,7 +70,7 @@ def test_a_failure_is_the_line_that_belongs_into_the_list(
 def test_a_run_without_failure_ends_well(capsys: pytest.CaptureFixture[str]) -> None:
     status, lines = run(capsys, "--scale", "0.1", cases=10)
     assert (status, len(lines)) == (0, 2)
-    assert lines[1].split()[2:4] == ["1", "1"]
+    assert lines[1].split()[2:4] == ["1", "10"]
 
 
 def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
