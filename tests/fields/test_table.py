@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import BankError, JsonError
-from kinegrade.fields.document import FileKind, json_table, read_text, toml_table
+from kinegrade.fields.document import Document, FileKind, json_table, read_text, toml_table
+from kinegrade.fields.faults import Faults
 from kinegrade.fields.json_text import read_json
+from kinegrade.fields.place import Place
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import amount, choice, date_text, flag, share, text, whole
 
@@ -211,3 +213,24 @@ def test_a_file_that_cannot_be_opened_is_refused(tmp_path: Path) -> None:
         assert str(caught.value) == f"{file}: {problem}"
     file.write_bytes(b"\xef\xbb\xbfa = 1")
     assert read_text(file, KIND) == "a = 1"
+
+
+def test_lines_are_looked_for_once_and_only_where_there_is_a_fault() -> None:
+    searched: list[str] = []
+
+    def find_lines(content: str) -> dict[Place, int]:
+        searched.append(content)
+        return {("b",): 2, ("a",): 1}
+
+    document = Document("bank.toml", "a = 1\nb = 2", find_lines)
+    table = Table(Faults(document, BankError), (), {"a": 1, "b": 2})
+    assert table.required("a", whole(1, 1)) == 1
+    table.faults.require_none()
+    assert searched == []
+    table.required("b", flag)
+    table.required("a", flag)
+    assert faults(table) == (
+        "bank.toml:1: a: 1 - expected true or false",
+        "bank.toml:2: b: 2 - expected true or false",
+    )
+    assert searched == ["a = 1\nb = 2"]
