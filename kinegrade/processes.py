@@ -29,9 +29,9 @@ from kinegrade.worker_process import begin_work
 
 Start = Literal["fork", "spawn"]
 
-_PATIENCE = (
-    0.2  # seconds for a dismissed process to stop its typesetter and to clear away its files
-)
+AHEAD = 2 * (os.cpu_count() or 1)  # tasks under way, or done and not yet asked for
+
+_PATIENCE = 0.2  # seconds for a dismissed process to stop its typesetter and to clear away
 _KEPT = 4  # shared values that a process keeps: a command has one or two
 
 _Given = ParamSpec("_Given")
@@ -49,7 +49,7 @@ def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Ex
     command, where one of them was ended from outside.
     """
     if jobs == 1:
-        yield _ThisProcess()
+        yield THIS_PROCESS
         return
     others = _OtherProcesses(jobs, start)
     try:
@@ -67,7 +67,10 @@ def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Ex
 
 
 def mapped(
-    workers: Executor, task: Callable[[_Item], _Result], items: Iterable[_Item], ahead: int
+    workers: Executor,
+    task: Callable[[_Item], _Result],
+    items: Iterable[_Item],
+    ahead: int = AHEAD,
 ) -> Generator[_Result, None, None]:
     """The result of the task for each item, in order, as results are asked for.
 
@@ -90,6 +93,17 @@ def mapped(
     finally:
         for future in waiting:
             future.cancel()
+
+
+def parts_of(items: Iterable[_Item], size: int) -> Iterator[list[_Item]]:
+    """The items in order, so many in each part; fewer in the last.
+
+    >>> list(parts_of("abcde", 2))
+    [['a', 'b'], ['c', 'd'], ['e']]
+    """
+    remaining = iter(items)
+    while part := list(islice(remaining, size)):
+        yield part
 
 
 @dataclass(frozen=True)
@@ -128,6 +142,9 @@ class _ThisProcess(Executor):
         except Exception as fault:
             future.set_exception(fault)
         return future
+
+
+THIS_PROCESS: Executor = _ThisProcess()
 
 
 class _OtherProcesses(Executor):

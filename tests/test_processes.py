@@ -221,3 +221,20 @@ def test_processes_are_copies_of_one_that_surely_has_no_other_thread(
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
     )
     assert answer.stdout == f"['{kind}']\n"
+
+
+@linux
+def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
+    program = (
+        "import os, kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = "
+        "TypstPress(); print(len(os.listdir('/proc/self/task')))"
+    )
+    environment = {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join(sys.path),
+        "OPENBLAS_NUM_THREADS": "1",
+    }
+    answer = subprocess.run(
+        [sys.executable, "-c", program], check=True, capture_output=True, env=environment
+    )
+    assert answer.stdout.split() == [b"1"]

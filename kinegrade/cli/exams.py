@@ -11,6 +11,7 @@ from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import (
     FILE,
     FORCE,
+    JOBS,
     LANGUAGE,
     METHOD,
     finish,
@@ -83,12 +84,7 @@ COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
     type=click.Choice(["docx", "html"]),
     help="Write every paper for Word or the browser too; may be given twice.",
 )
-@click.option(
-    "--jobs",
-    type=click.IntRange(1),
-    metavar="N",
-    help="How many processes print a large class.  [default: one for each core]",
-)
+@JOBS
 @click.option("--allow-odd-ids", is_flag=True, help="Accept ids that begin with =, +, - or @.")
 @click.option(
     "--strict", is_flag=True, help="Refuse what else would be a complaint, and write nothing."
@@ -110,7 +106,7 @@ def generate(
     solutions: bool,
     method: Method | None,
     also: tuple[str, ...],
-    jobs: int | None,
+    jobs: int,
     allow_odd_ids: bool,
     strict: bool,
     force: bool,
@@ -124,8 +120,6 @@ def generate(
     \b
     Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
     """
-    from os import cpu_count
-
     from kinegrade.exam.bank import bank_path, read_blueprint
     from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Place, Printing
     from kinegrade.exam.generate import generate as write_exam
@@ -139,7 +133,7 @@ def generate(
         _wish(label, words, new=new_numbers),
         language,
         strict=strict,
-        printing=Printing(paper_size, engine, jobs or cpu_count() or 1),
+        printing=Printing(paper_size, engine, jobs),
         extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
         progress=progress,
     )

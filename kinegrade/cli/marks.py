@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, assert_never
 import click
 
 from kinegrade.cli.folders import expect_folders
-from kinegrade.cli.options import FILE, FORCE, finish, refusing
+from kinegrade.cli.options import FILE, FORCE, JOBS, finish, refusing
 from kinegrade.counting import counted
 from kinegrade.language import LANGUAGES
 from kinegrade.marks_folder.layout import COMPLAINTS, KEPT
@@ -244,6 +244,7 @@ def class_report(
     "no-solutions]",
 )
 @EXAM_LANGUAGE
+@JOBS
 @FORCE
 @refusing
 def feedback(
@@ -254,6 +255,7 @@ def feedback(
     form: FeedbackForm,
     solutions: bool | None,
     language: Language | None,
+    jobs: int,
     force: bool,
 ) -> None:
     """Write everybody a sheet: own answers, right answers, what probably went wrong, points.
@@ -263,8 +265,9 @@ def feedback(
     """
     from kinegrade.exam.exam_wording import exam_wording
     from kinegrade.exam.folder.exam_folder import open_exam
-    from kinegrade.grading.feedback_folder import write_feedback
+    from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
     from kinegrade.marks_folder.folder import open_marks
+    from kinegrade.processes import executor
 
     expect_folders((exam, "EXAM"), (marks, "MARKS"))
     marked, folder = open_marks(marks), open_exam(exam)
@@ -274,16 +277,10 @@ def feedback(
 
         KeptExam(folder).require_no_contradiction()
     chosen = language or folder.language
-    count = write_feedback(
-        folder,
-        marked,
-        output,
-        exam_wording(folder, chosen),
-        _printed(form),
-        language=chosen,
-        solutions=wanted,
-        force=force,
-    )
+    wishes = FeedbackWishes(_printed(form), chosen, wanted, force)
+    wording = exam_wording(folder, chosen)
+    with executor(jobs, "feedback") as workers:
+        count = write_feedback(folder, marked, output, wording, wishes, workers=workers)
     click.echo(
         f"{output}: {counted(count, 'sheet')}; {output / 'feedback.csv'} says which is whose",
         err=True,
@@ -294,9 +291,9 @@ def _printed(form: FeedbackForm) -> Text | Press:
     """What makes the sheets of a form."""
     match form:
         case "pdf":
-            from kinegrade.exam.feedback_pages import FeedbackPress
+            from kinegrade.exam.feedback_pages import print_feedback
 
-            return FeedbackPress().feedback
+            return print_feedback
         case "html" | "md":
             return form
         case _:

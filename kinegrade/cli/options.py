@@ -34,6 +34,13 @@ METHOD = click.option(
     help="How worked solutions find velocities where several methods serve.  "
     "[default: what the template says]",
 )
+JOBS = click.option(
+    "--jobs",
+    type=click.IntRange(1),
+    default=lambda: os.cpu_count() or 1,
+    metavar="N",
+    help="How many processes work.  [default: one for each core]",
+)
 FORCE = click.option("--force", is_flag=True, help="Replace an output that kinegrade wrote before.")
 FILE = click.Path(path_type=Path)
 

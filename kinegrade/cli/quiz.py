@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, assert_never, get_args
 import click
 
 from kinegrade.cli.folders import expect_folders
-from kinegrade.cli.options import FILE, FORCE, METHOD, finish, progress, refusing
+from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, finish, progress, refusing
 from kinegrade.language import LANGUAGES
 
 if TYPE_CHECKING:
@@ -83,12 +83,7 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
     type=click.Choice(LANGUAGES),
     help="Language of the quiz.  [default: that of the papers]",
 )
-@click.option(
-    "--jobs",
-    type=click.IntRange(1),
-    metavar="N",
-    help="How many processes work on a large class.  [default: one for each core]",
-)
+@JOBS
 @FORCE
 @refusing
 def quiz(
@@ -104,7 +99,7 @@ def quiz(
     solutions: bool,
     method: Method | None,
     language: Language | None,
-    jobs: int | None,
+    jobs: int,
     force: bool,
 ) -> None:
     """Write the papers of EXAM as a quiz that a learning management system imports.
@@ -115,12 +110,12 @@ def quiz(
     In parts: kinegrade quiz EXAM --to moodle-xml --variants 60 --split 2 -o pool
     """
     from fractions import Fraction
-    from os import cpu_count
 
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
     from kinegrade.exam.variants import store_variants
+    from kinegrade.processes import executor
 
     expect_folders((exam, "EXAM"))
     limit = None if megabytes is None else Fraction(str(megabytes))
@@ -129,17 +124,13 @@ def quiz(
         mistakes, None if credit is None else Fraction(str(credit)) / 100, solutions, method
     )
     folder = open_exam(exam)
-    written = read_quiz(
-        folder,
-        language,
-        variants=variants,
-        wishes=wishes,
-        jobs=jobs or cpu_count() or 1,
-        progress=progress,
-    )
-    if variants is not None:
-        store_variants(folder, variants)
-    remarks = writer(written, output, force=force)
+    with executor(jobs, "quiz") as workers:
+        put = read_quiz(
+            folder, language, variants=variants, wishes=wishes, workers=workers, progress=progress
+        )
+        if variants is not None:
+            store_variants(folder, variants)
+        remarks = writer(put, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
         "marked there, every number stands alone: kinegrade grade on its responses knows "

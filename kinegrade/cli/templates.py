@@ -12,6 +12,7 @@ from kinegrade.cli.options import (
     COMPLAINTS,
     FILE,
     FORCE,
+    JOBS,
     LANGUAGE,
     METHOD,
     finish,
@@ -175,27 +176,25 @@ def solution_text(solution: Solution) -> str:
     show_default=True,
     help="How many combinations are drawn.",
 )
+@JOBS
 @refusing
-def check(template_names: tuple[str, ...], sample: int) -> None:
+def check(template_names: tuple[str, ...], sample: int, jobs: int) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default:
     all shipped).
 
     \b
     Example: kinegrade check slider-crank --sample 1000
     """
-    from kinegrade.exam.printable import printing_faults
-    from kinegrade.problem.checking import check as prove
-    from kinegrade.problem.library import load_template
+    from kinegrade.exam.template_proof import prove_templates
     from kinegrade.problem.library import template_names as shipped_names
-    from kinegrade.problem.reporting import report_lines
+    from kinegrade.processes import executor
 
     sound = True
-    for name in template_names or shipped_names():
-        report = prove(load_template(name), sample)
-        report.faults += printing_faults(report.template)
-        for line in report_lines(report):
-            click.echo(line)
-        sound &= not report.faults
+    with executor(jobs, "check") as workers:
+        for proof in prove_templates(template_names or shipped_names(), sample, workers):
+            for line in proof.lines:
+                click.echo(line)
+            sound &= proof.sound
     if not sound:
         sys.exit(COMPLAINTS)
 

@@ -7,6 +7,7 @@ wanted.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Protocol
 
 from kinegrade.exam.document import PaperSize
@@ -113,6 +114,16 @@ class FeedbackSheet(Protocol):
     @property
     def questions(self) -> Sequence[Question]:
         """In the order of the paper."""
+
+
+def print_feedback(sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:
+    """The sheet as PDF, as `FeedbackPress` gives it, by the press that this process keeps."""
+    return _press().feedback(sheet, solution)
+
+
+@lru_cache(maxsize=1)
+def _press() -> FeedbackPress:
+    return FeedbackPress()
 
 
 class FeedbackPress(TypstPress):

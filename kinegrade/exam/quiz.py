@@ -9,23 +9,21 @@ nothing is solved again but worked solutions.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import lru_cache, partial
 from itertools import islice
-from pathlib import Path
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import KeyLine
 from kinegrade.exam.pages import version_name
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, paper_asks, quiz_paper
 from kinegrade.exam.quiz_source import QuizSource, read_quiz_source
 from kinegrade.language import Language
-from kinegrade.processes import executor, mapped
+from kinegrade.processes import THIS_PROCESS, Shared, mapped, parts_of
 
-CHUNK = 20  # papers in one task, few enough for all processes to end together
-AHEAD = 2  # tasks for each process that are under way or wait for it
+PART = 20  # papers in one task, few enough for all processes to end together
 PLAIN = QuizWishes()
 Progress = Callable[[Iterator[QuizPaper], int], Iterator[QuizPaper]]
 Line = tuple[int, bytes]
@@ -33,10 +31,9 @@ Line = tuple[int, bytes]
 
 @dataclass(frozen=True)
 class QuizOrder:
-    """What a worker needs to know of an exam, and keeps between its tasks."""
+    """What is the same for all papers of a quiz."""
 
-    folder: Path
-    language: Language | None
+    source: QuizSource
     wishes: QuizWishes
     pooled: bool
 
@@ -47,11 +44,11 @@ def read_quiz(
     *,
     variants: int | None = None,
     wishes: QuizWishes = PLAIN,
-    jobs: int = 1,
+    workers: Executor = THIS_PROCESS,
     progress: Progress = lambda papers, count: papers,
 ) -> Quiz:
-    """The quiz of an exam, in the papers' language unless another one is wanted, by up to
-    `jobs` processes.
+    """The quiz of an exam, in the papers' language unless another one is wanted, made by
+    `workers` when papers are asked for.
 
     Everybody's own paper, of exams with versions one for each version; or the first `variants`
     papers for everybody. Raises ExamError where the folder is at fault or has fewer papers; the
@@ -64,9 +61,8 @@ def read_quiz(
             f"{exam.path}: has {available} different papers - expected {variants} for {variants} "
             f"variants of each question - ask for up to {available}"
         )
-    order = QuizOrder(exam.path, language, wishes, variants is not None)
-    lines = islice(different(exam), variants)
-    papers = _papers(order, source, lines, min(jobs, (variants or available) // CHUNK))
+    order = QuizOrder(source, wishes, variants is not None)
+    papers = _papers(order, islice(different(exam), variants), workers)
     return Quiz(
         source.language,
         source.course,
@@ -98,45 +94,25 @@ def _asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, Quiz
         yield from paper_asks(source, source.exam.read_line(*line))
 
 
-def _papers(
-    order: QuizOrder, source: QuizSource, lines: Iterator[Line], workers: int
-) -> Iterator[QuizPaper]:
+def _papers(order: QuizOrder, lines: Iterator[Line], workers: Executor) -> Iterator[QuizPaper]:
     """The papers of these lines, in order."""
-    if workers > 1:
-        yield from by_workers(order, lines, workers)
-        return
-    for line in lines:
-        yield _paper(order, source, line)
+    shared = Shared(order)
+    tasks = ((shared, part) for part in parts_of(lines, PART))
+    for papers in mapped(workers, _part, tasks):
+        yield from papers
 
 
-def by_workers(order: QuizOrder, lines: Iterator[Line], workers: int) -> Iterator[QuizPaper]:
-    """The same by other processes; at the end, whatever ends it, none of them runs any more.
-
-    Raises what they raise, WorkerError where one of them was killed.
-    """
-    parts = iter(lambda: list(islice(lines, CHUNK)), [])
-    with executor(workers, "quiz") as others:
-        for papers in mapped(others, partial(work, order), parts, AHEAD * workers):
-            yield from papers
+def _part(task: tuple[Shared[QuizOrder], Sequence[Line]]) -> list[QuizPaper]:
+    """The papers of a part of the class."""
+    shared, lines = task
+    return [_paper(shared.value, line) for line in lines]
 
 
-def work(order: QuizOrder, lines: Sequence[Line]) -> list[QuizPaper]:
-    """A task: the papers of these lines."""
-    source = _source(order.folder, order.language)
-    return [_paper(order, source, line) for line in lines]
-
-
-@lru_cache(maxsize=1)
-def _source(folder: Path, language: Language | None) -> QuizSource:
-    """The exam of this process: reading it once is what makes it fast."""
-    return read_quiz_source(open_exam(folder), language)
-
-
-def _paper(order: QuizOrder, source: QuizSource, text: Line) -> QuizPaper:
-    line = source.exam.read_line(*text)
+def _paper(order: QuizOrder, text: Line) -> QuizPaper:
+    line = order.source.exam.read_line(*text)
     if line.version and not order.pooled:
-        return _version(source, order.wishes, line)
-    return quiz_paper(source, order.wishes, line, pooled=order.pooled)
+        return _version(order.source, order.wishes, line)
+    return quiz_paper(order.source, order.wishes, line, pooled=order.pooled)
 
 
 def _version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:

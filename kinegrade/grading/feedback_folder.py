@@ -6,14 +6,18 @@ send them out.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import Literal, assert_never
 
 from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.files import output_folder
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
 from kinegrade.grading.feedback_html import feedback_html
@@ -21,11 +25,38 @@ from kinegrade.grading.feedback_markdown import feedback_markdown
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.processes import THIS_PROCESS, mapped, parts_of
 
 Text = Literal["html", "md"]
 # The sheet as PDF, a solution behind it where there is one
 Press = Callable[[FeedbackSheet, bytes | None], bytes]
+PART = 20  # sheets in one task
 MARKER, SHEETS = "feedback.csv", "sheets"
+
+
+@dataclass(frozen=True)
+class FeedbackWishes:
+    """What is wanted: `form` is a kind of text, or what prints a PDF, a function that other
+    processes can be sent.
+
+    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
+    a file beside. With `force` the output may replace an earlier one.
+    """
+
+    form: Text | Press
+    language: Language
+    solutions: bool = False
+    force: bool = False
+
+
+@dataclass(frozen=True)
+class _Handout:
+    """What one student gets, before it is printed; `stem` begins the names of the files."""
+
+    candidate: Candidate
+    stem: str
+    sheet: FeedbackSheet
+    solution: bytes | None
 
 
 def write_feedback(
@@ -33,37 +64,51 @@ def write_feedback(
     marks: MarksFolder,
     output: Path,
     wording: Wording,
-    form: Text | Press,
+    wishes: FeedbackWishes,
     *,
-    language: Language,
-    solutions: bool = False,
-    force: bool = False,
+    workers: Executor = THIS_PROCESS,
 ) -> int:
-    """Writes the folder `output` and gives the number of sheets.
+    """Writes the folder `output`, its sheets made by `workers`, and gives the number of sheets.
 
-    `form` is a kind of text, or what prints a PDF.
-    With `solutions` everybody gets the worked solutions that the exam folder has: in the PDF, or as
-    a file beside. Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
+    Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
-    if solutions and marks.put:
+    if wishes.solutions and marks.put:
         raise ExamError(
             f"{marks.path}: the answers were given to questions from a pool, and {exam.path} has "
             "worked solutions of the students' own papers - expected no solutions - "
             "add --no-solutions"
         )
-    with output_folder(output, marker=MARKER, contents=(MARKER, SHEETS), force=force) as folder:
+    contents = MARKER, SHEETS
+    make = partial(_make_part, wishes.form)
+    with output_folder(output, marker=MARKER, contents=contents, force=wishes.force) as folder:
         (folder / SHEETS).mkdir()
         rows = []
-        for candidate, sheet in feedback_sheets(marks, exam, wording, language):
-            stem = exam.head.file_stems[candidate.student]
-            solution = exam.solution(stem) if solutions else None
-            files = dict(_files(stem, sheet, solution, form))
+        handouts = _handouts(feedback_sheets(marks, exam, wording, wishes.language), exam, wishes)
+        parts = mapped(workers, make, parts_of(handouts, PART))
+        for candidate, files in chain.from_iterable(parts):
             for name, content in files.items():
                 (folder / SHEETS / name).write_bytes(content)
             whose = candidate.student, neutralised(candidate.name), neutralised(candidate.email)
             rows.append((*whose, f"{SHEETS}/{next(iter(files))}"))
         write_for_people(folder / MARKER, ("student", "name", "email", "file"), rows)
     return len(rows)
+
+
+def _handouts(
+    sheets: Iterable[tuple[Candidate, FeedbackSheet]], exam: ExamFolder, wishes: FeedbackWishes
+) -> Iterator[_Handout]:
+    for candidate, sheet in sheets:
+        stem = exam.head.file_stems[candidate.student]
+        yield _Handout(candidate, stem, sheet, exam.solution(stem) if wishes.solutions else None)
+
+
+def _make_part(
+    form: Text | Press, part: Sequence[_Handout]
+) -> list[tuple[Candidate, dict[str, bytes]]]:
+    """Whose files, and the files by name, for a part of the class."""
+    return [
+        (each.candidate, dict(_files(each.stem, each.sheet, each.solution, form))) for each in part
+    ]
 
 
 def _files(

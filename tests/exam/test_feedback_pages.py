@@ -19,7 +19,7 @@ from kinegrade.exam.exam_wording import ExamWording, exam_wording
 from kinegrade.exam.feedback_pages import FeedbackPress
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.feedback import FeedbackSheet, feedback_sheets
-from kinegrade.grading.feedback_folder import write_feedback
+from kinegrade.grading.feedback_folder import FeedbackWishes, write_feedback
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.grading.marked_folder import RIGHT, mark_class
 
@@ -138,8 +138,7 @@ def test_a_whole_class_gets_its_sheets(
         MarksFolder(tmp_path / "MARKS"),
         tmp_path / "OUT",
         exam_wording(open_exam(exam), "en"),
-        press.feedback,
-        language="en",
+        FeedbackWishes(press.feedback, "en"),
     )
     sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())
     assert (count, sheets) == (4, sorted(path.name for path in (exam / "papers").iterdir()))

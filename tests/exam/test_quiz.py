@@ -15,13 +15,14 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError, KinegradeError
+from kinegrade.exam import quiz
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.exact_keys import key_line
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import KeyLine
 from kinegrade.exam.pages import paper_pages
-from kinegrade.exam.quiz import PLAIN, QuizOrder, by_workers, read_quiz
+from kinegrade.exam.quiz import PLAIN, read_quiz
 from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper, shown
 from kinegrade.exam.quiz_source import read_quiz_source
@@ -34,6 +35,7 @@ from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.mistake_kinds import mistake_sentence
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import statement
+from kinegrade.processes import Start, executor
 from tests.small_class import STUDENTS, generate, write_class
 
 
@@ -263,10 +265,13 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
         quiz_of(folder / "EXAM", variants=3)
 
 
-def test_other_processes_make_the_same_papers(small_class: Path) -> None:
-    exam = small_class / "EXAM"
-    order = QuizOrder(exam, None, PLAIN, False)
-    assert tuple(by_workers(order, open_exam(exam).texts(), 2)) == papers(exam)
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_other_processes_make_the_same_papers(
+    small_class: Path, monkeypatch: pytest.MonkeyPatch, start: Start
+) -> None:
+    monkeypatch.setattr(quiz, "PART", 1)
+    with executor(2, "quiz", start) as workers:
+        assert papers(small_class / "EXAM", workers=workers) == papers(small_class / "EXAM")
 
 
 def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:

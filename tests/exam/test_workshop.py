@@ -101,23 +101,6 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
     assert contents(folder / "TWO") == contents(folder / "ONE")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
-def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
-    program = (
-        "import os, kinegrade.exam.generate; from kinegrade.exam.typst import TypstPress; press = "
-        "TypstPress(); print(len(os.listdir('/proc/self/task')))"
-    )
-    environment = {
-        **os.environ,
-        "PYTHONPATH": os.pathsep.join(sys.path),
-        "OPENBLAS_NUM_THREADS": "1",
-    }
-    answer = subprocess.run(
-        [sys.executable, "-c", program], check=True, capture_output=True, env=environment
-    )
-    assert answer.stdout.split() == [b"1"]
-
-
 def test_versions_are_drawn_in_every_process_and_counted_once(folder: Path) -> None:
     (folder / "bank.toml").write_text("versions = 3\n" + BANK, encoding="utf-8")
     assert generate(folder, "ONE", "--jobs", "1").exit_code == 0

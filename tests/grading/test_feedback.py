@@ -18,7 +18,7 @@ from kinegrade.exam.exam_wording import ExamWording
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.class_tally import tally
 from kinegrade.grading.feedback import FeedbackRow, FeedbackSheet, feedback_sheets, right_text
-from kinegrade.grading.feedback_folder import write_feedback
+from kinegrade.grading.feedback_folder import FeedbackWishes, Text, write_feedback
 from kinegrade.grading.feedback_html import feedback_html
 from kinegrade.grading.feedback_markdown import feedback_markdown
 from kinegrade.grading.hints import Hint, hint
@@ -269,7 +269,11 @@ def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> No
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT, "007": ()})
     assert (
         write_feedback(
-            open_exam(exam), MarksFolder(marks), tmp_path / "OUT", WORDING, "md", language="en"
+            open_exam(exam),
+            MarksFolder(marks),
+            tmp_path / "OUT",
+            WORDING,
+            FeedbackWishes("md", "en"),
         )
         == 2
     )
@@ -278,16 +282,18 @@ def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> No
     assert all((tmp_path / "OUT" / row["file"]).is_file() for row in listed)
     with pytest.raises(OutputError, match="already exists - expected a new folder"):
         write_feedback(
-            open_exam(exam), MarksFolder(marks), tmp_path / "OUT", WORDING, "html", language="en"
+            open_exam(exam),
+            MarksFolder(marks),
+            tmp_path / "OUT",
+            WORDING,
+            FeedbackWishes("html", "en"),
         )
     write_feedback(
         open_exam(exam),
         MarksFolder(marks),
         tmp_path / "OUT",
         WORDING,
-        "html",
-        language="zh",
-        force=True,
+        FeedbackWishes("html", "zh", force=True),
     )
     assert sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir()) == [
         "007.html",
@@ -296,7 +302,7 @@ def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("form", ["html", "md"])
-def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> None:
+def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: Text) -> None:
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT})
     with pytest.raises(
         ExamError,
@@ -307,9 +313,7 @@ def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> Non
             MarksFolder(marks),
             tmp_path / "OUT",
             WORDING,
-            "html",
-            language="en",
-            solutions=True,
+            FeedbackWishes("html", "en", solutions=True),
         )
     assert not (tmp_path / "OUT").exists()
     (exam / "solutions").mkdir()
@@ -319,10 +323,8 @@ def test_worked_solutions_lie_beside_the_sheet(tmp_path: Path, form: str) -> Non
         MarksFolder(marks),
         tmp_path / "OUT",
         WORDING,
-        form,
-        language="en",
-        solutions=True,
-    )  # type: ignore[arg-type]
+        FeedbackWishes(form, "en", solutions=True),
+    )
     assert (tmp_path / "OUT" / "sheets" / "a%2Fb-solution.pdf").read_bytes() == b"%PDF"
     assert "a%252Fb-solution.pdf" in (tmp_path / "OUT" / "sheets" / f"a%2Fb.{form}").read_text(
         encoding="utf-8"
@@ -333,7 +335,11 @@ def test_the_same_marks_give_the_same_bytes(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"1": HOSTILE, "2": RIGHT})
     for name in ("A", "B"):
         write_feedback(
-            open_exam(exam), MarksFolder(marks), tmp_path / name, WORDING, "html", language="en"
+            open_exam(exam),
+            MarksFolder(marks),
+            tmp_path / name,
+            WORDING,
+            FeedbackWishes("html", "en"),
         )
     files = [path.relative_to(tmp_path / "A") for path in (tmp_path / "A").rglob("*.*")]
     assert len(files) == 3

@@ -1,0 +1,38 @@
+"""`kinegrade check`: templates proved in order, several at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+
+from kinegrade.exam.printable import printing_faults
+from kinegrade.problem.checking import check
+from kinegrade.problem.library import load_template
+from kinegrade.problem.reporting import report_lines
+from kinegrade.processes import mapped
+
+
+@dataclass(frozen=True)
+class TemplateProof:
+    """What `kinegrade check` prints of a template, and whether it is sound."""
+
+    lines: tuple[str, ...]
+    sound: bool
+
+
+def prove_templates(
+    names: Iterable[str], sample: int, workers: Executor
+) -> Iterator[TemplateProof]:
+    """The proofs of the templates of these names (or paths that end in .toml), in order.
+
+    Raises TemplateError for one that cannot be read, when its turn comes.
+    """
+    return mapped(workers, partial(_prove, sample), names)
+
+
+def _prove(sample: int, name: str) -> TemplateProof:
+    report = check(load_template(name), sample)
+    report.faults += printing_faults(report.template)
+    return TemplateProof(tuple(report_lines(report)), not report.faults)
