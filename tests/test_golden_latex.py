@@ -31,13 +31,13 @@ def test_a_paper_for_latex(golden_bank: Bank, hold: Hold, language: Language) ->
     page = paper_pages(golden_bank, papers(golden_bank)[1], language)
     hold(
         f"paper-{language}.tex",
-        document([paper_body(page, 0)], language, "a4", words_of(language), "fonts"),
+        document([paper_body(page)], language, "a4", words_of(language), "fonts"),
     )
 
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
 def test_worked_solutions_for_latex(sheet: SolutionSheet, hold: Hold) -> None:
-    hold(f"solution-{sheet.language}.tex", solution_body(sheet, 0))
+    hold(f"solution-{sheet.language}.tex", solution_body(sheet))
 
 
 def test_a_key_for_latex(hold: Hold) -> None:

@@ -1,28 +1,25 @@
 """The second press: papers, worked solutions and keys as PDF, by an installed LaTeX.
 
-One run typesets all sheets it is given; their pages are then split into files. pdflatex serves
-while every text is Latin, xelatex where anything else occurs, Chinese set in the installed Noto
-fonts. Same input, same bytes.
+One run of XeTeX typesets all sheets it is given, Chinese in the installed Noto fonts; the pages of
+each then become a PDF of their own. Same sheet, same bytes, whatever else is in the run.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
-from io import BytesIO
+from pathlib import Path
 from typing import Any, Generic, TypeVar
-
-import pikepdf
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam.document import KeyBook, Paper, PaperSize, SolutionSheet
-from kinegrade.exam.join import page_count
 from kinegrade.exam.latex_faults import faults
 from kinegrade.exam.latex_key import key_body
-from kinegrade.exam.latex_run import FONTS, STYLE, Outcome, Program, font_folder, run, style
+from kinegrade.exam.latex_run import FONTS, STYLE, Outcome, font_folder, pdf_of, run, style
 from kinegrade.exam.latex_solution import solution_body
 from kinegrade.exam.latex_source import document, paper_body
-from kinegrade.exam.latex_text import is_latin, is_surely_printed, plain
+from kinegrade.exam.latex_text import is_surely_printed, plain
 from kinegrade.exam.layout_call import each
 from kinegrade.exam.press import Printout
 from kinegrade.exam.solution_words import solution_words_of
@@ -31,6 +28,9 @@ from kinegrade.exam.words import words_of
 from kinegrade.language import Language
 from kinegrade.temporary import temporary_folder
 
+# What TeX puts on the first page of a run alone (the colour it begins with) stands on one that is
+# left out
+FIRST_PAGE = "\\mbox{}\\clearpage\n"
 START_SECONDS = 60.0
 SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
 
@@ -42,7 +42,7 @@ class Kind(Generic[Sheet]):
     """One of the two kinds of sheets: what it is called, and how its sources are written."""
 
     name: str
-    body: Callable[[Sheet, int], str]
+    body: Callable[[Sheet], str]
     words: Callable[[str], Any]
 
 
@@ -74,8 +74,8 @@ class LatexPress:
         """The instructor's key; names are printed and errors raised as by `papers`."""
         named = legible_owners(book, self)
         body, words = key_body(named), words_of(book.language)
-        outcome = self._typeset([body], book.language, words, "key")
-        [pdf] = _parts(outcome.pdf, [(0, page_count(outcome.pdf))])
+        with self._typeset([body], book.language, words, "key") as (folder, _):
+            pdf = pdf_of(folder)
         source = document([body], book.language, self._size, words, str(font_folder()))
         return _printout("key", pdf, source)
 
@@ -113,36 +113,36 @@ class LatexPress:
     ) -> dict[str, Printout]:
         """All sheets of one language."""
         words, fonts = kind.words(language), str(font_folder())
-        bodies = each(
-            lambda numbered: kind.body(numbered[1], numbered[0]), enumerate(sheets.values())
-        )
-        outcome = self._typeset(bodies, language, words, kind.name)
-        pdfs = _parts(outcome.pdf, [(first, count) for _, first, count in outcome.ranges])
+        bodies: list[str] = each(kind.body, sheets.values())
+        with self._typeset([FIRST_PAGE, *bodies], language, words, kind.name) as (folder, outcome):
+            # One page further than the sheets count, as the first one is none of theirs
+            pages = [(first + 1, first + count) for first, count in outcome.ranges]
+            pdfs = [pdf_of(folder, part) for part in pages]
         return {
             name: _printout(name, pdf, document([body], language, self._size, words, fonts))
             for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
         }
 
-    def _typeset(self, bodies: list[str], language: Language, words: Any, where: str) -> Outcome:
-        """The pages of the bodies. Raises TypesetError."""
-        program = _program([*bodies, str(words)])
+    @contextmanager
+    def _typeset(
+        self, bodies: list[str], language: Language, words: Any, where: str
+    ) -> Iterator[tuple[Path, Outcome]]:
+        """The folder where the pages of the bodies lie, as long as the context lasts. Raises
+        TypesetError.
+        """
         source = document(bodies, language, self._size, words, FONTS)
         with temporary_folder() as folder:
-            outcome = run(program, source, folder, START_SECONDS + SHEET_SECONDS * len(bodies))
-        problems = faults(outcome, source, where)
-        if problems:
-            raise TypesetError(*problems)
-        return outcome
+            outcome = run(source, folder, START_SECONDS + SHEET_SECONDS * len(bodies))
+            problems = faults(outcome, source, where)
+            if problems:
+                raise TypesetError(*problems)
+            yield folder, outcome
 
 
 def _printout(name: str, pdf: bytes, source: str) -> Printout:
     """The pages, and their source with the style that it asks for."""
-    text = _introduction(name, source) + source
+    text = _introduction(name) + source
     return Printout(pdf, {f"{name}.tex": text.encode(), STYLE: style().encode()})
-
-
-def _program(texts: Iterable[str]) -> Program:
-    return "pdflatex" if all(map(is_latin, texts)) else "xelatex"
 
 
 def _missing(characters: Iterable[str]) -> frozenset[str]:
@@ -150,22 +150,8 @@ def _missing(characters: Iterable[str]) -> frozenset[str]:
     words = words_of("en")
     source = document([" ".join(map(plain, characters))], "en", "a4", words, FONTS)
     with temporary_folder() as folder:
-        return run("xelatex", source, folder, START_SECONDS).missing
+        return run(source, folder, START_SECONDS).missing
 
 
-def _parts(pdf: bytes, parts: Iterable[tuple[int, int]]) -> Iterator[bytes]:
-    """Each part, given by its first page and the number of its pages; same input, same bytes."""
-    with pikepdf.open(BytesIO(pdf)) as whole:
-        for first, count in parts:
-            stream = BytesIO()
-            with pikepdf.new() as part:
-                part.pages.extend(whole.pages[first : first + count])
-                part.save(stream, deterministic_id=True)
-            yield stream.getvalue()
-
-
-def _introduction(name: str, source: str) -> str:
-    return (
-        f"% Change it as you like. To typeset it, here in its folder:  {_program([source])} "
-        f"{name}.tex\n"
-    )
+def _introduction(name: str) -> str:
+    return f"% Change it as you like. To typeset it, here in its folder:  xelatex {name}.tex\n"

@@ -1,14 +1,16 @@
-"""One run of TeX: in a folder of its own, without a shell or the user's settings, for a limited
-time.
+"""One run of TeX, and PDF files from parts of its pages: in a folder of its own, without a shell or
+the user's settings, for a limited time.
 
 TeX may read and write in that folder and read its own installation, nothing else. The date is
-fixed, so that the same source gives the same pages.
+fixed, so that the same source gives the same pages. Pages become PDF part by part, so that each
+file holds what its own pages need and does not depend on the others.
 """
 
 from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -17,15 +19,22 @@ from typing import Literal
 
 import pylopdf_fonts_zh_cn
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import TypesetError, one_line
 from kinegrade.exam.program_run import run_program
 
-Program = Literal["pdflatex", "xelatex"]
+Program = Literal["xelatex", "xdvipdfmx"]
 STYLE = "kinegrade.sty"
 FONTS = "fonts"  # in the folder of a run, the folder of the Chinese fonts
+PDF_SECONDS = 60.0  # a sheet takes a tenth of one
 FIXED_TIME = "946684800"  # 2000-01-01 00:00 UTC, in seconds
 
-_SWITCHES = ("-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error")
+_SWITCHES = (
+    "-no-pdf",
+    "-no-shell-escape",
+    "-interaction=nonstopmode",
+    "-halt-on-error",
+    "-file-line-error",
+)
 _SETTINGS = {
     "SOURCE_DATE_EPOCH": FIXED_TIME,
     "FORCE_SOURCE_DATE": "1",
@@ -52,29 +61,46 @@ class Fault:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a run: the pages, none where there is a fault, and the characters that no font
-    printed.
+    """What came of a run: where the pages of each sheet are, the fault if there is one, and the
+    characters that no font printed.
     """
 
-    pdf: bytes
-    ranges: tuple[tuple[str, int, int], ...]  # sheet, its first page (from 0), number of its pages
+    ranges: tuple[tuple[int, int], ...]  # of each sheet: its first page (from 1), how many it has
     fault: Fault | None
     missing: frozenset[str]
 
 
-def run(program: Program, source: str, folder: Path, seconds: float) -> Outcome:
-    """Typeset `source` in `folder`.
+def run(source: str, folder: Path, seconds: float) -> Outcome:
+    """Typeset `source` in `folder`, where its pages then lie for `pdf_of`.
 
-    Raises TypesetError where the program is not installed or does not end in that time.
+    Raises TypesetError where XeTeX is not installed or does not end in that time.
     """
     _furnish(folder, source)
-    output = _executed(program, folder, seconds)
+    output = _executed("xelatex", (*_SWITCHES, f"{_JOB}.tex"), folder, seconds)
     log = folder / f"{_JOB}.log"
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else output
-    file = folder / f"{_JOB}.pdf"
-    pdf = file.read_bytes() if file.exists() else b""
     missing = frozenset(_MISSING.findall(text))
-    return Outcome(pdf, _ranges(folder / f"{_JOB}.pages"), _fault(text, pdf), missing)
+    fault = _fault(text, folder / f"{_JOB}.xdv")
+    return Outcome(_ranges(folder / f"{_JOB}.pages"), fault, missing)
+
+
+def pdf_of(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
+    """The first to the last of these pages (from 1) that a run has left in `folder`, or all of
+    them, as PDF.
+
+    Raises TypesetError where they cannot be written.
+    """
+    chosen = () if pages is None else ("-s", f"{pages[0]}-{pages[1]}")
+    output = _executed("xdvipdfmx", ("-q", "-E", *chosen, f"{_JOB}.xdv"), folder, PDF_SECONDS)
+    file = folder / f"{_JOB}.pdf"
+    if not file.exists():
+        raise TypesetError(
+            f"latex: xdvipdfmx wrote no PDF ({one_line(output.strip())}); expected the pages that "
+            "XeTeX has typeset; try again, or use --engine typst"
+        )
+    pdf = file.read_bytes()
+    file.unlink()
+    return pdf
 
 
 def style() -> str:
@@ -93,7 +119,10 @@ def _furnish(folder: Path, source: str) -> None:
     (folder / FONTS).symlink_to(font_folder())
 
 
-def _executed(program: Program, folder: Path, seconds: float) -> str:
+def _executed(program: Program, options: Sequence[str], folder: Path, seconds: float) -> str:
+    """What a program of TeX says. Raises TypesetError where it is not installed or does not end in
+    that time.
+    """
     found = which(program)
     if found is None:
         raise TypesetError(
@@ -104,7 +133,7 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     own = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
     try:
         done = run_program(
-            [found, *_SWITCHES, f"{_JOB}.tex"],
+            [found, *options],
             seconds,
             folder=folder,
             environment=kept | own | _SETTINGS,
@@ -117,14 +146,14 @@ def _executed(program: Program, folder: Path, seconds: float) -> str:
     return (done.output + done.complaint).decode("utf-8", "replace")
 
 
-def _ranges(file: Path) -> tuple[tuple[str, int, int], ...]:
+def _ranges(file: Path) -> tuple[tuple[int, int], ...]:
     if not file.exists():
         return ()
     rows = (line.split() for line in file.read_text(encoding="utf-8").splitlines())
-    return tuple((sheet, int(first) - 1, int(pages)) for sheet, first, pages in rows)
+    return tuple((int(first), int(pages)) for first, pages in rows)
 
 
-def _fault(log: str, pdf: bytes) -> Fault | None:
+def _fault(log: str, pages: Path) -> Fault | None:
     """The first thing that TeX complains of; it halts there."""
     found = _FAULT.search(log)
     if found:
@@ -132,7 +161,7 @@ def _fault(log: str, pdf: bytes) -> Fault | None:
     bare = _BARE_FAULT.search(log)
     if bare:
         return Fault(bare[1].strip(), None)
-    return None if pdf else Fault("TeX wrote no pages", None)
+    return None if pages.exists() and pages.stat().st_size else Fault("TeX wrote no pages", None)
 
 
 def _sentence(log: str, found: re.Match[str]) -> str:

@@ -38,15 +38,13 @@ BANDS = (
 )  # so many terms side by side leave each so wide a column of words
 
 
-def solution_body(sheet: SolutionSheet, number: int) -> str:
-    """One student's worked solutions, the sheet of that number; raises TypesetError with all faults
-    of its texts.
-    """
+def solution_body(sheet: SolutionSheet) -> str:
+    """One student's worked solutions; raises TypesetError with all faults of its texts."""
     words, where = solution_words_of(sheet.language), f"solutions of paper {sheet.code}"
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = command("solutionhead", *map(plain, texts))
     questions = each(lambda question: _question(question, words, where), sheet.questions)
-    return environment(Sheet(arguments=number), [comment(where), head, *questions]) + "\n"
+    return environment(Sheet(), [comment(where), head, *questions]) + "\n"
 
 
 def _question(question: WorkedQuestion, words: SolutionWords, sheet: str) -> str:

@@ -79,16 +79,14 @@ def document(
     return str(whole.dumps())
 
 
-def paper_body(paper: Paper, number: int) -> str:
-    """One student's paper, the sheet of that number; raises TypesetError with all faults of its
-    texts.
-    """
+def paper_body(paper: Paper) -> str:
+    """One student's paper; raises TypesetError with all faults of its texts."""
     words, where = words_of(paper.language), f"paper {paper.code}"
     parts = gathered(
         rules=lambda: each(lambda rule: prose(rule, "rules"), paper.rules),
         questions=lambda: each(lambda question: _question(question, words, where), paper.questions),
     )
-    sheet = Sheet(arguments=NoEscape(number))
+    sheet = Sheet()
     sheet.append(NoEscape(comment(where)))
     texts = (paper.title, paper.course, paper.date, paper.student, paper.name, paper.code)
     sheet.append(NoEscape(command("masthead", *map(plain, texts), _mark(paper.code))))

@@ -1,9 +1,7 @@
 r"""Plain text into LaTeX: whatever a name or a course's title holds, it is printed and never
 obeyed.
 
-What a control word, a ligature or an active character would make of a text is taken away here. The
-older engine, pdflatex, prints the Latin letters of T1; `is_latin` tells whether it suffices for a
-text.
+What a control word, a ligature or an active character would make of a text is taken away here.
 """
 
 from __future__ import annotations
@@ -81,24 +79,16 @@ def signed(number: str) -> str:
     return plain(number.replace("-", "\u2212"))
 
 
-def is_latin(text: str) -> bool:
-    """Whether pdflatex has every letter of a LaTeX source.
-
-    >>> is_latin("Zoë Şahin"), is_latin("Đặng"), is_latin("张喆")
-    (True, False, False)
-    """
-    return _LATIN.fullmatch(text) is not None
-
-
 def is_surely_printed(character: str) -> bool:
-    """Whether a font of either program is known to have it: most Latin, plain Greek and Cyrillic,
+    """Whether a font is known to have it: most Latin, plain Greek and Cyrillic,
     common Chinese.
 
     >>> is_surely_printed("é"), is_surely_printed("堃"), is_surely_printed("한")
     (True, True, False)
     """
     unseen = category(character) in (*_CONTROLS, _INVISIBLE)
-    return unseen or is_latin(character) or _BEYOND_LATIN.fullmatch(character) is not None
+    known = _LATIN.fullmatch(character) or _BEYOND_LATIN.fullmatch(character)
+    return unseen or known is not None
 
 
 def comment(text: str) -> str:

@@ -62,7 +62,7 @@ def seen(text: str) -> str:
     return "".join(text.replace("\u202e", "").replace("\u200b", "").split())
 
 
-@pytest.mark.parametrize("names", [NAMES, FAR_NAMES], ids=["pdflatex", "xelatex"])
+@pytest.mark.parametrize("names", [NAMES, FAR_NAMES], ids=["Latin", "other"])
 def test_names_are_printed_as_they_are_and_each_file_holds_one_student(names: list[str]) -> None:
     papers = {
         f"s{index}": replace(ENGLISH, name=name, code=f"CODE-{index}")
@@ -302,18 +302,26 @@ def test_tex_has_no_shell_and_no_files_of_others(tmp_path: Path) -> None:
         folder.mkdir()
         (folder / ".hidden.tex").write_text("SECRET", encoding="utf-8")
         source = rf"\documentclass{{article}}\begin{{document}}{attack}\end{{document}}"
-        outcome = latex_run.run("pdflatex", source, folder, 30)
+        outcome = latex_run.run(source, folder, 30)
         assert not (folder / "made").exists()
-        assert outcome.fault or "SECRET" not in "".join(pages_of(outcome.pdf))
+        assert outcome.fault or "SECRET" not in "".join(pages_of(latex_run.pdf_of(folder)))
 
 
 def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
     source = r"\documentclass{article}\begin{document}\loop\iftrue\repeat\end{document}"
     with pytest.raises(
         TypesetError,
-        match=r"^latex: pdflatex did not end within 1 s; expected a few pages a second;",
+        match=r"^latex: xelatex did not end within 1 s; expected a few pages a second;",
     ):
-        latex_run.run("pdflatex", source, tmp_path, 1)
+        latex_run.run(source, tmp_path, 1)
+
+
+def test_pages_that_were_never_typeset_are_no_pdf(tmp_path: Path) -> None:
+    with pytest.raises(
+        TypesetError,
+        match=r"^latex: xdvipdfmx wrote no PDF \(.*pages.xdv.*\); expected the pages that XeTeX",
+    ):
+        latex_run.pdf_of(tmp_path, (1, 2))
 
 
 def test_nothing_to_print_is_nothing_printed() -> None:

@@ -12,7 +12,7 @@ from kinegrade.errors import TypesetError
 from kinegrade.exam.formula import COMMANDS
 from kinegrade.exam.latex_markup import line, prose
 from kinegrade.exam.latex_math import math
-from kinegrade.exam.latex_text import comment, is_latin, plain, signed, unit
+from kinegrade.exam.latex_text import comment, plain, signed, unit
 
 OWN = re.compile(r"\\(?:text[a-z]+\{\}|[{}$&#%_,])|\$-\$|\{\[\}|\{\]\}|\{\}")
 
@@ -45,11 +45,6 @@ def test_units_and_numbers_are_printed_as_books_do() -> None:
         "N·m",
     ]
     assert signed("-1.5") == "$-$1.5"
-
-
-def test_the_letters_of_the_older_engine() -> None:
-    assert is_latin("Zoë Łukasz Żółć, Ştefan Ğül – “x” 5 € ½ ×")
-    assert not any(map(is_latin, ("Đặng", "Юлия", "张", "😀", "Ħ", "′")))
 
 
 def test_a_comment_stays_on_its_line() -> None:

@@ -30,7 +30,7 @@ def papers(golden_bank: Bank) -> tuple[Bank, list[SetPaper]]:
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
-@pytest.mark.parametrize("engine", ["typst"])
+@pytest.mark.parametrize("engine", ["typst", pytest.param("latex", marks=pytest.mark.needs_tex)])
 def test_a_paper_printed_alone_is_the_same_as_among_others(
     papers: tuple[Bank, list[SetPaper]], engine: Engine, language: Language
 ) -> None:

@@ -48,7 +48,7 @@ def test_latex_draws_all_eight_figures_in_boxes_of_their_size(tmp_path: Path) ->
         rf"\setbox0\hbox{{{to_tikz(scene)}}}\typeout{{size \the\wd0 \space\the\ht0}}\box0\newpage"
         for scene in scenes
     )
-    assert run("pdflatex", latex("".join(boxes)), tmp_path, 60).fault is None
+    assert run(latex("".join(boxes)), tmp_path, 60).fault is None
     sizes = re.findall(
         r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE
     )
@@ -64,7 +64,7 @@ def test_the_estimated_room_holds_every_symbol_latex_sets(tmp_path: Path) -> Non
         rf"\setbox0\hbox{{${symbol}$}}\typeout{{size \the\wd0 \space\the\dimexpr\ht0+\dp0}}"
         for symbol in SYMBOLS
     )
-    run("pdflatex", latex(r"\fontsize{9}{9}\selectfont" + "".join(boxes)), tmp_path, 60)
+    run(latex(r"\fontsize{9}{9}\selectfont" + "".join(boxes)), tmp_path, 60)
     sizes = re.findall(
         r"^size ([\d.]+)pt ([\d.]+)pt$", (tmp_path / "pages.log").read_text(), re.MULTILINE
     )
