@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import pi
+from typing import assert_never
 
 from kinegrade.figure.mark import Mark
 from kinegrade.figure.obstacles import Obstacles, Segment
@@ -15,7 +16,7 @@ from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, arrowhead
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.hints import Length
+from kinegrade.problem.hints import Length, Projection
 
 OFFSETS = (
     5.5,
@@ -38,14 +39,25 @@ TURNS = tuple(turn * pi / 6 for turn in range(12))
 DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
+def _measured(along: Projection | None, start: Vector, end: Vector) -> Vector:
+    """The direction in which a distance is measured."""
+    match along:
+        case "horizontal":
+            return Vector(1.0, 0.0)
+        case "vertical":
+            return Vector(0.0, 1.0)
+        case None:
+            return unit(end - start)
+        case _:
+            assert_never(along)
+
+
 def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
     """Dimension lines, and the symbol alone where a line is drawn between the two points and no
     farther.
     """
     start, end = at[hint.start], at[hint.end]
-    measured = {"horizontal": Vector(1.0, 0.0), "vertical": Vector(0.0, 1.0)}.get(
-        hint.along or "", unit(end - start)
-    )
+    measured = _measured(hint.along, start, end)
     found: list[Mark] = [
         _dimension((start, end), measured, offset, hint.symbol) for offset in OFFSETS
     ]

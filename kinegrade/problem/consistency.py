@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import ExpressionError, FieldError
 from kinegrade.expression import Expression, names
 from kinegrade.fields.faults import Faults
 from kinegrade.fields.place import Place, key_path
@@ -46,9 +46,10 @@ from kinegrade.problem.sentences import DriverSentence, JointSentence
 from kinegrade.problem.signatures import CONSTRUCTIONS, ELEMENTARY, QUANTITIES, Signature
 from kinegrade.problem.template import Ask, Condition, Published, Wording
 
-VECTOR = "expected a number: take magnitude(...), x(...), y(...) or along(...) of a vector"
-POINT = "expected a point, like (x, y) or polar(O, r, phi)"
-ALONG = "moves along ...: expected +x, -x, +y, -y or an angle, like direction(O, A)"
+OF_A_VECTOR = "take magnitude(...), x(...), y(...) or along(...) of a vector"
+POINT = "a point, like (x, y) or polar(O, r, phi)"
+SHAPE = "line(POINT, angle or point) or circle(POINT, radius)"
+ALONG = "+x, -x, +y, -y or an angle, like direction(O, A)"
 
 
 @dataclass(frozen=True)
@@ -56,27 +57,27 @@ class Inconsistency:
     """What makes no sense at a place of a template's tables."""
 
     place: Place
-    problem: str
+    error: FieldError
 
 
 def note_inconsistencies(draft: Draft, faults: Faults) -> None:
     """Notes what makes no sense in a template; a wrong unit that explains it all is one fault."""
     found = list(Consistency(draft, given(draft)).faults())
     for one in _wrong_unit(draft, found) if len(found) > 1 else found:
-        faults.note(one.place, one.problem)
+        faults.note_error(one.place, one.error)
 
 
 def _wrong_unit(draft: Draft, found: Sequence[Inconsistency]) -> Sequence[Inconsistency]:
     """The unit of the parameter without which nothing would be found; else all that was found."""
-    first, *others = found
+    first = found[0]
     for name, parameter in draft.parameters.items():
         if not list(Consistency(draft, {**given(draft), name: Unknown()}).faults()):
-            problem = (
-                f'"{parameter.unit.text}" does not fit where {name} is used: '
-                f"{key_path(first.place)}: {first.problem} "
-                f"(and {len(others)} more fault{'' if len(others) == 1 else 's'})"
+            what = (
+                f'"{parameter.unit.text}" does not fit where {name} is used ({len(found)} faults), '
+                f"as in {key_path(first.place)}: {first.error.what}"
             )
-            return [Inconsistency(("parameters", name, "unit"), problem)]
+            error = FieldError(what, first.error.expected, first.error.do)
+            return [Inconsistency(("parameters", name, "unit"), error)]
     return found
 
 
@@ -145,7 +146,7 @@ class Consistency:
         """A point: its coordinates are lengths."""
         kind = scope.kind(tree)
         if not isinstance(kind, Arrow | Unknown):
-            raise ExpressionError(POINT)
+            raise FieldError(in_words(kind), POINT)
         require(kind, LENGTH, "its coordinates are")
 
     def joint(self, scope: Scope, sentence: JointSentence) -> None:
@@ -153,9 +154,7 @@ class Consistency:
         for shape in (sentence.circle, sentence.on):
             kind = scope.kind(shape) if shape is not None else Unknown()
             if not isinstance(kind, Straight | Ring | Unknown):
-                raise ExpressionError(
-                    "expected line(POINT, angle or point) or circle(POINT, radius)"
-                )
+                raise FieldError(in_words(kind), SHAPE)
 
     def driver(self, scope: Scope, sentence: DriverSentence) -> None:
         """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
@@ -173,7 +172,7 @@ class Consistency:
         radians_slip(sentence.along)
         direction = scope.kind(sentence.along)
         if not isinstance(direction, Scalar | Unknown):
-            raise ExpressionError(ALONG)
+            raise FieldError(f"moves along {in_words(direction)}", ALONG)
         require(direction, NUMBER, "its direction is")
 
     def condition(self, condition: Condition) -> None:
@@ -195,7 +194,7 @@ class Consistency:
         """An ask: a number of the dimension of its unit."""
         kind = scope.kind(ask.quantity)
         if not isinstance(kind, Scalar | Unknown):
-            raise ExpressionError(VECTOR)
+            raise FieldError(in_words(kind), "a number", OF_A_VECTOR)
         require_unit(kind, ask)
 
     def published(self, number: int, result: Published) -> Iterator[Inconsistency]:
@@ -229,35 +228,36 @@ class Consistency:
 
 
 def tried(place: Place, work: Callable[..., None], *arguments: Any) -> Iterator[Inconsistency]:
-    """The faults that `work` finds in its arguments, each with its place."""
+    """The fault that `work` finds in its arguments, with its place."""
     try:
         work(*arguments)
+    except FieldError as error:
+        yield Inconsistency(place, error)
     except ExpressionError as error:
-        for problem in error.problems:
-            yield Inconsistency(place, problem)
+        yield Inconsistency(place, FieldError(str(error)))
 
 
 def number(kind: Kind) -> Kind:
-    """A kind that must be a number. Raises ExpressionError for anything else."""
+    """A kind that must be a number. Raises FieldError for anything else."""
     if not isinstance(kind, Scalar | Unknown):
-        raise ExpressionError(f"expected a number, not {in_words(kind)}")
+        raise FieldError(in_words(kind), "a number")
     return kind
 
 
 def require(kind: Kind, expected: Dimension, what: str) -> None:
-    """Raises ExpressionError where a kind has another dimension than is expected."""
+    """Raises FieldError where a kind has another dimension than is expected."""
     found = kind.dimension if isinstance(kind, Scalar | Arrow) else None
     if found is not None and found != expected:
-        raise ExpressionError(f"{what} {found}: expected {expected}: check the units")
+        raise FieldError(f"{what} {found}", str(expected), "check the units")
 
 
 def require_unit(kind: Kind, ask: Ask) -> None:
-    """Raises ExpressionError where a kind cannot be counted in the ask's unit."""
+    """Raises FieldError where a kind cannot be counted in the ask's unit."""
     found = kind.dimension if isinstance(kind, Scalar) else None
     if found is not None and found != dimension_of(ask.unit):
-        raise ExpressionError(
-            f'this is {found}: it cannot be counted in "{ask.unit.text}": '
-            f"write unit = {units_of(found)}, or ask for something else"
+        raise FieldError(
+            f'this is {found}: it cannot be counted in "{ask.unit.text}"',
+            do=f"write unit = {units_of(found)}, or ask for something else",
         )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import FieldError
 from kinegrade.problem.dimension import Dimension
 
 
@@ -89,7 +89,7 @@ def united(where: str, *kinds: Kind) -> Dimension | None:
     """The one dimension of numbers and vectors that go together; None where all are literals or
     unknown.
 
-    Raises ExpressionError where two differ; `where` says what brings them together.
+    Raises FieldError where two differ; `where` says what brings them together.
     """
     found: Dimension | None = None
     for kind in kinds:
@@ -97,6 +97,7 @@ def united(where: str, *kinds: Kind) -> Dimension | None:
         if own is None:
             continue
         if found is not None and own != found:
-            raise ExpressionError(f"{where}: {found} and {own} do not go together: check the units")
+            what = f"{where}: {found} and {own} do not go together"
+            raise FieldError(what, do="check the units")
         found = own
     return found

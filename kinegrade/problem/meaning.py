@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Literal, assert_never
 
 from kinegrade.angular import is_angle
-from kinegrade.errors import ExpressionError, did_you_mean
+from kinegrade.errors import FieldError, did_you_mean
 from kinegrade.expression import Call, Expression, Name, Number, Operation, whole_power
 from kinegrade.problem.dimension import NUMBER, Dimension
 from kinegrade.problem.kinds import (
@@ -54,7 +54,7 @@ class Scope:
     angles: frozenset[str]
 
     def kind(self, tree: Expression) -> Kind:
-        """The kind of the expression. Raises ExpressionError where its parts do not go together."""
+        """The kind of the expression. Raises FieldError where its parts do not go together."""
         match tree:
             case Number():
                 return Scalar(None)
@@ -87,7 +87,7 @@ class Scope:
                 assert_never(tree.sign)
 
     def require_angles(self, tree: Operation) -> None:
-        """Raises ExpressionError where a plain number is added to an angle, as 90 in `phi + 90`."""
+        """Raises FieldError where a plain number is added to an angle, as 90 in `phi + 90`."""
         for one, other in ((tree.left, tree.right), (tree.right, tree.left)):
             if is_angle(one, self.angles):
                 radians_slip(other)
@@ -97,28 +97,23 @@ class Scope:
         signature = self.functions.get(tree.function)
         if signature is None:
             if not tree.function:
-                raise ExpressionError("a pair (x, y): expected a number or an angle here")
+                raise FieldError("a pair (x, y)", "a number or an angle here")
             known = [name for name in self.functions if name]
-            raise ExpressionError(
-                f'unknown function "{tree.function}": {did_you_mean(tree.function, known)}'
-            )
+            near = did_you_mean(tree.function, known)
+            raise FieldError(f'unknown function "{tree.function}"', do=near)
         if not signature.needed <= len(tree.arguments) <= len(signature.slots):
-            raise ExpressionError(
-                f"{called(tree)} of {counted(len(tree.arguments))}: "
-                f"expected {signature.usage(tree.function)}"
-            )
+            what = f"{called(tree)} of {counted(len(tree.arguments))}"
+            raise FieldError(what, signature.usage(tree.function))
         kinds = [self.kind(argument) for argument in tree.arguments]
         slots = signature.slots[: len(kinds)]
         for number, slot in enumerate(slots):
             if not self.fits(slot, tree.arguments[number], kinds[number]):
-                raise ExpressionError(
-                    f"{called(tree)}: argument {number + 1} is "
-                    f"{in_words(kinds[number])}: expected {signature.usage(tree.function)}"
-                )
+                what = f"{called(tree)}: argument {number + 1} is {in_words(kinds[number])}"
+                raise FieldError(what, signature.usage(tree.function))
         return signature.result(tree.function, kinds)
 
     def fits(self, slot: Slot, tree: Expression, kind: Kind) -> bool:
-        """Whether an argument fills a slot. Raises ExpressionError for degrees where radians are
+        """Whether an argument fills a slot. Raises FieldError for degrees where radians are
         meant.
         """
         if isinstance(kind, Unknown):
@@ -165,7 +160,7 @@ def power(base: Kind, exponent: int) -> Kind:
         case Scalar(dimension):
             return base if dimension is None else Scalar(dimension ** Fraction(exponent))
         case Arrow() | Straight() | Ring() | BodyKind() | Side():
-            raise ExpressionError("only a number can be raised to a power")
+            raise FieldError(f"a power of {in_words(base)}", "a number to be raised to a power")
         case _:
             assert_never(base)
 
@@ -211,8 +206,8 @@ def multiplied(sign: Literal["*", "/"], own: Dimension, other: Dimension) -> Dim
             assert_never(sign)
 
 
-def misfit(sign: str, left: Kind, right: Kind) -> ExpressionError:
+def misfit(sign: str, left: Kind, right: Kind) -> FieldError:
     """The error for two things between which a sign makes no sense."""
     kinds: Sequence[Kind] = (left, right)
     words = " and ".join(in_words(kind) for kind in kinds)
-    return ExpressionError(f'"{sign}" between {words}: {TOGETHER}')
+    return FieldError(f'"{sign}" between {words}', do=TOGETHER)

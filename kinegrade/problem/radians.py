@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError
+from kinegrade.errors import FieldError
 from kinegrade.expression import Call, Expression, Name, Number, Operation, Operator
 
 
 def radians_slip(tree: Expression) -> None:
-    """Raises ExpressionError for an angle that is written as a number other than zero, without pi.
+    """Raises FieldError for an angle that is written as a number other than zero, without pi.
 
     An angle of so many radians can be had as a parameter whose unit is rad.
     """
@@ -19,9 +19,8 @@ def radians_slip(tree: Expression) -> None:
     if value is None or value == 0:
         return
     plural = "" if abs(value) == 1 else "s"
-    raise ExpressionError(
-        f"{value} radian{plural}: did you mean {value} degree{plural}? write {parts_of_pi(value)}"
-    )
+    meant = f"did you mean {value} degree{plural}? write {parts_of_pi(value)}"
+    raise FieldError(f"{value} radian{plural}", do=meant)
 
 
 def plain_number(tree: Expression) -> Any:

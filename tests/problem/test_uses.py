@@ -115,7 +115,7 @@ from tests.problem.turning_crank import faults
             [
                 'crank.toml:5: inputs[1].motion: no point "B" - known here: A, M, O',
                 'crank.toml:5: inputs[1].motion: no point "C" - known here: A, M, O',
-                "crank.toml:5: inputs[1]: its velocity is an angular velocity (rad/s): expected a velocity (m/s): check the units",
+                "crank.toml:5: inputs[1]: its velocity is an angular velocity (rad/s) - expected a velocity (m/s) - check the units",
             ],
         ),
         (
@@ -123,7 +123,7 @@ from tests.problem.turning_crank import faults
             '"A of OA moves along direction(O, B)"',
             [
                 'crank.toml:5: inputs[1].motion: unknown name "B" - known here: A, M, O and 11 more',
-                "crank.toml:5: inputs[1]: its velocity is an angular velocity (rad/s): expected a velocity (m/s): check the units",
+                "crank.toml:5: inputs[1]: its velocity is an angular velocity (rad/s) - expected a velocity (m/s) - check the units",
             ],
         ),
         (
@@ -131,7 +131,7 @@ from tests.problem.turning_crank import faults
             "omega(AB)",
             [
                 'crank.toml:27: asks.v_A.quantity: unknown name "AB" - did you mean "A"?',
-                'crank.toml:27: asks.v_A.quantity: this is an angular velocity (rad/s): it cannot be counted in "m/s": write unit = "rad/s", or ask for something else',
+                'crank.toml:27: asks.v_A.quantity: this is an angular velocity (rad/s): it cannot be counted in "m/s" - write unit = "rad/s", or ask for something else',
             ],
         ),
         (

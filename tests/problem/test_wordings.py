@@ -109,7 +109,7 @@ def test_a_wording_that_could_never_apply_for_its_units_is_refused_on_reading() 
         placed(('"2*h < r"', '"h < omega"'))
     assert refusal.value.problems == (
         'crank.toml:15: text.place[1].if: "h < omega": a length (m) and an angular velocity (rad/s) '
-        "do not go together: check the units",
+        "do not go together - check the units",
     )
 
 
