@@ -66,7 +66,12 @@ def read_text(path: Path, kind: FileKind) -> str:
         problem = message(str(path), reason, kind.noun, "check the name")
         raise kind.error(problem) from error
     except UnicodeDecodeError as error:
-        problem = message(str(path), "not UTF-8", f"{kind.noun} in UTF-8", kind.do or "fix it")
+        problem = message(
+            str(path),
+            f"not UTF-8 at byte {error.start}",
+            f"{kind.noun} in UTF-8",
+            kind.do or "fix it",
+        )
         raise kind.error(problem) from error
     expected = f"{kind.noun} of at most {kind.most_bytes} bytes"
     raise kind.error(message(str(path), "too large", expected, "check the name"))

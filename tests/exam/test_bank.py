@@ -391,7 +391,7 @@ def test_a_fault_says_what_was_expected(tmp_path: Path, line: str, fault: str) -
 @pytest.mark.parametrize(
     ("content", "problem"),
     [
-        (b"\xff\xfe\x00", "not UTF-8 - expected a bank file in UTF-8 - fix it"),
+        (b"\xff\xfe\x00", "not UTF-8 at byte 0 - expected a bank file in UTF-8 - fix it"),
         (b"title = ", "Invalid value (at end of document) - expected a bank file in TOML"),
         (b"title = " + b"1" * 5000, "a whole number of more than 60 digits: round it"),
         (b"a = " + b"[" * 20000, "nested too deeply: write it more simply"),

@@ -204,7 +204,7 @@ def test_a_file_that_cannot_be_opened_is_refused(tmp_path: Path) -> None:
             "cannot be read (No such file or directory) - expected a bank file - check the name",
         ),
         (b"#" * 101, "too large - expected a bank file of at most 100 bytes - check the name"),
-        (b"\xff", "not UTF-8 - expected a bank file in UTF-8 - fix it"),
+        (b"\xff", "not UTF-8 at byte 0 - expected a bank file in UTF-8 - fix it"),
     ):
         if content is not None:
             file.write_bytes(content)

@@ -450,7 +450,7 @@ def test_an_accepted_answer_without_a_value_is_refused(
         ),
         (
             b"\xff",
-            "not UTF-8 - expected a policy file in UTF-8 - fix it",
+            "not UTF-8 at byte 0 - expected a policy file in UTF-8 - fix it",
         ),
         (
             b"#" * 1_000_001,

@@ -54,6 +54,6 @@ def test_a_file_that_cannot_be_read_says_why(tmp_path: Path) -> None:
     missing = "cannot be read (No such file or directory) - expected a template - check the name"
     assert refusal(file) == f"{file}: {missing}"
     file.write_bytes(b"title = '\xff'")
-    assert refusal(file) == f"{file}: not UTF-8 - expected a template in UTF-8 - fix it"
+    assert refusal(file) == f"{file}: not UTF-8 at byte 9 - expected a template in UTF-8 - fix it"
     file.write_text("曲" * (2 * MAX_CHARACTERS), encoding="utf-8")
     assert refusal(file).startswith(f"{file}: too large - expected a template of at most ")

@@ -266,7 +266,7 @@ def test_a_mechanism_that_cannot_be_had_says_why(tmp_path: Path) -> None:
     assert refusals(file)[1].endswith(" - expected a template in TOML - fix it")
     shared.write_bytes(b"title = '\xff'")
     assert refusals(file)[1].startswith("crank.toml:4: mechanism: ")
-    assert "not UTF-8" in refusals(file)[1]
+    assert "not UTF-8 at byte 9" in refusals(file)[1]
 
 
 def test_a_text_alone_has_no_mechanisms_beside_it() -> None:
