@@ -25,10 +25,11 @@ from benchmarks.memory import peak_of_tree
 from benchmarks.ordinary_latex import ordinary_paper
 from kinegrade.exam.bank import bank_path, read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import read_roster
-from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.exam.setting import SetPaper
 
 STUDENTS, HALF, SAMPLE = 300, 150, 10
 BANK, SEED = "demo", "bench"
@@ -115,13 +116,13 @@ def one_job_each(folder: Path, count: int) -> float:
     bank, place = read_bank(bank_path(Path(BANK)), SEED), folder / "ordinary"
     place.mkdir()
     roster = read_roster(class_of(folder, STUDENTS))
-    papers = set_exam(bank, roster, FromWords(SEED)).papers(range(count + 1))
+    papers = deal_exam(bank, roster, FromWords(SEED)).papers()
     return seconds(lambda: ordinary_job(bank, papers, place), count)
 
 
 def ordinary_job(bank: Bank, papers: Iterator[SetPaper], folder: Path) -> None:
-    """The next student's paper drawn, solved, sketched, written as an ordinary document and printed
-    by pdflatex.
+    """The next student's paper solved, sketched, written as an ordinary document and printed by
+    pdflatex; it was dealt already.
     """
     pages = paper_pages(bank, next(papers), "en")
     source = folder / f"{pages.student}.tex"

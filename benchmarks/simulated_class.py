@@ -14,6 +14,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kinegrade.csv_writing import csv_text
+from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contents import HEAD, KEY
@@ -26,7 +27,7 @@ from kinegrade.exam.key_record import key_line
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
-from kinegrade.exam.setting import SetPaper, Setting, set_exam
+from kinegrade.exam.setting import SetPaper
 from kinegrade.grading.class_sheet import read_sheet
 from kinegrade.grading.class_tally import named_mistakes
 from kinegrade.grading.marks import Mark, mark
@@ -114,11 +115,11 @@ def simulated_class(template: Template, number: int, students: int) -> Simulated
     """The papers of one class; another number gives others."""
     names = [f"s{place}" for place in range(students)]
     roster = Roster(tuple(Student(name, name, "", name) for name in names), ())
-    setting = set_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
-    (deck,) = setting.decks.values()
-    papers = tuple(setting.papers())
+    dealt = deal_exam(sample_bank(template), roster, FromWords(f"fairness {number}"))
+    (draw_filter,) = dealt.exam.filters.values()
+    papers = tuple(dealt.papers())
     return SimulatedClass(
-        template, number, papers, as_read(setting, papers), inseparable(deck.sight.separation)
+        template, number, papers, as_read(dealt, papers), inseparable(draw_filter.separation)
     )
 
 
@@ -137,7 +138,7 @@ def inseparable(separation: Separation | None) -> dict[str, frozenset[str]]:
     }
 
 
-def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
+def as_read(dealt: ClassDeal, papers: Sequence[SetPaper]) -> Exam:
     """The exam, written into a folder as generate writes it and read again as grade reads it."""
     keys = [KeyPaper(paper.student.student, paper.student.name, paper.code, ()) for paper in papers]
     lines = (
@@ -146,7 +147,7 @@ def as_read(setting: Setting, papers: Sequence[SetPaper]) -> Exam:
     )
     with TemporaryDirectory() as name:
         folder = Path(name)
-        order = PressOrder(setting.bank.engine, "a4")
-        (folder / HEAD).write_bytes(head_json(exam_head(setting, keys, "en", order)))
+        order = PressOrder(dealt.bank.engine, "a4")
+        (folder / HEAD).write_bytes(head_json(exam_head(dealt, keys, "en", order)))
         (folder / KEY).write_bytes(b"".join(map(line_json, lines)))
         return open_exam(folder).in_memory()

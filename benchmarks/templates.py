@@ -10,7 +10,7 @@ from statistics import median
 from time import process_time
 
 from kinegrade.problem.checking import drawable
-from kinegrade.problem.drawing import Refused, examine
+from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template

@@ -6,9 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kinegrade.exam.bank import Bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.exam.setting import SetPaper
 
 GOLDEN = Path(__file__).parent / "golden"
 BANK = """title = { en = "Golden exam", zh = "样卷" }
@@ -24,4 +25,4 @@ Hold = Callable[[str, str], None]
 
 def papers(bank: Bank) -> list[SetPaper]:
     students = Student("007", "王伟", "", "007"), Student("0012", "O'Neil, Zoë", "", "0012")
-    return list(set_exam(bank, Roster(students, ()), FromWords("golden")).papers())
+    return list(deal_exam(bank, Roster(students, ()), FromWords("golden")).papers())

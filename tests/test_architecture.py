@@ -126,7 +126,7 @@ def test_every_module_has_a_floor() -> None:
 
 def test_imports_are_seen_wherever_they_stand() -> None:
     seen = set(edges())
-    assert ("kinegrade.exam.setting", "kinegrade.problem.drawing") in seen
+    assert ("kinegrade.exam.setting", "kinegrade.problem.draw_filter") in seen
     assert ("kinegrade.cli.marks", "kinegrade.grading.grade") in seen  # inside a function
     assert ("kinegrade.cli.marks", "kinegrade.lms.moodle") in seen  # from a package
 

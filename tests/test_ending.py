@@ -104,7 +104,7 @@ def found(room: Path, pattern: str) -> Callable[[], bool]:
 
 MOMENTS = [
     pytest.param(("--jobs", "1"), ".EXAM.partial-*/papers/*.pdf", id="one-process"),
-    pytest.param(("--jobs", "2"), "temporary/*/ledger", id="workers-begin"),
+    pytest.param(("--jobs", "2"), ".EXAM.partial-*", id="workers-begin"),
     pytest.param(("--jobs", "2"), ".EXAM.partial-*/papers/*.pdf", id="workers-print"),
     pytest.param(
         ("--jobs", "1", "--engine", "latex", "--no-solutions"),

@@ -52,7 +52,7 @@ def test_every_sign_reversed_is_wrong_but_for_zero(small_class: Path, tmp_path: 
         zero = mark["ask"] == "v_x"
         assert mark["points"] == ("1" if zero else "0")
         assert mark["verdict"] in (("right",) if zero else ("wrong", "mistake"))
-        assert mark["ask"] != "alpha_AB" or mark["reason"].startswith("sense-reversed: ")
+        assert mark["ask"] != "alpha_AB" or "sense-reversed" in mark["reason"]
 
 
 @pytest.mark.parametrize("side", [1, -1])

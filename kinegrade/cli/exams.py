@@ -137,7 +137,7 @@ def generate(
         extras=Extras(solutions, method, tuple(dict.fromkeys(also))),
         progress=progress,
     )
-    if written.setting.secret.guessable:
+    if written.dealt.secret.guessable:
         kept = f"{output}: keeps numbers that come from words: {GUESSABLE}; --new-numbers is safe"
         click.echo(kept if words is None else COST, err=True)
     _say(written, output)
@@ -162,8 +162,8 @@ def _wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:
 def _say(written: Generated, output: Path) -> None:
     for question, template in written.drawn.items():
         click.echo(f"{question}: drawn from the bank: {template}", err=True)
-    refusals = written.setting.refusals()
-    for question, combinations in written.setting.combinations().items():
+    refusals = written.dealt.refusals()
+    for question, combinations in written.dealt.combinations().items():
         refused = ", ".join(f"{reason} {count}" for reason, count in refusals[question].items())
         click.echo(
             f"{question}: {combinations} combinations, refused draws: {refused or 'none'}", err=True

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Literal, assert_never
 
 from kinegrade.exam.press import Engine
-from kinegrade.problem.drawing import address
+from kinegrade.problem.keyed_order import address
 from kinegrade.problem.template import Template, Translated
 from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import StatedCredit

@@ -20,9 +20,8 @@ from kinegrade.exam.folder.contradictions import contradicted, other_value
 from kinegrade.exam.folder.numbers import RATIONAL, number
 from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.key_record import stated_answer
-from kinegrade.exam.setting import SetAsk, SetQuestion, set_drawn
+from kinegrade.exam.setting import Drawn, SetAsk, SetQuestion, set_drawn
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.drawing import Drawn
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solving import Solution, solve_template
 
@@ -42,7 +41,7 @@ def derive_question(
     Raises ExamError, with all differences, where something else follows than the key says.
     """
     solution = _solved(question, kept, where, plan)
-    derived = set_drawn(question, Drawn(kept.values, 0, solution))
+    derived = set_drawn(question, Drawn(kept.values, solution))
     differences = list(_differences(derived, kept))
     if differences:
         raise contradicted(where, differences)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from kinegrade.errors import KinegradeError, TemplateError, TypesetError
@@ -17,7 +18,9 @@ from kinegrade.exam.typst import TypstPress, legible
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import drawable_mechanism
-from kinegrade.problem.drawing import Deck
+from kinegrade.problem.deal import deal, look_here
+from kinegrade.problem.deck import template_deck
+from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.library import load_template
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import Given, with_unit
@@ -103,15 +106,20 @@ def printable(press: TypstPress, entry: GalleryEntry, language: Language) -> Gal
 def drawn_figures(
     template: Template, draws: int
 ) -> tuple[tuple[GalleryFigure, ...], tuple[str, ...]]:
-    """The figures of the first draws, the same in every gallery, and why there are no more."""
-    deck = Deck(template, template.asked(), template.name, "gallery")
+    """The figures of the first good combinations, the same in every gallery, and why there are no
+    more.
+    """
+    deck = template_deck(template, template.name, "gallery")
+    filters = {"gallery": DrawFilter(template, template.asked(), deck, {})}
     figures: list[GalleryFigure] = []
     try:
-        for number in range(1, draws + 1):
-            figures.append(gallery_figure(deck.draw(str(number)).solution))
+        dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
+        for place in range(dealt.good):
+            values = deck.combination(dealt.position(place))
+            figures.append(gallery_figure(filters["gallery"].solved(values)))
     except KinegradeError as error:
         return tuple(figures), error.problems
-    return tuple(figures), ()
+    return tuple(figures), (() if dealt.lasting else (dealt.shortage(template.name, "draws"),))
 
 
 def gallery_figure(solution: Solution) -> GalleryFigure:

@@ -18,8 +18,10 @@ from kinegrade.csv_writing import neutralised, write_for_people
 from kinegrade.errors import BankError, TableError
 from kinegrade.exam.answer_workbook import write_answer_workbook
 from kinegrade.exam.blueprint import Bank, Blueprint
+from kinegrade.exam.class_printing import CHUNK, printed
+from kinegrade.exam.dealing import ClassDeal, deal_exam
 from kinegrade.exam.document import KeyPaper, PaperSize
-from kinegrade.exam.exam_secret import SecretWish
+from kinegrade.exam.exam_secret import ExamSecret, SecretWish
 from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
     ANSWERS,
@@ -31,7 +33,7 @@ from kinegrade.exam.folder.contents import (
     NOTICE,
     TEMPLATES,
 )
-from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.records import ExamHead, KeyLine
 from kinegrade.exam.folder.writing import head_json
 from kinegrade.exam.hand_work import editable
 from kinegrade.exam.head_record import WARNING, exam_head
@@ -39,14 +41,13 @@ from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
-from kinegrade.exam.replaced_exam import PaperChanges, replaced_exam, settle
+from kinegrade.exam.replaced_exam import PaperChanges, ReplacedExam, replaced_exam, settle
 from kinegrade.exam.roster import Roster, unprintable_id
-from kinegrade.exam.setting import Setting, set_exam
-from kinegrade.exam.workshop import printed
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
 from kinegrade.problem.sections.opening import FOLDER
+from kinegrade.processes import executor
 
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
 SHARED_WITH_GROUP = Access(0o750, 0o640, FOR_STUDENTS)
@@ -56,14 +57,14 @@ Progress = Callable[[Iterator[Printed], int], Iterator[Printed]]
 
 @dataclass(frozen=True)
 class Generated:
-    """What was written: how many papers, and `setting` knows from how many combinations and why
-    draws were refused.
+    """What was written: how many papers, and `dealt` knows from how many combinations and why
+    others were refused.
 
     `drawn` names the templates of the questions that the bank left to be drawn. Where a folder was
     replaced, `changes` tells what became of its papers and `remarks` of what else was in it.
     """
 
-    setting: Setting
+    dealt: ClassDeal
     drawn: dict[str, str]
     complaints: tuple[str, ...]
     changes: PaperChanges | None
@@ -72,7 +73,7 @@ class Generated:
     @property
     def papers(self) -> int:
         """How many there are."""
-        return len(self.setting.roster.students)
+        return len(self.dealt.roster.students)
 
 
 @dataclass(frozen=True)
@@ -134,42 +135,46 @@ def generate(
     require_tools(extras)
     old = replaced_exam(place.path, new_numbers=wish.new) if place.force else None
     secret = wish.secret(None if old is None else old.secret)
-    setting = set_exam(blueprint.bank(secret.drawing), roster, secret)
-    sources = source_files(setting)
-    with bulk_work(), place.folder() as folder:
-        order = printing.order(setting.bank)
+    bank = blueprint.bank(secret.drawing)
+    sources = source_files(bank)
+    jobs = max(min(printing.jobs, len(roster.students) // CHUNK), 1)
+    with bulk_work(), place.folder() as folder, executor(jobs, "generate") as workers:
+        order = printing.order(bank)
         press = order.press()
-        said = complaints(roster, press)
+        dealt = deal_exam(bank, roster, secret, workers, kept_papers(old, secret))
+        said = (*complaints(roster, press), *dealt.shortages())
         require_none(said if strict else ())
-        run = PrintRun(setting.bank, language, order, extras)
-        keys = write_papers(setting, run, press, folder, jobs=printing.jobs, progress=progress)
+        run = PrintRun(bank, language, order, extras)
+        with closing(printed(run, dealt, workers, jobs)) as papers:
+            results = progress(papers, len(roster.students))
+            keys = write_papers(dealt, run, press, folder, results)
         write_sources(sources, folder)
-        write_head(exam_head(setting, keys, language, order), setting, folder)
+        write_head(exam_head(dealt, keys, language, order), dealt, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
-    return Generated(setting, drawn_templates(blueprint, setting), said, *settled)
+    return Generated(dealt, drawn_templates(blueprint, bank), said, *settled)
 
 
-def write_head(head: ExamHead, setting: Setting, folder: Path) -> None:
+def write_head(head: ExamHead, dealt: ClassDeal, folder: Path) -> None:
     """The answer sheet, exam.json and the notice to instructors; all other files stand there
     already.
     """
-    write_blank_answers(setting, folder)
+    write_blank_answers(dealt, folder)
     whole = structs.replace(head, editable=editable(folder))
     (folder / HEAD).write_bytes(head_json(whole))
     (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
 
 
-def drawn_templates(blueprint: Blueprint, setting: Setting) -> dict[str, str]:
+def drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
     """For each question that was drawn the name of its template."""
     return {
         slot.identifier: question.template.name
-        for slot, question in zip(blueprint.slots, setting.bank.questions, strict=True)
+        for slot, question in zip(blueprint.slots, bank.questions, strict=True)
         if slot.drawn
     }
 
 
 def write_papers(
-    setting: Setting, run: PrintRun, press: Press, folder: Path, *, jobs: int, progress: Progress
+    dealt: ClassDeal, run: PrintRun, press: Press, folder: Path, results: Iterator[Printed]
 ) -> list[KeyPaper]:
     """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
 
@@ -178,12 +183,10 @@ def write_papers(
     """
     keys: list[KeyPaper] = []
     with (
-        closing(printed(run, setting, press, jobs)) as results,
         (folder / KEY).open("wb") as lines,
         printed_files(folder, solutions=run.extras.solutions) as write,
     ):
-        shown = progress(results, len(setting.roster.students))
-        papers = noted(written(shown, setting.roster, write), lines, keys)
+        papers = noted(written(results, dealt.roster, write), lines, keys)
         write_key(folder, press.key(key_book(run.bank, papers, run.language)))
     return keys
 
@@ -205,14 +208,14 @@ def noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> 
         yield result.key
 
 
-def source_files(setting: Setting) -> dict[str, str]:
+def source_files(bank: Bank) -> dict[str, str]:
     """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
     the exam again.
 
     Raises BankError where two templates share different mechanisms of one name, as the folder keeps
     one file of a name.
     """
-    templates = [question.template for question in setting.bank.questions]
+    templates = [question.template for question in bank.questions]
     shared = [template.file.mechanism for template in templates if template.file.mechanism]
     mechanisms: dict[str, str] = {}
     faults = {
@@ -224,7 +227,7 @@ def source_files(setting: Setting) -> dict[str, str]:
     if faults:
         raise BankError(*faults.values())
     return {
-        BANK: setting.bank.text,
+        BANK: bank.text,
         **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
         **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
     }
@@ -238,17 +241,17 @@ def write_sources(sources: Mapping[str, str], folder: Path) -> None:
         path.write_text(text, encoding="utf-8", newline="")
 
 
-def write_blank_answers(setting: Setting, folder: Path) -> None:
+def write_blank_answers(dealt: ClassDeal, folder: Path) -> None:
     """The blank answer sheet, as CSV and as a workbook: a row for each student, a column for each
     ask.
     """
     columns = [
         f"{question.identifier}.{ask.name}"
-        for question in setting.bank.questions
+        for question in dealt.bank.questions
         for ask in question.asks
     ]
     header, blank = ["student", "name", *columns], [""] * len(columns)
-    students = setting.roster.students
+    students = dealt.roster.students
     write_for_people(
         folder / ANSWERS,
         header,
@@ -278,6 +281,11 @@ def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
         if odd:
             said.append(str(unprintable_id(roster.file, student, odd)))
     return tuple(said)
+
+
+def kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
+    """The papers that stay: those of the folder that is replaced, where the secret stays too."""
+    return old.kept if old is not None and old.secret == secret else {}
 
 
 def require_none(complaints: tuple[str, ...]) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from msgspec import structs
+from msgspec import UNSET, structs
 
 from kinegrade import __version__
 from kinegrade.exam.blueprint import BankQuestion
+from kinegrade.exam.dealing import ClassDeal
 from kinegrade.exam.document import KeyPaper
 from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
@@ -13,7 +14,6 @@ from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.printing import PressOrder
 from kinegrade.exam.roster import Student
-from kinegrade.exam.setting import Setting
 from kinegrade.exam.versions import version_letters
 from kinegrade.language import Language
 
@@ -27,10 +27,10 @@ WARNING = (
 
 
 def exam_head(
-    setting: Setting, keys: list[KeyPaper], language: Language, order: PressOrder
+    dealt: ClassDeal, keys: list[KeyPaper], language: Language, order: PressOrder
 ) -> ExamHead:
     """The head of an exam, printed by that order."""
-    bank = setting.bank
+    bank = dealt.bank
     head = ExamHead(
         format=FORMAT,
         kinegrade=__version__,
@@ -44,20 +44,22 @@ def exam_head(
         versions=tuple(version_letters(bank.versions)),
         credit=bank.credit.record() or None,
         solutions=bank.solutions,
-        questions=tuple(_exam_question(setting, question) for question in bank.questions),
-        students=tuple(map(_candidate, setting.roster.students, keys)),
+        questions=tuple(_exam_question(dealt, question) for question in bank.questions),
+        students=tuple(map(_candidate, dealt.roster.students, keys)),
     )
-    return structs.replace(head, **setting.secret.record())
+    return structs.replace(head, **dealt.secret.record())
 
 
-def _exam_question(setting: Setting, question: BankQuestion) -> ExamQuestion:
+def _exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestion:
     asks = question.template.asks
+    deal = dealt.deals[question.identifier]
     return ExamQuestion(
         question=question.identifier,
         template=question.template.name,
         points=question.points,
-        combinations=setting.decks[question.identifier].combinations(),
-        refused=setting.refusals()[question.identifier],
+        combinations=deal.size,
+        refused=deal.refused,
+        good=UNSET if deal.lasting else deal.good,
         asks=tuple(
             Ask(
                 question.identifier,

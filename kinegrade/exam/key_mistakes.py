@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from math import isclose, isfinite
 from typing import Any
 
 from kinegrade.exam.setting import SetAsk, SetPaper, SetQuestion
+from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.mistakes import known_mistakes
+from kinegrade.problem.separation import columns
 
 # Significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree
 # to
@@ -32,18 +35,30 @@ def mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mistaken]
 
 
 def class_mistakes(questions: Sequence[SetQuestion]) -> list[Mistaken]:
-    """The values for one question as several students have it."""
+    """The values for one question as several students have it: those solved by the same plan are
+    worked out together, so that it does not matter whose papers these are.
+    """
+    by_plan: dict[Plan, list[int]] = defaultdict(list)
+    for number, question in enumerate(questions):
+        by_plan[question.drawn.solution.motion.plan].append(number)
+    found: dict[int, Mistaken] = {}
+    for plan, numbers in by_plan.items():
+        alike = [questions[number] for number in numbers]
+        found.update(zip(numbers, _mistakes_by(plan, alike), strict=True))
+    return [found[number] for number in range(len(questions))]
+
+
+def _mistakes_by(plan: Plan, questions: Sequence[SetQuestion]) -> Iterator[Mistaken]:
+    """The values for one question, as a plan leads to them."""
     first = questions[0]
     template = first.question.template
     asks = {entry.ask.name: template.asks[entry.ask.name] for entry in first.asks}
-    values = {
-        name: [question.drawn.values[name] for question in questions] for name in first.drawn.values
-    }
-    known = known_mistakes(template, asks, values, first.drawn.solution.motion.plan)
-    return [
-        {entry.ask.name: of_one(entry, known[entry.ask.name], number) for entry in question.asks}
-        for number, question in enumerate(questions)
-    ]
+    values = columns([question.drawn.values for question in questions])
+    known = known_mistakes(template, asks, values, plan)
+    for number, question in enumerate(questions):
+        yield {
+            entry.ask.name: of_one(entry, known[entry.ask.name], number) for entry in question.asks
+        }
 
 
 def of_one(entry: SetAsk, known: Mapping[str, Any], number: int) -> dict[str, str]:

@@ -34,6 +34,7 @@ def key_line(
         student=paper.student.student,
         paper=paper.code,
         version=paper.version,
+        place=paper.place,
         printed=_identifiers(paper.printed) if shuffled else (),
         questions=tuple(
             key_question(question, mistakes.get(question.question.identifier, {}))

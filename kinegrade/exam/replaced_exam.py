@@ -27,6 +27,7 @@ UNKNOWN = "the exam that stood there could not be read, so nothing is known of i
 RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"
 OTHERWISE = "choose another one, or add --new-numbers to replace its papers anyway"
 NAMED = 5  # students that a message names
+MOST_PLACES = 1_000_000  # of a class: what is beyond was never dealt
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,8 @@ class PaperChanges:
 
 @dataclass(frozen=True)
 class ReplacedExam:
-    """An exam folder that is about to be replaced; `papers` holds a digest of each student's key.
+    """An exam folder that is about to be replaced; `papers` holds a digest of each student's key,
+    `kept` the key itself.
 
     `head` and `secret` are None where the folder is damaged, so that its papers are not known.
     """
@@ -61,6 +63,7 @@ class ReplacedExam:
     head: ExamHead | None
     secret: ExamSecret | None
     papers: Mapping[str, bytes]
+    kept: Mapping[str, KeyLine]
 
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
@@ -104,7 +107,7 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
         return read_replaced(open_exam(folder))
     except ExamError as error:
         if new_numbers:
-            return ReplacedExam(folder, None, None, {})
+            return ReplacedExam(folder, None, None, {}, {})
         raise ExamError(*(f"{problem}, {OTHERWISE}" for problem in error.problems)) from error
 
 
@@ -124,7 +127,14 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
             f"{len(exam.students)} are not there), so that a paper may be replaced unnoticed - "
             f"{RESTORING}"
         )
-    return ReplacedExam(exam.path, exam.head, secret, papers)
+    kept = {line.student: line for line in exam.lines()}
+    for line in kept.values():
+        if line.place is not None and not 0 <= line.place < MOST_PLACES:
+            raise ExamError(
+                f'{exam.key}: student "{one_line(line.student)}" has the place {line.place} - '
+                f"expected one from 0 to {MOST_PLACES - 1} - {RESTORING}"
+            )
+    return ReplacedExam(exam.path, exam.head, secret, papers, kept)
 
 
 def settle(

@@ -8,14 +8,14 @@ from fractions import Fraction
 
 from kinegrade.errors import MechanismError
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.document import SolutionSheet, WorkedQuestion
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import set_exam
 from kinegrade.exam.typst import TypstPress
 from kinegrade.language import Language
-from kinegrade.problem.drawing import Refused, require_doubles
+from kinegrade.problem.examining import Refused, require_doubles
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.statement import statement
 from kinegrade.problem.template import Method, Template, Translated
@@ -50,8 +50,8 @@ def sample_bank(template: Template) -> Bank:
 def sample_page(template: Template, seed: str, language: Language) -> bytes:
     """A paper with one instance of the template, as PDF. Raises DrawError, TypesetError."""
     student = Student("sample", "Sample", "", "sample")
-    setting = set_exam(sample_bank(template), Roster((student,), ()), FromWords(seed))
-    return TypstPress().paper(paper_pages(setting.bank, next(setting.papers()), language))
+    dealt = deal_exam(sample_bank(template), Roster((student,), ()), FromWords(seed))
+    return TypstPress().paper(paper_pages(dealt.bank, next(dealt.papers()), language))
 
 
 def worked_page(solution: Solution, language: Language, method: Method | None = None) -> bytes:

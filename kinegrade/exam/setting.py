@@ -1,27 +1,64 @@
-"""Setting an exam: for each student of the roster, or for each version, every question is drawn and
-solved.
+"""Setting papers: what a student was dealt is solved, for each question, with what is right.
 
-`set_exam` gives the papers one after the other, so that memory does not grow with the class.
+A paper is a function of the exam and of what was dealt to the student, so that any paper can be set
+anywhere, alone. `kinegrade.exam.dealing` deals to a class.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import count
+from functools import cached_property
 
-from kinegrade.errors import DrawError
 from kinegrade.exam.blueprint import Bank, BankAsk, BankQuestion
-from kinegrade.exam.exam_secret import ExamSecret
-from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.versions import version_letters, version_of
+from kinegrade.exam.roster import Student
 from kinegrade.mechanics.doubles import MotionInDoubles
-from kinegrade.problem.drawing import Deck, Drawn, address
+from kinegrade.problem.deck import Combination, template_deck
+from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution
 from kinegrade.problem.tolerance import Tolerance, effective
 
-SEEN_AHEAD = 64  # students whose draws are looked at together
-LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are misread
+
+@dataclass(frozen=True)
+class Exam:
+    """What all papers of an exam are made from: a bank, and the secret that orders its decks."""
+
+    bank: Bank
+    secret: str
+
+    @cached_property
+    def filters(self) -> Mapping[str, DrawFilter]:
+        """The filter of each question."""
+        return {
+            question.identifier: DrawFilter(
+                question.template,
+                tuple(ask.name for ask in question.asks),
+                template_deck(
+                    question.template, self.secret, question.identifier, question.domains
+                ),
+                {ask.name: ask.tolerance for ask in question.asks},
+                self.bank.four_decimals,
+            )
+            for question in self.bank.questions
+        }
+
+
+@dataclass(frozen=True)
+class DealtPaper:
+    """What a student was dealt: a place, from which all else follows, a code that is printed on the
+    paper, and the values of each question in the bank's order.
+
+    `order` says in which order the questions are printed; `version` is a letter, or "" where the
+    numbers are the student's alone.
+    """
+
+    student: Student
+    place: int
+    code: str
+    version: str
+    order: tuple[int, ...]
+    values: tuple[Combination, ...]
 
 
 @dataclass(frozen=True)
@@ -32,6 +69,14 @@ class SetAsk:
     answer: Quantity
     tolerance: Tolerance
     cyclic: bool
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """An instance: the values as texts in the parameters' units, and its solution."""
+
+    values: Combination
+    solution: Solution
 
 
 @dataclass(frozen=True)
@@ -48,7 +93,7 @@ class SetPaper:
     """One student's paper; `code` is printed on it and kept in the key.
 
     `questions` stand in the bank's order, `order` says in which they are printed; `version` is a
-    letter, or "" where the paper is the student's own.
+    letter, or "" where the paper is the student's alone; `place` is the student's in the class.
     """
 
     student: Student
@@ -56,6 +101,7 @@ class SetPaper:
     questions: tuple[SetQuestion, ...]
     order: tuple[int, ...]
     version: str
+    place: int
 
     @property
     def printed(self) -> tuple[SetQuestion, ...]:
@@ -63,112 +109,13 @@ class SetPaper:
         return tuple(self.questions[place] for place in self.order)
 
 
-@dataclass(frozen=True)
-class Setting:
-    """A bank, a class and a secret, ready to be drawn from."""
-
-    bank: Bank
-    roster: Roster
-    secret: ExamSecret
-    decks: Mapping[str, Deck]
-    codes: Mapping[str, str]  # by student
-
-    def papers(self, places: Sequence[int] | None = None) -> Iterator[SetPaper]:
-        """The papers in roster order, or of the students at these places of the roster.
-
-        Raises DrawError when a template has too few instances for the class.
-        """
-        letters = version_letters(self.bank.versions)
-        versions = {letter: self.draw(f"version {letter}") for letter in letters}
-        places = range(len(self.roster.students)) if places is None else places
-        for number, place in enumerate(places):
-            student = self.roster.students[place]
-            code = self.codes[student.student]
-            if versions:
-                letter = version_of(self.secret.drawing, place, letters)
-                yield SetPaper(
-                    student,
-                    f"{letter}-{code}",
-                    versions[letter],
-                    self.order(f"version {letter}"),
-                    letter,
-                )
-            else:
-                if number % SEEN_AHEAD == 0:
-                    self.foresee(places[number : number + SEEN_AHEAD])
-                yield SetPaper(
-                    student, code, self.draw(student.student), self.order(student.student), ""
-                )
-
-    def foresee(self, places: Sequence[int]) -> None:
-        """Look ahead at the draws of the students at these places."""
-        for deck in self.decks.values():
-            deck.foresee([self.roster.students[place].student for place in places])
-
-    def draw(self, whose: str) -> tuple[SetQuestion, ...]:
-        """The questions of a student, or of a version."""
-        return tuple(
-            set_question(question, self.decks[question.identifier], whose)
-            for question in self.bank.questions
-        )
-
-    def order(self, whose: str) -> tuple[int, ...]:
-        """The order in which the questions of a student, or of a version, are printed."""
-        places = range(len(self.bank.questions))
-        if not self.bank.shuffle:
-            return tuple(places)
-        return tuple(
-            sorted(
-                places,
-                key=lambda place: address(
-                    self.secret.drawing, "order", whose, self.bank.questions[place].identifier
-                ),
-            )
-        )
-
-    def combinations(self) -> dict[str, int]:
-        """For each question how many combinations of values can be drawn."""
-        return {name: deck.combinations() for name, deck in self.decks.items()}
-
-    def refusals(self) -> dict[str, dict[str, int]]:
-        """For each question how often a draw was refused, by reason."""
-        return {name: dict(sorted(deck.refused.items())) for name, deck in self.decks.items()}
-
-
-def set_exam(bank: Bank, roster: Roster, secret: ExamSecret) -> Setting:
-    """A setting. Raises DrawError for every question with fewer combinations than there are papers
-    to be drawn.
-    """
-    decks = {
-        question.identifier: Deck(
-            question.template,
-            tuple(ask.name for ask in question.asks),
-            secret.drawing,
-            question.identifier,
-            question.domains,
-            tolerances={ask.name: ask.tolerance for ask in question.asks},
-            four_decimals=bank.four_decimals,
-        )
-        for question in bank.questions
-    }
-    needed, whose = (
-        (bank.versions, "versions") if bank.versions else (len(roster.students), "students")
+def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
+    """The paper with what was dealt. Raises MechanismError where that cannot be solved."""
+    questions = tuple(
+        set_drawn(question, Drawn(values, exam.filters[question.identifier].solved(values)))
+        for question, values in zip(exam.bank.questions, dealt.values, strict=True)
     )
-    few = [
-        f"{name} ({deck.template.name}): {deck.combinations()} combinations are drawable for "
-        f"{needed} {whose}: widen the domains"
-        for name, deck in decks.items()
-        if deck.combinations() < needed
-    ]
-    if few:
-        raise DrawError(*few)
-    codes = paper_codes(secret.coding, (student.student for student in roster.students))
-    return Setting(bank, roster, secret, decks, codes)
-
-
-def set_question(question: BankQuestion, deck: Deck, whose: str) -> SetQuestion:
-    """A question drawn for a student, or for a version."""
-    return set_drawn(question, deck.draw(whose))
+    return SetPaper(dealt.student, dealt.code, questions, dealt.order, dealt.version, dealt.place)
 
 
 def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
@@ -188,26 +135,3 @@ def set_ask(
     """
     tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)
-
-
-def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:
-    """The code of everybody's paper, no two alike; where two would be, the one further down gets
-    another.
-    """
-    codes: dict[str, str] = {}
-    taken: set[str] = set()
-    for student in students:
-        attempts = (paper_code(secret, student, attempt) for attempt in count())
-        codes[student] = next(code for code in attempts if code not in taken)
-        taken.add(codes[student])
-    return codes
-
-
-def paper_code(secret: str, student: str, attempt: int = 0) -> str:
-    """The code of a student's paper, like K7Q2-9FHM: 40 bits of the secret for codes and the
-    student's id.
-    """
-    further = (attempt,) if attempt else ()
-    number = address(secret, "paper", student, *further)
-    text = "".join(LETTERS[number >> 5 * place & 31] for place in range(8))
-    return f"{text[:4]}-{text[4:]}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.drawing import address
+from kinegrade.problem.keyed_order import address
 
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
-from kinegrade.problem.drawing import unfit
+from kinegrade.problem.examining import unfit
 from kinegrade.problem.holding import holds
 from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template

@@ -7,17 +7,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
 from statistics import median
 from time import perf_counter
 from typing import Any
 
 from kinegrade.errors import ExpressionError, KinegradeError
-from kinegrade.exact.angle import Angle
+from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.expression import elementary, evaluate
 from kinegrade.problem.answerable import answerable, stated
-from kinegrade.problem.draw_screening import DrawScreening
-from kinegrade.problem.drawing import Deck, Refused, address, examine
+from kinegrade.problem.deck import Combination, Deck, template_deck
+from kinegrade.problem.draw_filter import DrawFilter
+from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.holding import holds, wording
 from kinegrade.problem.searching import breaking_values
 from kinegrade.problem.solving import Solution, solve_template
@@ -72,7 +72,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     Another `secret` draws other instances. An ask that cannot be worked out is one fault; what
     follows from it is not reported again.
     """
-    draws = list(drawable(template, sample, secret))
+    draws = drawable(template, sample, secret)
     asks = answerable(template, draws)
     report = Report(template, secret, asks.sound)
     report.faults += statement_faults(template)
@@ -140,14 +140,13 @@ def weigh_texts(report: Report, sample: int) -> None:
     ]
 
 
-def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:
+def draw(report: Report, draws: Sequence[Combination]) -> None:
     """Examine the sample: what is refused and why, how the answers spread, how long an instance
     takes.
     """
     times, plan = [], None
-    sight = look_ahead(report, draws)
-    for values in draws:
-        if sight.seen[tuple(values.values())]:
+    for values, confused in zip(draws, look_for_mistakes(report, draws), strict=True):
+        if confused:
             report.refused["mistake"] += 1
             continue
         start = perf_counter()
@@ -163,15 +162,15 @@ def draw(report: Report, draws: Sequence[Mapping[str, str]]) -> None:
     report.seconds = median(times) if times else 0.0
 
 
-def look_ahead(report: Report, draws: Sequence[Mapping[str, str]]) -> DrawScreening:
-    """See which draws a known mistake would confuse with the truth; report what no draw can tell
+def look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool]:
+    """Of each draw whether a known mistake is taken for the truth; reports what no draw can tell
     apart.
     """
-    sight = Deck(report.template, asked(report), report.secret, report.template.name).sight
-    sight.look(draws)
-    if sight.separation is not None:
-        report.inseparable = sight.separation.inseparable()
-    return sight
+    template = report.template
+    draw_filter = DrawFilter(template, asked(report), check_deck(template, report.secret), {})
+    if draw_filter.separation is not None:
+        report.inseparable = draw_filter.separation.inseparable()
+    return draw_filter.confused(draws)
 
 
 def weigh(report: Report) -> None:
@@ -210,25 +209,14 @@ def rounding_remarks(report: Report) -> Iterator[str]:
             )
 
 
-def drawable(template: Template, sample: int, secret: str = SECRET) -> Iterator[Mapping[str, str]]:
-    """Values of `sample` different combinations, evenly addressed; all of them where there are no
-    more.
-    """
-    total = template.combinations
-    if total <= sample:
-        yield from (combination(template, index) for index in range(total))
-        return
-    addresses = (address(secret, template.name, number) % total for number in range(3 * sample))
-    yield from (combination(template, index) for index in islice(dict.fromkeys(addresses), sample))
+def drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:
+    """Values of `sample` different combinations; all of them where there are no more."""
+    return check_deck(template, secret).first(sample)
 
 
-def combination(template: Template, index: int) -> dict[str, str]:
-    """The combination of that index, counting through the domains."""
-    values = {}
-    for name, parameter in template.parameters.items():
-        index, place = divmod(index, len(parameter.choices))
-        values[name] = parameter.choices[place]
-    return values
+def check_deck(template: Template, secret: str) -> Deck:
+    """The deck of which a check looks at the beginning."""
+    return template_deck(template, secret, template.name)
 
 
 def note(report: Report, solution: Solution) -> None:
@@ -246,31 +234,33 @@ def prove(report: Report, published: Published) -> None:
         f"published ({published.source})",
         set(published.given) == set(report.template.parameters),
     )
-    solutions, problem = [], ""
+    proofs: list[tuple[Solution, dict[str, str]]] = []
+    problem = ""
     gives = [name for name in published.gives if name in report.sound]
     for values in settled(report, published, 1 if complete else 20 * INSTANCES):
         try:
-            solutions.append(solve_template(report.template, values, gives))
+            solution = solve_template(report.template, values, gives)
+            proofs.append((solution, dict(differences(report.template, published, solution))))
         except KinegradeError as error:
             problem = error.problems[0]
-        if len(solutions) == INSTANCES:
+        except Inexact as error:
+            problem = f"{error} lies in no small exact field"
+        if len(proofs) == INSTANCES:
             break
     wrong: dict[str, str] = {}
-    for solution in solutions:
-        found = dict(differences(report.template, published, solution))
+    for solution, found in proofs:
         report.proved += len(gives) - len(found)
         for name, fault in found.items():
             wrong.setdefault(name, f"{where} at {at(solution)}: {fault}")
     report.faults += wrong.values()
-    if not solutions:
+    if not proofs:
         report.faults.append(f"{where}: no instance can be solved: {problem}")
 
 
-def settled(report: Report, published: Published, count: int) -> Iterator[Mapping[str, str]]:
+def settled(report: Report, published: Published, count: int) -> list[Combination]:
     """The values that a source states, with `count` draws of those it leaves open."""
-    template, fixed = report.template, {name: (text,) for name, text in published.given.items()}
-    deck = Deck(template, template.asked(), "published", published.source, fixed)
-    return ({**deck.values(report.secret, attempt), **published.given} for attempt in range(count))
+    fixed = {name: (text,) for name, text in published.given.items()}
+    return template_deck(report.template, report.secret, published.source, fixed).first(count)
 
 
 def at(solution: Solution) -> str:

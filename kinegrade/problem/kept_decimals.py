@@ -1,8 +1,9 @@
 """What Canvas leaves of a typed number, four decimals, and the unit in which that tells right from
 wrong.
 
-A draw is refused by this rule where the bank says that the exam goes to Canvas (`problem.drawing`),
-and the quiz is written by it (`lms.quiz.canvas_units`). Numbers are exact, in the unit of the ask.
+A draw is refused by this rule where the bank says that the exam goes to Canvas
+(`problem.draw_filter`), and the quiz is written by it (`lms.quiz.canvas_units`). Numbers are
+exact, in the unit of the ask.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ apart (a term that is identically zero there) is not asked of any of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import tau
 from typing import Any
@@ -213,3 +213,8 @@ def differing(one: Any, other: Any) -> Any:
     none.
     """
     return np.abs(one - other) > SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
+
+
+def columns(draws: Sequence[Mapping[str, str]]) -> dict[str, list[str]]:
+    """For each parameter its values in all draws."""
+    return {name: [draw[name] for draw in draws] for name in draws[0]}

@@ -9,7 +9,6 @@ import json
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
@@ -295,22 +294,13 @@ def bytes_of(folder: Path) -> dict[str, bytes]:
 
 
 def test_the_chinese_papers_put_the_same_questions(demo: Demo, tmp_path: Path) -> None:
-    roster = tmp_path / "five.csv"
-    roster.write_text("".join(first_lines(ROSTER, 6)), encoding="utf-8")
     run = kinegrade(
-        *("generate", BANK, roster, "-o", tmp_path / "EXAM", "--reproducible", "demo"),
+        *("generate", BANK, ROSTER, "-o", tmp_path / "EXAM", "--reproducible", "demo"),
         *("--lang", "zh", "--no-solutions"),
     )
     assert run.returncode == 0, run.stderr
-    assert len(list((tmp_path / "EXAM" / "papers").iterdir())) == 5
     assert (
         json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))["language"]
         == "zh"
     )
-    assert first_lines(tmp_path / "EXAM" / "key.jsonl", 5) == first_lines(
-        demo.exam / "key.jsonl", 5
-    )
-
-
-def first_lines(path: Path, count: int) -> Iterable[str]:
-    return path.read_text(encoding="utf-8").splitlines(keepends=True)[:count]
+    assert (tmp_path / "EXAM" / "key.jsonl").read_bytes() == (demo.exam / "key.jsonl").read_bytes()

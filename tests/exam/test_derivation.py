@@ -15,13 +15,13 @@ import pytest
 from kinegrade.errors import ExamError
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.derivation import derive_question
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.contradictions import REMEDY
 from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
 from kinegrade.exam.key_record import key_question
 from kinegrade.exam.roster import read_roster
-from kinegrade.exam.setting import set_exam
 from kinegrade.expression import read
 from tests.small_class import write_class
 
@@ -38,7 +38,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Bank:
 def kept(bank: Bank, tmp_path_factory: pytest.TempPathFactory) -> tuple[KeyQuestion, ...]:
     """The questions of the first paper as a folder keeps them."""
     folder = write_class(tmp_path_factory.mktemp("roster"))
-    setting = set_exam(bank, read_roster(folder / "roster.csv", odd_ids=True), FromWords("spring"))
+    setting = deal_exam(bank, read_roster(folder / "roster.csv", odd_ids=True), FromWords("spring"))
     paper = next(iter(setting.papers()))
     return tuple(key_question(question, {}) for question in paper.questions)
 
@@ -104,7 +104,11 @@ def test_the_last_digits_of_another_version_do_not_matter(
     assert ask.decimal is not None
     assert ask.value is not None
     neighbour = Decimal(repr(nextafter(float(ask.value), inf)))
-    other_digits = {"decimal": ask.decimal[:-1] + "9", "value": neighbour}
+    last = int(ask.decimal[-1])
+    other_digits = {
+        "decimal": ask.decimal[:-1] + str(last - 1 if last else 1),
+        "value": neighbour,
+    }
     derive_question(bank.questions[0], changed_ask(**other_digits)(kept[0]), WHERE)
     with pytest.raises(ExamError, match=r"v_B is .* by the key"):
         derive_question(bank.questions[0], changed_ask(decimal=ask.decimal[:-6])(kept[0]), WHERE)

@@ -18,7 +18,7 @@ import pytest
 
 from kinegrade.exam.exam_secret import ExamSecret, FromWords, RandomSecret, random_secret
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.setting import paper_code, paper_codes
+from kinegrade.exam.paper_codes import paper_code, paper_codes
 from tests.small_class import contents, generate, key_lines, kinegrade, table, write_class
 
 EARLIER = Path(__file__).parent.parent / "data" / "exam-of-0.1"
@@ -116,7 +116,9 @@ def test_another_label_gives_other_numbers_under_the_same_secret() -> None:
 
 
 def test_no_two_papers_of_a_class_have_one_code(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kinegrade.exam.setting.LETTERS", "AB" * 16)  # 256 codes instead of 2^40
+    monkeypatch.setattr(
+        "kinegrade.exam.paper_codes.LETTERS", "AB" * 16
+    )  # 256 codes instead of 2^40
     students = [str(number) for number in range(200)]
     dealt = paper_codes("secret", students)
     assert len(set(dealt.values())) == len(students)
@@ -254,11 +256,11 @@ def test_an_earlier_folder_is_written_again_with_the_same_papers(
     )
     assert result.exit_code == 0, result.stderr
     assert "2 papers keep their numbers, 0 changed, 0 gone, 1 new" in result.stderr
-    after = key_lines(earlier)[:2]
-    for line in after:
-        for question in line["questions"]:
-            del question["drawn"]  # which version 0.1 did not keep
-    assert after == before
+    after = key_lines(earlier)
+    assert [line.pop("place") for line in after] == [0, 1, 2]
+    for question in (question for line in after for question in line["questions"]):
+        assert question.pop("drawn").keys() == question["parameters"].keys()
+    assert after[:2] == before  # which version 0.1 kept without these
     assert head(earlier)["reproducible"] == "spring"
 
 

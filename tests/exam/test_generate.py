@@ -183,7 +183,7 @@ def test_key_lines_have_the_promised_shape(exam: Path) -> None:
     lines = key_lines(exam)
     assert [line["student"] for line in lines] == list(STUDENTS)
     for line in lines:
-        assert list(line) == ["student", "paper", "questions"]
+        assert list(line) == ["student", "paper", "place", "questions"]
         assert len(line["questions"]) == 3
         for question in line["questions"]:
             assert list(question) == ["question", "template", "parameters", "drawn", "asks"]
@@ -386,13 +386,15 @@ def test_an_unknown_template_is_refused(folder: Path) -> None:
     assert 'questions[1].template: no template "slider-crnk": did you mean "slider-crank"?' in line
 
 
-def test_a_draw_that_fails_in_the_middle_leaves_nothing(folder: Path) -> None:
+def test_a_question_of_which_nothing_is_good_leaves_nothing(folder: Path) -> None:
     with_crank(
-        folder, '[[questions]]\ntemplate = "slider-crank"\n[[questions]]\ntemplate = "crank.toml"\n'
+        folder,
+        '[[questions]]\ntemplate = "slider-crank"\n'
+        '[[questions]]\ntemplate = "crank.toml"\ndraw = { h = [3] }\n',
     )
-    (line,) = refused(folder)  # two sound instances for four students
-    assert line.startswith("error: q2 (crank): no acceptable instance for student a/b in 400 draws")
-    assert line.endswith("widen the domains; 18 combinations are drawable")
+    (line,) = refused(folder)
+    assert line.startswith("error: q2 (crank): none of the 6 combinations of values is fit for")
+    assert line.endswith("widen the domains")
 
 
 def test_a_page_that_cannot_be_typeset_leaves_nothing(folder: Path) -> None:
@@ -468,7 +470,7 @@ def test_a_missing_pandoc_is_reported_before_anything_is_drawn(
     def draw(*arguments: object) -> None:
         raise AssertionError("work was done in vain")
 
-    monkeypatch.setattr("kinegrade.exam.generate.set_exam", draw)
+    monkeypatch.setattr("kinegrade.exam.generate.deal_exam", draw)
     for module in (None, SimpleNamespace(get_pandoc_path=lambda: "/nowhere/pandoc")):
         monkeypatch.setitem(sys.modules, "pypandoc", module)
         (line,) = refused(folder, "--also", "html", "--also", "docx")

@@ -15,6 +15,7 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.exam import latex_run
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.document import Paper
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.latex import LatexPress
@@ -22,7 +23,6 @@ from kinegrade.exam.pages import paper_pages
 from kinegrade.exam.press import Press
 from kinegrade.exam.roster import Roster, Student
 from kinegrade.exam.sample import sample_bank
-from kinegrade.exam.setting import set_exam
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.problem.library import load_template, template_names
@@ -130,7 +130,7 @@ def test_a_sample_of_every_template_can_be_printed(language: Language) -> None:
 
 def sample(name: str, language: Language) -> Paper:
     roster = Roster((Student(name, "Sample", "", name),), ())
-    setting = set_exam(sample_bank(load_template(name)), roster, FromWords("latex"))
+    setting = deal_exam(sample_bank(load_template(name)), roster, FromWords("latex"))
     return paper_pages(setting.bank, next(setting.papers()), language)
 
 

@@ -10,10 +10,11 @@ import pytest
 
 from kinegrade.exam.bank import read_bank
 from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.pages import WARNING, interval, key_book, key_paper, paper_pages
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.exam.setting import SetPaper
 from kinegrade.exam.typst_source import key_source, paper_source
 from tests.small_class import write_class
 
@@ -28,7 +29,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Bank:
 
 @pytest.fixture(scope="module")
 def papers(bank: Bank) -> list[SetPaper]:
-    return list(set_exam(bank, CLASS, FromWords("spring")).papers())
+    return list(deal_exam(bank, CLASS, FromWords("spring")).papers())
 
 
 def test_a_paper_holds_its_students_numbers(bank: Bank, papers: list[SetPaper]) -> None:

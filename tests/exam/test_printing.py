@@ -9,11 +9,12 @@ from dataclasses import replace
 import pytest
 
 from kinegrade.exam.bank import Bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.press import Engine
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.roster import Roster, Student
-from kinegrade.exam.setting import SetPaper, set_exam
+from kinegrade.exam.setting import SetPaper
 from kinegrade.language import Language
 
 NAMES = ("Zoë", "Ann Lee", "王伟", "O'Neil")
@@ -26,7 +27,7 @@ def papers(golden_bank: Bank) -> tuple[Bank, list[SetPaper]]:
     [question] = golden_bank.questions
     questions = question, replace(question, identifier="q2"), replace(question, identifier="q3")
     bank = replace(golden_bank, questions=questions, shuffle=True)
-    return bank, list(set_exam(bank, CLASS, FromWords("printing")).papers())
+    return bank, list(deal_exam(bank, CLASS, FromWords("printing")).papers())
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

@@ -17,6 +17,7 @@ import pytest
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam import quiz
 from kinegrade.exam.bank import read_bank
+from kinegrade.exam.dealing import deal_exam
 from kinegrade.exam.exam_secret import FromWords
 from kinegrade.exam.folder.exact_keys import key_line
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -27,7 +28,6 @@ from kinegrade.exam.quiz_document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz_paper import QuizWishes, quiz_paper, shown
 from kinegrade.exam.quiz_source import read_quiz_source
 from kinegrade.exam.roster import read_roster
-from kinegrade.exam.setting import set_exam
 from kinegrade.figure.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.mechanics.numeric import drawable_mechanism
@@ -96,7 +96,7 @@ def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -
 
 def test_statements_and_figures_are_those_of_the_paper(small_class: Path) -> None:
     bank = read_bank(small_class / "bank.toml")
-    setting = set_exam(
+    setting = deal_exam(
         bank, read_roster(small_class / "roster.csv", odd_ids=True), FromWords("spring")
     )
     for paper, put in zip(setting.papers(), papers(small_class / "EXAM"), strict=True):

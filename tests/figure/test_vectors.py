@@ -16,11 +16,11 @@ from kinegrade.figure.typst import to_typst
 from kinegrade.figure.vectors import CROWDED, LONGEST, PointArrow, placed_arrows, with_vectors
 from kinegrade.mechanics.numeric import drawable_mechanism, in_floats
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.drawing import Deck
 from kinegrade.problem.hints import Turning
 from kinegrade.problem.library import load_template, template_names
 from tests.figure.clear import faults, heads, symbols
 from tests.figure.mechanisms import slider_crank
+from tests.problem.draws import draw_filter, drawn
 
 MECHANISM, HINTS = slider_crank(0.2, 1.75, 60)
 AT_A, AT_B = MECHANISM.points["A"], MECHANISM.points["B"]
@@ -101,7 +101,7 @@ def test_a_rotation_has_its_sense(sense: str) -> None:
 @pytest.mark.parametrize("name", template_names()[::4])
 def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) -> None:
     template = load_template(name)
-    motion = Deck(template, template.asked(), "secret", "q1").draw("1").solution.motion
+    motion = drawn(draw_filter(template), 1)[0].solution.motion
     if not motion.rates:
         pytest.skip("a problem of pose alone")
     mechanism = drawable_mechanism(motion.frames.mechanism)

@@ -86,6 +86,20 @@ def test_a_result_that_no_field_holds_must_be_stated_otherwise() -> None:
     )
 
 
+def test_a_formula_that_no_field_holds_at_its_values_proves_nothing() -> None:
+    inexact = crank(
+        (
+            'gives = { v_x = "-omega*h" }',
+            'given = { r = "2", h = "1", omega = "2" }\ngives = { v_x = "-omega*h*cos(7*pi/180)" }',
+        )
+    )
+    fault = check(inexact, sample=18).faults[0]
+    assert fault == (
+        "published (by hand): no instance can be solved: the cosine of 7 degrees lies in no small "
+        "exact field"
+    )
+
+
 def test_faults_of_the_statement_are_faults_of_the_template() -> None:
     fault = check(crank(("{{ h.value }} above", "above")), sample=18).faults[0]
     assert (

@@ -4,6 +4,7 @@ marks.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import isclose, radians
 
@@ -12,7 +13,7 @@ import pytest
 from kinegrade.exact.rounding import Rounded, Sparing
 from kinegrade.mechanics.doubles import in_doubles
 from kinegrade.problem.checking import check, drawable
-from kinegrade.problem.drawing import Deck, Refused, examine
+from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.honest_rounding import (
     Stray,
     Target,
@@ -28,6 +29,7 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 from tests.problem.crank import crank
+from tests.problem.draws import dealt, draw_filter, drawn
 
 DIFFERENCE = (
     'quantity = "x(velocity(A))"',
@@ -144,23 +146,17 @@ def test_a_centrode_is_known_in_closed_form() -> None:
     assert by_coordinates(solution, Rounded(3)) == {"rho": solution["rho"].value}
 
 
-def test_a_deck_draws_again_what_an_honest_student_would_get_wrong() -> None:
+def test_what_an_honest_student_would_get_wrong_is_not_dealt() -> None:
     heights = tuple(f"1.{digits}" for digits in range(500, 900))
-    deck = Deck(
-        crank(DIFFERENCE), ("v_x",), "spring", "q1", {"r": ("2",), "h": heights, "omega": ("1.77",)}
-    )
-    wide = Deck(
-        crank(DIFFERENCE), ("v_x",), "spring", "q1", deck.fixed, tolerances=tolerance("1/2")
-    )
-    for student in range(12):
-        drawn = deck.draw(str(student))
-        exact, honest = (
-            drawn.solution["v_x"].value,
-            by_coordinates(drawn.solution, Rounded(3))["v_x"],
-        )
+    fixed = {"r": ("2",), "h": heights, "omega": ("1.77",)}
+    narrow = draw_filter(crank(DIFFERENCE), fixed=fixed, asks=("v_x",))
+    wide = replace(narrow, tolerances=tolerance("1/2"))
+    for one in drawn(narrow, 12):
+        exact = one.solution["v_x"].value
+        honest = by_coordinates(one.solution, Rounded(3))["v_x"]
         assert abs(honest - exact) <= exact / 100
-        wide.draw(str(student))
-    assert deck.refused["rounding"] > wide.refused["rounding"]
+    refused, fewer = (dealt(each, 12).refused.get("rounding", 0) for each in (narrow, wide))
+    assert refused > fewer
 
 
 def test_the_refusal_says_which_answer_strays() -> None:
@@ -194,7 +190,7 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
     rounded terms.
     """
     template, all_figures = load_template(name), Rounded(14)
-    for values in list(drawable(template, 40))[:3]:
+    for values in drawable(template, 40)[:3]:
         try:
             solution = examine(
                 template,
@@ -222,9 +218,7 @@ def test_whoever_rounds_nothing_finds_the_exact_answers(name: str) -> None:
 
 def test_accepted_draws_leave_every_honest_student_right() -> None:
     template = load_template("slotted-bar-between-two-rods")
-    deck = Deck(template, template.asked(), "spring", "q1")
-    for student in range(12):
-        solution = deck.draw(str(student)).solution
+    for solution in (one.solution for one in drawn(draw_filter(template), 12)):
         motion = in_doubles(solution.motion)
         aims = {
             ask: target(template.asks[ask], answer, ONE_PER_CENT, motion)

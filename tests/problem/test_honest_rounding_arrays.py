@@ -8,7 +8,8 @@ import re
 
 import pytest
 
-from kinegrade.problem.drawing import Deck, Refused, examine, examine_together, sensible
+from kinegrade.problem.deck import template_deck
+from kinegrade.problem.examining import Refused, examine, examine_together, sensible
 from kinegrade.problem.honest_rounding import stray
 from kinegrade.problem.honest_rounding_arrays import surely_honest
 from kinegrade.problem.library import load_template
@@ -29,14 +30,13 @@ NAMES = (
 
 
 def solutions(template: Template, count: int) -> list[Solution]:
-    deck = Deck(template, template.asked(), "spring", "q1")
-    found = []
-    for number in range(count):
+    found: list[Solution] = []
+    for values in template_deck(template, "spring", "q1").first(count):
         try:
             found.append(
                 sensible(
                     template,
-                    deck.values(str(number), 0),
+                    values,
                     template.asked(),
                     found[0].motion.plan if found else None,
                 )
@@ -81,8 +81,8 @@ def test_an_instance_that_cannot_be_found_spoils_nobody_else() -> None:
 
 def test_examined_together_is_examined_alone() -> None:
     template = load_template("slotted-bar-between-two-rods")
-    deck, tolerances = Deck(template, template.asked(), "spring", "q1"), dict[str, Tolerance]()
-    draws = [deck.values(str(number), 0) for number in range(40)]
+    tolerances = dict[str, Tolerance]()
+    draws = template_deck(template, "spring", "q1").first(40)
     together = examine_together(template, draws, template.asked(), None, tolerances)
     assert {type(one) for one in together} == {Solution, Refused}
     for values, one in zip(draws, together, strict=True):
@@ -92,15 +92,3 @@ def test_examined_together_is_examined_alone() -> None:
             with pytest.raises(Refused, match=f"^{re.escape(str(one))}$") as caught:
                 examine(template, values, template.asked())
             assert (caught.value.reason, caught.value.ask) == (one.reason, one.ask)
-
-
-def test_a_class_that_is_foreseen_gets_the_same_draws() -> None:
-    template = load_template("slotted-bar-between-two-rods")
-    students = [str(number) for number in range(20)]
-    foreseen, alone = (Deck(template, template.asked(), "spring", "q1") for _ in range(2))
-    foreseen.foresee(students)
-    assert foreseen.examined
-    for student in students:
-        one, other = foreseen.draw(student), alone.draw(student)
-        assert (one.values, one.attempt) == (other.values, other.attempt)
-    assert foreseen.refused == alone.refused

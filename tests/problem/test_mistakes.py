@@ -17,8 +17,7 @@ import kinegrade
 from kinegrade.exact.angle import Angle, Inexact
 from kinegrade.mechanics.doubles import in_doubles
 from kinegrade.problem.checking import check
-from kinegrade.problem.draw_screening import DrawScreening, columns
-from kinegrade.problem.drawing import Deck, Refused
+from kinegrade.problem.draw_filter import DrawFilter
 from kinegrade.problem.library import load_template
 from kinegrade.problem.mistake_kinds import (
     IDENTIFIERS,
@@ -38,11 +37,12 @@ from kinegrade.problem.mistakes import (
 )
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.reporting import report_lines
-from kinegrade.problem.separation import apart
+from kinegrade.problem.separation import apart, columns
 from kinegrade.problem.solving import certified, parameter_values, read_values, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, effective
 from tests.problem.crank import crank, crank_text
+from tests.problem.draws import dealt, draw_filter, drawn
 
 TURNING = crank_text(  # a crank in millimetres that turns at an angle
     (
@@ -176,18 +176,17 @@ def answers_in(
 )
 def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
     template = load_template(name)
-    deck = Deck(template, template.asked(), "mistakes", "q1")
-    drawn = deck.draw("1")
-    plan = drawn.solution.motion.plan
+    (one,) = drawn(draw_filter(template, "mistakes"), 1)
+    plan = one.solution.motion.plan
     asks = {ask: template.asks[ask] for ask in template.asked()}
     kinds = (RIGHT, *candidates(template, asks))
     numbers = {
-        given: as_float(drawn.solution.assembly.values[given]) for given in template.parameters
+        given: as_float(one.solution.assembly.values[given]) for given in template.parameters
     }
     doubles = outcomes(template, asks, kinds[1:], numbers, plan).answers
     for row, kind in enumerate(kinds):
         exact = certified(
-            lambda arithmetic, kind=kind: answers_in(template, drawn.values, kind, plan, arithmetic)
+            lambda arithmetic, kind=kind: answers_in(template, one.values, kind, plan, arithmetic)
         )
         assert {ask: float(doubles[ask][row]) for ask in exact} == pytest.approx(
             exact, rel=1e-9, abs=1e-9
@@ -196,13 +195,12 @@ def test_doubles_say_what_certified_arithmetic_says(name: str) -> None:
 
 def test_a_class_at_once_gives_what_each_instance_gives() -> None:
     template = load_template("bar-through-swivelling-sleeve")
-    deck = Deck(template, template.asked(), "mistakes", "q1")
-    drawn = [deck.draw(str(number)) for number in range(5)]
+    several = drawn(draw_filter(template, "mistakes"), 5)
     asks = {name: template.asks[name] for name in template.asked()}
     table = known_mistakes(
-        template, asks, columns([one.values for one in drawn]), drawn[0].solution.motion.plan
+        template, asks, columns([one.values for one in several]), several[0].solution.motion.plan
     )
-    for place, one in enumerate(drawn):
+    for place, one in enumerate(several):
         for ask in asks:
             listed = one.solution[ask].mistakes
             assert listed == pytest.approx({name: table[ask][name][place] for name in listed})
@@ -228,12 +226,9 @@ DECKS = [
 @pytest.mark.parametrize("name", DECKS)
 def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None:
     template = load_template(name)
-    deck = Deck(template, template.asked(), "spring", "q1")
-    students = [str(number) for number in range(8)]
-    deck.foresee(students)
-    inseparable = deck.sight.separation.inseparable() if deck.sight.separation else {}
-    for student in students:
-        solution = deck.draw(student).solution
+    draws = draw_filter(template)
+    inseparable = draws.separation.inseparable() if draws.separation else {}
+    for solution in (one.solution for one in drawn(draws, 8)):
         for ask in template.asked():
             answer = solution[ask]
             allowed = effective(
@@ -249,51 +244,41 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
                 )
 
 
-def slider_crank(**fixed: tuple[str, ...]) -> Deck:
-    return Deck(load_template("slider-crank"), ("v_B", "omega_AB"), "spring", "q1", fixed)
+def slider_crank(**fixed: tuple[str, ...]) -> DrawFilter:
+    return draw_filter(load_template("slider-crank"), fixed=fixed, asks=("v_B", "omega_AB"))
 
 
 def test_a_draw_that_hides_a_mistake_is_refused_for_that() -> None:
-    deck = slider_crank(phi=("30", "45", "60"))
-    angles = {deck.draw(str(number)).values["phi"] for number in range(20)}
-    assert angles == {"30", "60"}
-    assert deck.refused["mistake"] > 0
+    draws = slider_crank(phi=("30", "45", "60"))
+    assert {one.values["phi"] for one in drawn(draws, 20)} == {"30", "60"}
+    assert dealt(draws, 20).refused["mistake"] > 0
     hidden = {"r": "0.1", "k": "2", "phi": "45", "omega": "2", "alpha": "0"}
-    deck.sight.look([hidden])
-    with pytest.raises(
-        Refused, match="a known mistake leads to an answer within tolerance"
-    ) as caught:
-        deck.require_apart("1", 0, hidden)
-    assert caught.value.reason == "mistake"
+    assert draws.confused([hidden, {**hidden, "phi": "30"}]) == [True, False]
 
 
 def test_what_no_draw_can_tell_apart_is_not_asked_of_any() -> None:
-    deck = slider_crank(phi=("45",))
-    assert deck.draw("1").values["phi"] == "45"
-    assert deck.refused["mistake"] == 0
-
-
-def test_looking_ahead_changes_no_draw() -> None:
-    students = [str(number) for number in range(10)]
-    ahead, alone = slider_crank(), slider_crank()
-    ahead.foresee(students)
-    assert [ahead.draw(one).values for one in students] == [
-        alone.draw(one).values for one in students
-    ]
-    assert ahead.refused == alone.refused
+    draws = slider_crank(phi=("45",))
+    assert drawn(draws, 1)[0].values["phi"] == "45"
+    assert "mistake" not in dealt(draws, 20).refused
 
 
 def test_a_question_without_any_solvable_draw_is_left_to_other_reasons() -> None:
-    deck = Deck(crank(), ("v_x",), "spring", "q1", {"h": ("3",)})
-    assert deck.sight == DrawScreening(None)
-    deck.sight.look([{"r": "2", "h": "3", "omega": "2"}])
-    assert deck.sight.seen == {("2", "3", "2"): False}
+    draws = draw_filter(crank(), fixed={"h": ("3",)}, asks=("v_x",))
+    assert (draws.plan, draws.separation) == (None, None)
+    assert draws.confused([{"r": "2", "h": "3", "omega": "2"}]) == [False]
+    assert draws.verdicts(range(draws.deck.size)).count("mechanism") == 4
+
+
+def test_where_nothing_is_asked_no_mistake_confuses_anything() -> None:
+    draws = DrawFilter(crank(), (), draw_filter(crank()).deck, {})
+    assert draws.plan is not None
+    assert draws.separation is None
 
 
 def test_terms_that_vanish_identically_are_told() -> None:
     # Its coupler translates, whatever is drawn
     template = load_template("parallelogram-with-sliding-rod")
-    separation = Deck(template, template.asked(), "spring", "q1").sight.separation
+    separation = draw_filter(template).separation
     assert separation is not None
     told = separation.inseparable()
     assert "coriolis-dropped" in told["alpha_AB"]
@@ -316,10 +301,10 @@ def test_the_report_of_a_check_tells_them() -> None:
 def test_a_text_that_is_no_number_confuses_nothing(text: str, value: float) -> None:
     template = load_template("slider-crank")
     assert in_floats(template, {"phi": [text]})["phi"] == pytest.approx([value], nan_ok=True)
-    deck = slider_crank()
-    assert deck.sight.separation is not None
+    separation = slider_crank().separation
+    assert separation is not None
     values = {**{name: ["1"] for name in template.parameters}, "k": ["2"], "phi": [text]}
-    assert deck.sight.separation.confuses(values).tolist() == [False]
+    assert separation.confuses(values).tolist() == [False]
 
 
 def test_angles_that_turn_round_are_compared_without_full_turns() -> None:

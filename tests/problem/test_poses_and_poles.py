@@ -8,7 +8,7 @@ import pytest
 from flint import fmpq
 
 from kinegrade.errors import MechanismError
-from kinegrade.problem.drawing import Refused, examine
+from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template import Template

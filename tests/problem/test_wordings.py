@@ -9,7 +9,7 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.language import Language
 from kinegrade.problem.checking import check
-from kinegrade.problem.drawing import Refused, examine
+from kinegrade.problem.examining import Refused, examine
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import check_statements, statement
 from kinegrade.problem.template import Template
@@ -68,7 +68,7 @@ def test_values_without_a_wording_are_a_fault_for_the_author_and_are_not_drawn()
     template = placed((LAST, ""))
     report = check(template, 20)
     assert (
-        "text.place: no wording applies at r = 1, h = 1/2, omega = 2: "
+        "text.place: no wording applies at r = 2, h = 3, omega = 1000000: "
         'add one without "if", or a condition that keeps such values out'
     ) in report.faults
     with pytest.raises(Refused, match="no text of place applies"):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.solving import Solution
 from kinegrade.problem.template import Template
+from tests.problem.draws import draw_filter, drawn
 
 STRIDE = 37  # so that a few seeds that follow each other fall on templates of all kinds
 
@@ -21,4 +21,4 @@ def seeded_template(seed: int) -> Template:
 def seeded_solution(seed: int) -> Solution:
     """The solution of an instance of the template of a seed, drawn as for an exam."""
     template = seeded_template(seed)
-    return Deck(template, template.asked(), f"prove {seed}", "q1").draw("1").solution
+    return drawn(draw_filter(template, f"prove {seed}"), 1)[0].solution

@@ -12,7 +12,6 @@ import pytest
 from kinegrade.exam.formula import formula
 from kinegrade.exam.markup import prose
 from kinegrade.language import LANGUAGES, Language
-from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
@@ -20,6 +19,8 @@ from kinegrade.worked.document import Block, Display, Prose
 from kinegrade.worked.formula_width import WIDEST, width
 from kinegrade.worked.pose_answers import is_positional, pose_answers
 from kinegrade.worked.positions import lengths_and_directions, positions
+from tests.problem.draws import draw_filter
+from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
 
 TEXTS = '{ en = "a length", zh = "长度" }'
@@ -70,8 +71,7 @@ def require_printable(blocks: Iterable[Block], where: str) -> None:
 def drawn(name: str) -> tuple[Solution, ...]:
     """A template at its published values and at two draws."""
     template = load_template(name)
-    deck = Deck(template, template.asked(), "seed", "q1")
-    draws = [deck.draw(student).values for student in ("one", "two")]
+    draws = [one.values for one in draws_of(draw_filter(template), 2)]
     return tuple(solve_template(template, values) for values in ({}, *draws))
 
 

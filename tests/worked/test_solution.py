@@ -20,7 +20,6 @@ from kinegrade.language import Language
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, total
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.drawing import Deck
 from kinegrade.problem.library import load_template, template_names
 from kinegrade.problem.reading import read_template
 from kinegrade.problem.solving import Solution, solve_template
@@ -35,6 +34,8 @@ from kinegrade.worked.solution_case import Case
 from kinegrade.worked.steps import stage_of
 from kinegrade.worked.wording import scalars_of
 from tests.laws.cases import moving_templates
+from tests.problem.draws import draw_filter
+from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
 from tests.worked.telling import mathematics, proses
 
@@ -48,8 +49,7 @@ Told = tuple[Stage, tuple[Relation, ...], tuple[str, ...]]
 def drawn(name: str) -> tuple[Solution, ...]:
     """The published instance and a drawn one, solved for all asks that an exam may put."""
     template = load_template(name)
-    deck = Deck(template, template.asked(), "worked", "q1", {})
-    values = [deck.draw(f"S{number}").values for number in range(DRAWS)]
+    values = [one.values for one in draws_of(draw_filter(template), DRAWS)]
     return tuple(solve_template(template, given) for given in ({}, *values))
 
 

@@ -34,8 +34,8 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
 
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
-    """A question of the exam: `combinations` can be drawn, `refused` says how often a draw was, by
-    reason.
+    """A question of the exam: of so many `combinations`, `refused` says how many were not good, by
+    reason; `good` are the different ones dealt, where they are fewer than the papers.
     """
 
     question: str
@@ -43,6 +43,7 @@ class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
     points: Fraction = Fraction(0)
     combinations: int = 0
     refused: dict[str, int] = {}
+    good: int | msgspec.UnsetType = msgspec.UNSET
     asks: tuple[Ask, ...]
 
 

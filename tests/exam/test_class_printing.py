@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.workshop import CHUNK, MOST, parts_of
+from kinegrade.exam.class_printing import CHUNK, MOST, parts_of
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
@@ -123,29 +123,41 @@ def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(folder: Path) -> No
     assert not list(folder.glob(".*"))
 
 
-def test_nobody_gets_the_numbers_of_another_however_the_class_is_divided(folder: Path) -> None:
-    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
+def test_no_two_papers_have_the_same_numbers_however_the_class_is_divided(folder: Path) -> None:
     (folder / "bank.toml").write_text(FEW, encoding="utf-8")
-    refusals = []
+    said = []
     for jobs in ("1", "2"):
         result = generate(folder, f"EXAM{jobs}", "--jobs", jobs)
         assert result.exit_code == 0
-        refusals.append(result.stderr.splitlines()[:2])
+        said.append(result.stderr.splitlines()[:2])
     assert contents(folder / "EXAM1") == contents(folder / "EXAM2")
-    assert refusals[0] == refusals[1]
-    assert "duplicate" in refusals[0][1]
+    assert said[0] == said[1]
+    assert said[0][1].startswith("q1: 64 combinations, refused draws: ")
     drawn = [json.dumps(line["questions"][0]["parameters"]) for line in key_lines(folder / "EXAM2")]
     assert len(set(drawn)) == len(drawn) == 2 * CHUNK + 1
 
 
-def test_a_draw_that_fails_in_a_worker_is_told_as_ever(folder: Path) -> None:
-    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
-    # 40 sound ones for 41
+def test_a_shortage_is_said_whoever_finds_it(folder: Path) -> None:
+    # 40 good ones for 41
     scarce = FEW.replace('omega = "1 .. 8 step 1"', "omega = [1, 2, 3, 4, 5, 20000000]")
     (folder / "bank.toml").write_text(scarce, encoding="utf-8")
-    errors = [generate(folder, "EXAM", "--jobs", jobs).stderr for jobs in ("1", "2")]
-    assert errors[0] == errors[1]
-    assert "q1 (crank): no acceptable instance for student" in errors[0]
+    results = [generate(folder, f"EXAM{jobs}", "--jobs", jobs) for jobs in ("1", "2")]
+    assert [result.exit_code for result in results] == [1, 1]
+    said = {result.stderr.splitlines()[-1] for result in results}
+    assert said == {
+        "complaint: q1 (crank): 40 of the 48 combinations of values are fit for 41 students, so "
+        "some have the same numbers - expected one for each - widen the domains"
+    }
+    assert contents(folder / "EXAM1") == contents(folder / "EXAM2")
+
+
+def test_a_question_of_which_nothing_is_good_is_refused_by_any_process(folder: Path) -> None:
+    (folder / "bank.toml").write_text(
+        FEW.replace('omega = "1 .. 8 step 1"', "omega = [20000000]"), encoding="utf-8"
+    )
+    errors = {generate(folder, "EXAM", "--jobs", jobs).stderr for jobs in ("1", "2")}
+    (error,) = errors
+    assert "q1 (crank): none of the 8 combinations of values is fit for students" in error
     assert not list(folder.glob(".*"))
 
 

@@ -1,0 +1,74 @@
+"""A class printed: each part of it is set and printed by itself, by this process or others, and the
+results come in the order of the roster.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from kinegrade.exam.dealing import ClassDeal
+from kinegrade.exam.press import Press
+from kinegrade.exam.printing import PressOrder, Printed, PrintRun, print_papers
+from kinegrade.exam.setting import DealtPaper, Exam, set_paper
+from kinegrade.processes import Shared, mapped
+from kinegrade.temporary import temporary_folder
+
+# Papers in one task at least: else there are too many of them
+CHUNK = 20
+# Papers in one task at most: what is worked out together costs little for each paper then
+MOST = 60
+AHEAD = 2  # tasks for each process that are under way or wait for it
+
+
+@dataclass(frozen=True)
+class PrintTask:
+    """A part of a class, and what holds for all parts."""
+
+    exam: Shared[Exam]
+    run: Shared[PrintRun]
+    papers: tuple[DealtPaper, ...]
+
+
+def printed(
+    run: PrintRun, dealt: ClassDeal, workers: Executor, jobs: int
+) -> Generator[Printed, None, None]:
+    """What remains of each paper, in order, by `jobs` processes.
+
+    Raises TypesetError with the faults of the first part of the class that has any.
+    """
+    with temporary_folder() as figures:
+        shared = Shared(replace(run, sketchbook=figures) if jobs > 1 else run)
+        students = dealt.roster.students
+        tasks = (
+            PrintTask(
+                dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop]))
+            )
+            for part in parts_of(len(students), jobs)
+        )
+        for part in mapped(workers, _print, tasks, AHEAD * jobs):
+            yield from part
+
+
+def parts_of(count: int, jobs: int) -> Iterator[range]:
+    """The class in parts, smaller ones at the end, so that all processes end together."""
+    first = 0
+    while first < count:
+        size = min(max((count - first) // (2 * jobs), CHUNK), MOST)
+        yield range(first, min(first + size, count))
+        first += size
+
+
+def _print(task: PrintTask) -> list[Printed]:
+    """A part of the class set and printed."""
+    run = task.run.value
+    papers = [set_paper(task.exam.value, each) for each in task.papers]
+    return print_papers(run, _press(run.press_order), papers)
+
+
+@lru_cache(maxsize=1)
+def _press(order: PressOrder) -> Press:
+    """The press of this process: it is keeping it that makes it fast."""
+    return order.press()

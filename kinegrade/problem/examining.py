@@ -1,0 +1,150 @@
+"""Whether an instance is fit for students: solved, and each way in which it may not do.
+
+`kinegrade.problem.draw_filter` asks this of the combinations of a deck, `kinegrade check` of a
+sample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Literal
+
+from kinegrade.errors import MechanismError
+from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.holding import holds, wording
+from kinegrade.problem.honest_rounding import stray
+from kinegrade.problem.honest_rounding_arrays import surely_honest
+from kinegrade.problem.kept_decimals import RightRange, fitting_factor
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solving import Solution, solve_template
+from kinegrade.problem.template import Ask, Template
+from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective, own_scale
+
+SMALLEST, LARGEST = (
+    1e-3,
+    1e5,
+)  # sizes of answers, in the ask's own unit, that a student can be asked to write
+Reason = Literal[
+    "condition",
+    "mechanism",
+    "degenerate",
+    "absurd",
+    "rounding",
+    "mistake",
+    "decimals",
+]
+
+
+class Refused(Exception):
+    """A drawn instance will not do; `ask` names the answer that is to blame, the message tells
+    more.
+    """
+
+    def __init__(self, reason: Reason, detail: str, ask: str = "") -> None:
+        self.reason, self.ask = reason, ask
+        super().__init__(detail)
+
+
+def examine(
+    template: Template,
+    values: Mapping[str, str],
+    asks: Iterable[str],
+    plan: Plan | None = None,
+    tolerances: Mapping[str, Tolerance] | None = None,
+) -> Solution:
+    """The solution of an instance fit for students; without a tolerance 1 % holds. Raises Refused
+    with the reason.
+    """
+    solution = sensible(template, values, asks, plan)
+    if strayed := stray(solution, tolerances or {}):
+        raise Refused("rounding", str(strayed), strayed.ask)
+    return solution
+
+
+def examine_together(
+    template: Template,
+    draws: Iterable[Mapping[str, str]],
+    asks: Iterable[str],
+    plan: Plan | None,
+    tolerances: Mapping[str, Tolerance],
+) -> list[Solution | Refused]:
+    """For each of many instances what `examine` gives or raises."""
+    wanted = tuple(asks)
+    found: list[Solution | Refused] = []
+    for values in draws:
+        try:
+            found.append(sensible(template, values, wanted, plan))
+        except Refused as refusal:
+            found.append(refusal)
+    sure = iter(surely_honest([one for one in found if isinstance(one, Solution)], tolerances))
+    for place, one in enumerate(found):
+        if isinstance(one, Solution) and not next(sure) and (strayed := stray(one, tolerances)):
+            found[place] = Refused("rounding", str(strayed), strayed.ask)
+    return found
+
+
+def sensible(
+    template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
+) -> Solution:
+    """The solution of an instance that meets the conditions and has answers to be asked for. Raises
+    Refused.
+    """
+    try:
+        for condition in template.scheme.conditions:
+            if not holds(template, condition, values):
+                raise Refused("condition", condition.text)
+        for name in template.words.texts:
+            if wording(template, name, values) is None:
+                raise Refused("condition", f"no text of {name} applies")
+        solution = solve_template(template, values, asks, plan)
+    except MechanismError as error:
+        raise Refused("mechanism", error.problems[0]) from error
+    for name, answer in solution.answers.items():
+        if refusal := unfit(template.asks[name], answer):
+            raise refusal
+    require_doubles(solution)
+    return solution
+
+
+def require_doubles(solution: Solution) -> None:
+    """Raises Refused for an instance with sizes beyond the doubles in which it is worked out again
+    by hand.
+    """
+    try:
+        for answer in solution.answers.values():
+            own_scale(solution.doubles, answer.measure)
+    except OverflowError as error:
+        raise Refused("absurd", "a size beyond 1e308") from error
+
+
+def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
+    """The first ask whose right answer is no longer right with four decimals, in any unit; "" where
+    there is none.
+    """
+    for name, answer in solution.answers.items():
+        stated = tolerances.get(name, ONE_PER_CENT)
+        tolerance = effective(stated, answer.value, answer.measure, solution.doubles)
+        value = Fraction(answer.certified)
+        right = RightRange(value, *tolerance.interval(value))
+        if fitting_factor(answer.unit, right) is None:
+            return name
+    return ""
+
+
+def unfit(ask: Ask, answer: Quantity) -> Refused | None:
+    """Why an answer cannot be asked for: at infinity, zero where zero is no proper answer, of an
+    absurd size.
+    """
+    if answer.at_infinity:
+        return Refused("degenerate", f"{ask.name} is at infinity")
+    if answer.is_zero:
+        return None if ask.vanishes else Refused("degenerate", f"{ask.name} is zero")
+    if not SMALLEST <= abs(answer.value) <= LARGEST:
+        return Refused("absurd", f"{ask.name} is {sized(answer)}")
+    return None
+
+
+def sized(answer: Quantity) -> str:
+    """An answer with its unit, for a message."""
+    return f"{answer.decimal(3)} {answer.unit}"

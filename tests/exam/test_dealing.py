@@ -1,0 +1,190 @@
+"""A class is dealt to by place: no order of the roster, no other student decides what a paper is."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+
+from kinegrade.exam.bank import read_bank
+from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.dealing import deal_exam
+from kinegrade.exam.exam_secret import FromWords
+from kinegrade.exam.key_record import key_line
+from kinegrade.exam.roster import Roster, Student
+from kinegrade.exam.setting import set_paper
+from kinegrade.problem.library import load_template
+from kinegrade.problem.solving import solve_template
+from kinegrade.processes import Start, executor
+from tests.problem.crank import crank_text
+from tests.small_class import contents, key_lines, kinegrade, write_class
+
+BANK = """title = "T"
+course = "C"
+{options}
+[[questions]]
+template = "slider-crank"
+[[questions]]
+template = "crank.toml"
+draw = {{ h = [1], r = "1 .. 5 step 1", omega = "1 .. 4 step 1" }}
+"""
+CLASS = [f"s{number}" for number in range(7)]
+
+
+@pytest.fixture
+def bank(tmp_path: Path) -> Bank:
+    return read_bank(write_class(tmp_path) / "bank.toml")
+
+
+def roster(*students: str) -> Roster:
+    return Roster(tuple(Student(each, "", "", each) for each in students), ())
+
+
+def write(folder: Path, students: list[str], options: str = "") -> None:
+    (folder / "bank.toml").write_text(BANK.format(options=options), encoding="utf-8")
+    (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")
+    with (folder / "roster.csv").open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([["student", "name"], *([each, "N"] for each in students)])
+
+
+def generate(folder: Path, name: str, *options: str) -> Result:
+    files = folder / "bank.toml", folder / "roster.csv"
+    return kinegrade("generate", *files, "-o", folder / name, "--no-solutions", *options)
+
+
+def papers(folder: Path) -> dict[str, bytes]:
+    """The files of the papers, and the lines of the key, by student."""
+    lines = {each["student"]: json.dumps(each).encode() for each in key_lines(folder)}
+    return {**contents(folder / "papers"), **lines}
+
+
+@pytest.mark.parametrize("options", ["", "shuffle = true", "versions = 3"])
+def test_sorting_the_roster_changes_nobodys_paper(tmp_path: Path, options: str) -> None:
+    write(tmp_path, CLASS, options)
+    assert generate(tmp_path, "ONE", "--reproducible", "spring").exit_code == 0
+    write(tmp_path, [*CLASS[3:], *reversed(CLASS[:3])], options)
+    assert generate(tmp_path, "TWO", "--reproducible", "spring").exit_code == 0
+    assert papers(tmp_path / "ONE") == papers(tmp_path / "TWO")
+    head = json.loads((tmp_path / "TWO" / "exam.json").read_text(encoding="utf-8"))
+    assert [each["student"] for each in head["students"]] == [*CLASS[3:], "s2", "s1", "s0"]
+
+
+@pytest.mark.parametrize("options", ["", "shuffle = true", "versions = 3"])
+def test_late_students_change_nobodys_paper_wherever_they_stand(
+    tmp_path: Path, options: str
+) -> None:
+    write(tmp_path, CLASS, options)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    before = papers(tmp_path / "EXAM")
+    write(tmp_path, ["late1", *CLASS, "late2"], options)
+    result = generate(tmp_path, "EXAM", "--force")
+    assert result.exit_code == 0, result.stderr
+    assert "EXAM: 7 papers keep their numbers, 0 changed, 0 gone, 2 new" in result.stderr
+    after = papers(tmp_path / "EXAM")
+    assert {name: after[name] for name in before} == before
+    late = {each["place"] for each in key_lines(tmp_path / "EXAM") if "late" in each["student"]}
+    assert late == {7, 8}
+
+
+def test_a_class_that_grew_has_no_two_papers_alike(tmp_path: Path) -> None:
+    write(tmp_path, CLASS)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    write(tmp_path, [*CLASS, *(f"late{number}" for number in range(13))])
+    assert generate(tmp_path, "EXAM", "--force").exit_code == 0
+    lines = key_lines(tmp_path / "EXAM")
+    for question in (0, 1):
+        drawn = {json.dumps(line["questions"][question]["drawn"]) for line in lines}
+        assert len(drawn) == 20
+
+
+def test_other_numbers_give_other_places(tmp_path: Path) -> None:
+    write(tmp_path, CLASS)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    before = [line["place"] for line in key_lines(tmp_path / "EXAM")]
+    for _ in range(3):
+        assert generate(tmp_path, "EXAM", "--force", "--new-numbers").exit_code == 0
+        if [line["place"] for line in key_lines(tmp_path / "EXAM")] != before:
+            return
+    raise AssertionError("the places stayed")
+
+
+@pytest.mark.parametrize("place", ['"first"', "true", "1.5", "-1", "1000000"])
+def test_a_place_that_is_none_is_refused(tmp_path: Path, place: str) -> None:
+    write(tmp_path, CLASS)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    key = tmp_path / "EXAM" / "key.jsonl"
+    text = key.read_text(encoding="utf-8")
+    key.write_text(re.sub(r'"place": ?1,', f'"place": {place},', text), encoding="utf-8")
+    result = generate(tmp_path, "EXAM", "--force")
+    assert result.exit_code == 2
+    assert "key.jsonl:" in result.stderr
+    assert "place" in result.stderr
+
+
+def test_what_was_dealt_stands_in_the_key(tmp_path: Path) -> None:
+    write(tmp_path, CLASS)
+    assert generate(tmp_path, "EXAM").exit_code == 0
+    lines = key_lines(tmp_path / "EXAM")
+    assert sorted(line["place"] for line in lines) == list(range(7))
+    template = load_template("slider-crank")
+    for first in (line["questions"][0] for line in lines):
+        stated = {name: each["exact"] for name, each in first["parameters"].items()}
+        again = solve_template(template, first["drawn"]).parameters
+        assert stated == {name: quantity.exact for name, quantity in again.items()}
+
+
+def test_a_paper_is_set_alone_as_in_its_class(bank: Bank) -> None:
+    whole = deal_exam(bank, roster(*CLASS), FromWords("spring"))
+    together = [key_line(paper) for paper in whole.papers()]
+    fresh = deal_exam(bank, roster("x"), FromWords("spring")).exam
+    alone = [key_line(set_paper(fresh, whole.dealt(each))) for each in whole.roster.students]
+    assert alone == together
+
+
+def test_a_place_gets_the_same_whoever_has_it(bank: Bank) -> None:
+    one = deal_exam(bank, roster("x", *CLASS), FromWords("spring"))
+    other = deal_exam(bank, roster("somebody else"), FromWords("spring"))
+    (alone,) = (other.dealt(each) for each in other.roster.students)
+    first = next(each for each in one.roster.students if one.places[each.student] == 0)
+    assert alone.values == one.dealt(first).values
+
+
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_other_processes_deal_the_same(bank: Bank, start: Start) -> None:
+    students = roster(*(str(number) for number in range(60)))
+    bank = replace(bank, questions=(bank.questions[0], bank.questions[2]))
+    here = deal_exam(bank, students, FromWords("spring"))
+    with executor(2, "generate", start) as workers:
+        there = deal_exam(bank, students, FromWords("spring"), workers)
+    assert there.deals == here.deals
+    assert list(map(there.dealt, students.students)) == list(map(here.dealt, students.students))
+
+
+SHORT = "q2 (crank): 20 of the 20 combinations of values are fit for 25 {}, so some have the same "
+
+
+def test_too_few_combinations_are_dealt_round_and_said(tmp_path: Path) -> None:
+    write(tmp_path, [f"s{number}" for number in range(25)])
+    result = generate(tmp_path, "EXAM")
+    assert result.exit_code == 1
+    complaint = f"complaint: {SHORT.format('students')}numbers - expected one for each - widen"
+    assert complaint in result.stderr
+    head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
+    assert [question.get("good") for question in head["questions"]] == [None, 20]
+    drawn = [json.dumps(line["questions"][1]["drawn"]) for line in key_lines(tmp_path / "EXAM")]
+    assert sorted(map(drawn.count, set(drawn))) == [1] * 15 + [2] * 5
+
+
+def test_too_few_combinations_are_refused_where_nothing_may_be_complained_of(
+    tmp_path: Path,
+) -> None:
+    write(tmp_path, [f"s{number}" for number in range(25)])
+    result = generate(tmp_path, "EXAM", "--strict")
+    assert result.exit_code == 2
+    assert f"error: {SHORT.format('students')}" in result.stderr
+    assert not (tmp_path / "EXAM").exists()

@@ -1,0 +1,38 @@
+"""Good combinations of a template as a class is dealt them, for tests."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+
+from kinegrade.exam.setting import Drawn
+from kinegrade.problem.deal import Deal, deal, look_here
+from kinegrade.problem.deck import template_deck
+from kinegrade.problem.draw_filter import DrawFilter
+from kinegrade.problem.template import Template
+from kinegrade.problem.tolerance import Tolerance
+
+
+def draw_filter(
+    template: Template,
+    secret: str = "spring",
+    fixed: Mapping[str, tuple[str, ...]] | None = None,
+    tolerances: Mapping[str, Tolerance] | None = None,
+    asks: tuple[str, ...] | None = None,
+) -> DrawFilter:
+    """The filter of a question "q1" that asks what the template asks, if nothing else is said."""
+    deck = template_deck(template, secret, "q1", fixed or {})
+    return DrawFilter(template, asks or template.asked(), deck, tolerances or {})
+
+
+def dealt(draws: DrawFilter, places: int) -> Deal:
+    """The question dealt to so many places."""
+    filters = {"q1": draws}
+    return deal(filters, places, partial(look_here, filters))["q1"]
+
+
+def drawn(draws: DrawFilter, places: int) -> list[Drawn]:
+    """What each place gets, solved."""
+    found = dealt(draws, places)
+    values = [draws.deck.combination(found.position(place)) for place in range(places)]
+    return [Drawn(each, draws.solved(each)) for each in values]

@@ -1,0 +1,158 @@
+"""Filter, then deal: what a place gets depends on the deck and the place only, and no two places
+are alike while combinations last.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+from functools import partial
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.errors import DrawError
+from kinegrade.problem.deal import LOOKS, PART, Deal, deal, look_here
+from kinegrade.problem.draw_filter import DrawFilter, Verdict
+from kinegrade.problem.library import load_template
+from tests.problem.crank import crank
+from tests.problem.draws import dealt, draw_filter, drawn
+
+FEW = {"r": ("2", "3"), "h": ("1/2", "1"), "omega": ("2", "3", "4")}
+ONE_TO_SIXTY = tuple(map(str, range(1, 61)))
+
+
+def cranks(**fixed: tuple[str, ...]) -> DrawFilter:
+    return draw_filter(crank(), fixed=fixed, asks=("v_x",))
+
+
+def positions(each: Deal) -> list[int]:
+    return [each.position(place) for place in range(each.places)]
+
+
+def of(verdicts: list[bool], places: int) -> Deal:
+    """A deck that is dealt to places when these of its combinations are good."""
+    told: list[Verdict] = [None if good else "mechanism" for good in verdicts]
+    return Deal(len(told), places, tuple(told[: LOOKS * places]))
+
+
+@given(st.integers(0, 400), st.data())
+def test_parts_that_are_filtered_alone_are_the_whole(first: int, data: st.DataObject) -> None:
+    template = cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)
+    count = min(first, template.deck.size)
+    cuts = sorted(data.draw(st.lists(st.integers(0, count), max_size=4)))
+    parts = zip([0, *cuts], [*cuts, count], strict=True)
+    alone = [verdict for part in parts for verdict in template.verdicts(range(*part))]
+    assert tuple(alone) == template.verdicts(range(count))
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "slotted-bar-between-two-rods"])
+def test_parts_of_a_shipped_template_are_the_whole(name: str) -> None:
+    template = load_template(name)
+    whole = draw_filter(template).verdicts(range(60))
+    parts = range(1), range(1, 3), range(3, 33), range(33, 60)
+    assert sum((draw_filter(template).verdicts(part) for part in parts), ()) == whole
+    assert {None, "mistake"} <= set(whole)
+
+
+@given(st.lists(st.booleans(), min_size=1, max_size=50), st.integers(1, 70))
+def test_no_two_places_are_alike_while_combinations_last(good: list[bool], places: int) -> None:
+    good[0] = True
+    each = of(good, places)
+    counts = Counter(positions(each))
+    assert each.lasting == (sum(good) >= places)
+    assert len(counts) == each.good == min(sum(good), places)
+    assert max(counts.values()) - min(counts.values()) <= 1
+    assert all(good[position] for position in counts)
+
+
+@given(st.lists(st.integers(1, 900), min_size=1, max_size=8), st.integers(1, 10), st.data())
+def test_what_a_place_gets_does_not_depend_on_how_many_there_are(
+    gaps: list[int], places: int, data: st.DataObject
+) -> None:
+    good = [False] * 4000
+    good[0] = True
+    for place in range(len(gaps)):
+        good[min(sum(gaps[: place + 1]), 3999)] = True
+    fewer = data.draw(st.integers(1, places))
+    assert positions(of(good, places))[:fewer] == positions(of(good, fewer))
+
+
+@pytest.mark.parametrize("places", [1, 5, PART, 3 * PART + 1])
+def test_a_deal_looks_at_no_more_than_it_needs_to_count(places: int) -> None:
+    template = cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)
+    verdicts = template.verdicts(range(template.deck.size))
+    found = dealt(template, places)
+    good = [place for place, verdict in enumerate(verdicts) if verdict is None]
+    assert positions(found) == good[:places]
+    refused = Counter(map(str, filter(None, verdicts[: good[places - 1] + 1])))
+    assert found.refused == dict(sorted(refused.items()))
+
+
+def test_what_a_place_gets_is_good_and_solved() -> None:
+    for one in drawn(cranks(**FEW), 12):
+        assert one.values == {
+            name: quantity.exact for name, quantity in one.solution.parameters.items()
+        }
+        assert list(one.solution.answers) == ["v_x"]
+
+
+def test_a_shortage_is_dealt_round_and_said() -> None:
+    found = dealt(cranks(**FEW), 30)
+    assert (found.size, found.good, found.lasting, found.refused) == (12, 12, False, {})
+    assert positions(found) == [place % 12 for place in range(30)]
+    assert found.shortage("q1 (crank)", "students") == (
+        "q1 (crank): 12 of the 12 combinations of values are fit for 30 students, so some have the "
+        "same numbers - expected one for each - widen the domains"
+    )
+
+
+def test_looking_for_a_place_ends_at_a_bound() -> None:
+    good = [False] * 2000
+    good[10] = good[1500] = True
+    three, four = of(good, 3), of(good, 4)
+    assert positions(three) == [10, 10, 10]
+    assert positions(four) == [10, 10, 10, 1500]
+    assert str(three) == "1 of the first 1200 of the 2000 combinations of values"
+    assert three.refused == {"mechanism": 1199}
+
+
+def test_reasons_are_counted() -> None:
+    mixed = dealt(draw_filter(crank(), asks=("v_x",)), 3)
+    # r = 1 and r = 2 with h = 1/2 and omega = 2: there are no more
+    assert (mixed.good, mixed.size) == (2, 18)
+    assert mixed.refused == {"absurd": 2, "condition": 6, "degenerate": 4, "mechanism": 4}
+
+
+def test_where_nothing_is_good_every_question_is_named_before_long() -> None:
+    wide = tuple(map(str, range(1, 1001)))
+    filters = {
+        "q1": cranks(r=("1",), h=("3", "4"), omega=wide),
+        "q2": cranks(**FEW),
+        "q3": cranks(r=("1",), h=("3",), omega=("2", "20000000")),
+    }
+    with pytest.raises(DrawError) as caught:
+        deal(filters, 500, partial(look_here, filters))
+    assert caught.value.problems == (
+        "q1 (crank): none of the first 400 of the 2000 combinations of values is fit for students "
+        "(mechanism 400) - expected one for each student - widen the domains",
+        "q3 (crank): none of the 2 combinations of values is fit for students "
+        "(condition 1, mechanism 1) - expected one for each student - widen the domains",
+    )
+
+
+def test_what_four_decimals_do_not_hold_is_refused_where_no_more_are_kept() -> None:
+    turning = (
+        "v_y = {",
+        'turning = { quantity = "omega(OA)", unit = "rad/s", sign = "ccw", points = 1, '
+        'means = { en = "rate", zh = "rate" } }\nv_y = {',
+    )
+    fine = {"r": ("2",), "h": ("1",), "omega": ("0.0012345", "0.25")}
+    plain = draw_filter(crank(turning), fixed=fine, asks=("turning",))
+    assert plain.verdicts(range(2)) == (None, None)
+    kept = replace(plain, four_decimals=True)
+    said = {
+        kept.deck.combination(place)["omega"]: kept.verdicts(range(2))[place] for place in (0, 1)
+    }
+    assert said == {"0.0012345": "decimals", "0.25": None}
