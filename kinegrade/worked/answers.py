@@ -1,4 +1,4 @@
-"""From the rates to the answers: the last lines of a solution, whose values are the key's own."""
+"""From the rates to the answers: the last lines of a solution, with the values of the key."""
 
 from __future__ import annotations
 
@@ -40,21 +40,21 @@ from kinegrade.worked.senses import direction_words, rotation_words
 from kinegrade.worked.solution_case import Case
 from kinegrade.worked.summands import NUMBER, component
 
-RIGHT = 1e-7  # degrees from a right angle that count as none
+RIGHT = 1e-7  # degrees from a right angle that count as a right angle
 PREFIXED = re.compile(r"[cm]m(?=$|/|\^)")  # centimetres and millimetres, also per second
 MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
 
 
 @dataclass(frozen=True)
 class Written:
-    """A number in symbols, and with numbers put in where that says more."""
+    """A number in symbols, and with numbers substituted where that adds something."""
 
     symbols: str
     numbers: str = ""
 
 
 def answer_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
-    """How an answer follows from what the steps have given; not for answers that positions alone
+    """How an answer follows from the results of the steps; not for answers that positions alone
     decide.
     """
     if any(call.function == "circle_of_poles" for call in calls(ask.quantity)):
@@ -72,12 +72,12 @@ def answer_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
     elif written.symbols == f"-{ask.symbol}":
         if double(case.solution.answers[ask.name].number):
             yield Display((counted_as_asked(ask, case),))
-    elif written.symbols != ask.symbol:  # else a step has given it already
+    elif written.symbols != ask.symbol:  # else a step has already given it
         yield Display((last_line(ask, written, writer),))
 
 
 def counted_as_asked(ask: Ask, case: Case) -> str:
-    """An answer that a step has given under the same symbol, with the opposite sense positive."""
+    """An answer that a step has given under the same symbol with the opposite positive sense."""
     answer = case.solution.answers[ask.name]
     sign = "-" if double(answer.number) < 0 else ""
     return (
@@ -87,8 +87,8 @@ def counted_as_asked(ask: Ask, case: Case) -> str:
 
 
 def last_line(ask: Ask, written: Written, writer: Writer) -> str:
-    """The answer's symbol, its formula, its numbers and its value, which is the key's; in SI first
-    where numbers lead to a value in centimetres or millimetres.
+    """The answer's symbol, its formula, its numbers and its value from the key; in SI first where
+    the numbers give a value in centimetres or millimetres.
     """
     answer = writer.case.solution.answers[ask.name]
     between = [
@@ -103,7 +103,7 @@ def last_line(ask: Ask, written: Written, writer: Writer) -> str:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes the quantity of an ask as a formula of what has been found."""
+    """Writes the quantity of an ask as a formula of quantities found before."""
 
     case: Case
     facts: Facts
@@ -123,7 +123,7 @@ class Writer:
         return Written(self.placed(tree))
 
     def measured(self, tree: Call) -> Written:
-        """Size, component or direction of a vector of the motion."""
+        """The magnitude, a component or the direction of a vector of the motion."""
         fact = self.fact(tree.arguments[0])
         match tree.function:
             case "magnitude":
@@ -138,7 +138,7 @@ class Writer:
                 raise ValueError(f"{tree.function} does not measure a vector")
 
     def fact(self, tree: Expression) -> Fact:
-        """A vector that has been told."""
+        """A vector that the solution has already found."""
         finding = self.facts.find(tree)
         while True:
             try:
@@ -148,12 +148,12 @@ class Writer:
                 return fact
 
     def magnitude(self, fact: Fact) -> Written:
-        """The size of a vector, from its components or its normal and tangential parts."""
+        """The magnitude of a vector, from its components or its normal and tangential parts."""
         if fact.symbol in self.facts.findings.sized:
             return Written(fact.symbol)
         if fact.by_components:
-            seen = [axis for axis, number in zip("xy", fact.value, strict=True) if double(number)]
-            names = [component(fact.symbol, axis) for axis in seen]
+            shown = [axis for axis, number in zip("xy", fact.value, strict=True) if double(number)]
+            names = [component(fact.symbol, axis) for axis in shown]
             if len(names) < 2:
                 sign = "-" if double(sum(fact.value)) < 0 else ""
                 return Written(f"{sign}{names[0]}" if names else "0")
@@ -162,7 +162,7 @@ class Writer:
                 rf"\sqrt{{{names[0]}^{{2}}+{names[1]}^{{2}}}}",
                 rf"\sqrt{{{numbers[0]}^{{2}}+{numbers[1]}^{{2}}}}",
             )
-        pieces = [piece for piece in fact.told if double(piece.value.squared())] or fact.told[:1]
+        pieces = [piece for piece in fact.parts if double(piece.value.squared())] or fact.parts[:1]
         if len(pieces) > 1:
             return Written(
                 root(piece.symbol for piece in pieces),
@@ -179,8 +179,10 @@ class Writer:
         return self.along(fact, Vector(*((1, 0) if axis == "x" else (0, 1))))
 
     def along(self, fact: Fact, direction: Vector) -> Written:
-        """The component along a direction: from the components, or each size times a cosine."""
-        pieces = components(fact) if fact.by_components else fact.told
+        """The component along a direction: from the components, or each magnitude times a
+        cosine.
+        """
+        pieces = components(fact) if fact.by_components else fact.parts
         return projected(pieces, bearing(direction), self.case)
 
     def angle(self, tree: Call) -> Written:
@@ -228,7 +230,7 @@ class Writer:
                 assert_never(tree.sign)
 
     def number(self, tree: Expression) -> str:
-        """The value of a side, a literal as it is."""
+        """The value of a side; a literal as it is."""
         match tree:
             case Number(value=value):
                 return short(value)
@@ -238,7 +240,7 @@ class Writer:
                 assert_never(tree)
 
     def component_symbol(self, tree: Expression) -> str:
-        """The symbol of a component that has been told."""
+        """The symbol of a component that the solution has already given."""
         if isinstance(tree, Call) and tree.function in ("x", "y"):
             return component(self.fact(tree.arguments[0]).symbol, tree.function)
         return ""
@@ -252,18 +254,19 @@ class Writer:
 
     def value(self, tree: Expression) -> Any:
         """The exact value of a part of the quantity."""
-        own = self.case.arithmetic.fork()
+        arithmetic = self.case.arithmetic.fork()
         assembly = self.case.solution.assembly
         values = {**body_names(assembly.mechanism), **assembly.values}
         return evaluate(
-            tree, values, {**assembly.functions, **quantities(self.case.motion, own)}, own
+            tree,
+            values,
+            {**assembly.functions, **quantities(self.case.motion, arithmetic)},
+            arithmetic,
         )
 
 
 def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
-    """The sum of pieces along the axis at an angle in degrees; those that are normal to it add
-    nothing.
-    """
+    """The sum of pieces along the axis at an angle in degrees; those normal to it add nothing."""
     symbols, numbers = "", ""
     for piece in pieces:
         angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
@@ -280,7 +283,7 @@ def projected(pieces: Sequence[Piece], axis: float, case: Case) -> Written:
 
 
 def components(fact: Fact) -> tuple[Piece, ...]:
-    """A vector that is known by its components as the sum of these."""
+    """A vector known by its components, as the sum of these."""
     axes = Vector(1, 0), Vector(0, 1)
     return tuple(
         Piece(component(fact.symbol, name), axis, axis * number)
@@ -289,7 +292,7 @@ def components(fact: Fact) -> tuple[Piece, ...]:
 
 
 def signed(piece: Piece, case: Case) -> str:
-    """The number of a piece, negative where it is opposite to its positive sense."""
+    """The number of a piece, negative where it points against its positive sense."""
     size = short(length(piece.value, case.arithmetic))
     return f"-{size}" if double(piece.value.dot(piece.positive)) < 0 else size
 
@@ -304,7 +307,7 @@ def root(numbers: Iterable[str]) -> str:
 
 
 def beside(sign: str, symbols: Sequence[str], numbers: Sequence[str]) -> Written:
-    """Two sides with a sign between them; the second number in brackets where it is negative."""
+    """Two sides joined by a sign; the second number in brackets where it is negative."""
     return Written(
         f"{symbols[0]} {sign} {symbols[1]}", f"{numbers[0]} {sign} {bracketed(numbers[1])}"
     )

@@ -1,5 +1,5 @@
-"""The vectors that an answer speaks of, each found before it is used: of points, relative,
-Coriolis, about a base.
+"""The vectors that an answer refers to, each found before it is used: of points, relative,
+Coriolis, about a base point.
 """
 
 from __future__ import annotations
@@ -62,22 +62,22 @@ class Facts:
     quantities: Quantities
 
     def find(self, tree: Expression) -> Found:
-        """The vector of an expression, with the blocks that tell how it is found unless that has
-        been told.
+        """The vector of an expression, with the blocks that show how it is found unless they have
+        been written before.
         """
-        if tree not in self.findings.told:
-            self.findings.told[tree] = yield from self.found(tree)
-        return self.findings.told[tree]
+        if tree not in self.findings.answered:
+            self.findings.answered[tree] = yield from self.found(tree)
+        return self.findings.answered[tree]
 
     def found(self, tree: Expression) -> Found:
-        """The vector of an expression, with the blocks that tell how it is found."""
+        """The vector of an expression, with the blocks that show how it is found."""
         match tree:
             case Operation():
                 return (yield from self.difference(tree))
             case Call():
                 return (yield from self.called(tree))
             case Number() | Name():
-                raise TypeError("a number or a name is no vector of the motion")
+                raise TypeError("a number or a name is not a vector of the motion")
             case _:
                 assert_never(tree)
 
@@ -123,8 +123,8 @@ class Facts:
         return f"{plain[:-1]}({self.case.naming.letters(body)})}}"
 
     def relative(self, point: str, body: str, frame: str, level: Level) -> Found:
-        """The relative velocity or acceleration: along its track, else what the absolute and the
-        transport leave.
+        """The relative velocity or acceleration: along its track, or else what remains of the
+        absolute vector without the transport one.
         """
         term = self.track(point, body, frame)
         number = self.findings.numbers.get(term.rate, "") if term else ""
@@ -233,7 +233,9 @@ class Facts:
             case "+" | "-" as sign:
                 value = {"+": left.value + right.value, "-": left.value - right.value}[sign]
             case "*" | "/" | "**":
-                raise TypeError("a vector of the motion is a sum or a difference of others")
+                raise TypeError(
+                    "only sums and differences of vectors of the motion are vectors of the motion"
+                )
             case _:
                 assert_never(tree.sign)
         level = level_of(tree.right)
@@ -259,7 +261,7 @@ def level_of(tree: Expression) -> Level:
         case Operation(right=right):
             return level_of(right)
         case Number() | Name():
-            raise TypeError("a number or a name is no vector of the motion")
+            raise TypeError("a number or a name is not a vector of the motion")
         case _:
             assert_never(tree)
 
@@ -271,7 +273,7 @@ def pair_symbol(left: str, right: str) -> str:
 
 
 def absolute_number(value: Any) -> str:
-    """The size of a number."""
+    """The absolute value of a number."""
     return short(value).removeprefix("-")
 
 

@@ -1,5 +1,5 @@
-"""The fixed centrode of a body where it is a circle: poles in several positions, the circle through
-them.
+"""The fixed centrode of a body where it is a circle: poles in several positions, and the circle
+through them.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ RADIUS = r"\rho"
 
 
 def centrode_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]:
-    """How a quantity of the circle on which a pole moves is found; the circle is told once."""
+    """How a quantity of the circle on which a pole moves is found; the circle itself is derived
+    only once.
+    """
     call = next(call for call in calls(ask.quantity) if call.function == "circle_of_poles")
     body, angle = (argument.name for argument in call.arguments if isinstance(argument, Name))
     yield from pole_blocks(body, case, findings)
@@ -39,9 +41,11 @@ def centrode_blocks(ask: Ask, case: Case, findings: Findings) -> Iterator[Block]
 def circle_blocks(body: str, angle: str, case: Case) -> Iterator[Block]:
     """The poles in the given position and in neighbouring ones, and the circle through them."""
     values = {name: case.solution.assembly.values[name] for name in case.template.parameters}
-    own = case.arithmetic.fork()
+    arithmetic = case.arithmetic.fork()
     poles = list(
-        islice(Centrodes(case.template, values, case.motion.plan).poles(body, angle, own), SHOWN)
+        islice(
+            Centrodes(case.template, values, case.motion.plan).poles(body, angle, arithmetic), SHOWN
+        )
     )
     letter = case.naming.point(pole_name(body, case))
     yield Prose(
@@ -58,7 +62,7 @@ def circle_blocks(body: str, angle: str, case: Case) -> Iterator[Block]:
             for number, pole in enumerate(poles, start=1)
         )
     )
-    circle = through(poles[0], poles[1], poles[2], own)
+    circle = through(poles[0], poles[1], poles[2], arithmetic)
     yield Prose(phrase("centrode_circle", case.language))
     radius = stated(circle.radius, "m")
     yield Display(

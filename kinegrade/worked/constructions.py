@@ -1,5 +1,5 @@
-"""One construction of a point in textbook words and equations: where it lies, and its coordinates
-worked out.
+"""The construction of a point in textbook words and equations: where it lies, and how its
+coordinates are worked out.
 
 Lines, circles and feet of perpendiculars are in `kinegrade.worked.intersections`.
 """
@@ -23,7 +23,7 @@ from kinegrade.worked.vector_words import negated, vector_words
 
 @dataclass(frozen=True)
 class Coordinates:
-    """Points given by their coordinates alone, in one sentence, with their equations."""
+    """Points given by their coordinates alone: one sentence with their equations."""
 
     points: tuple[str, ...]
     lines: tuple[str, ...]
@@ -31,33 +31,33 @@ class Coordinates:
     def blocks(self, words: PositionWords) -> tuple[Block, ...]:
         """The sentence and the equations."""
         points = words.listing.join(f"${point}$" for point in self.points)
-        told = words.coordinates if len(self.points) == 1 else words.coordinates_of_several
-        return Prose(told.format(points=points)), Display(self.lines)
+        written = words.coordinates if len(self.points) == 1 else words.coordinates_of_several
+        return Prose(written.format(points=points)), Display(self.lines)
 
 
 def chapter(steps: Iterable[Step], instance: Instance, language: Language) -> tuple[Block, ...]:
-    """The blocks of all steps, the origin first; neighbours that are given by their coordinates
-    share a sentence.
+    """The blocks of all steps, the origin first; neighbouring points that are given by their
+    coordinates share a sentence.
     """
     words, blocks = position_words(language), list[Block | Coordinates]()
     for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
-        told = construction(step, instance, language)
+        written = construction(step, instance, language)
         before = blocks[-1] if blocks else None
-        if isinstance(told, Coordinates) and isinstance(before, Coordinates):
-            told = Coordinates(before.points + told.points, before.lines + told.lines)
+        if isinstance(written, Coordinates) and isinstance(before, Coordinates):
+            written = Coordinates(before.points + written.points, before.lines + written.lines)
             blocks.pop()
-        match told:
+        match written:
             case Coordinates():
-                blocks.append(told)
+                blocks.append(written)
             case tuple():
-                blocks += told
+                blocks += written
             case _:
-                assert_never(told)
+                assert_never(written)
     return tuple(part for block in blocks for part in written_out(block, words))
 
 
 def written_out(block: Block | Coordinates, words: PositionWords) -> tuple[Block, ...]:
-    """A block as it is, coordinates with their sentence."""
+    """A block unchanged; coordinates with their sentence."""
     match block:
         case Coordinates():
             return block.blocks(words)
@@ -70,7 +70,7 @@ def written_out(block: Block | Coordinates, words: PositionWords) -> tuple[Block
 def construction(
     step: Step, instance: Instance, language: Language
 ) -> tuple[Block, ...] | Coordinates:
-    """The blocks of one step, or its coordinates where these say all."""
+    """The blocks of one step, or its coordinates where these are all there is to write."""
     words, tree = position_words(language), step.tree
     if isinstance(tree, Call) and tree.function == "meet":
         return meeting_blocks(step, instance, language)
@@ -81,10 +81,10 @@ def construction(
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
         return (Prose(words.origin.format(point=instance.symbols[step.point])),)
-    told, lines = sentence(step, instance, words), coordinate_lines(step.point, pair, instance)
+    written, lines = sentence(step, instance, words), coordinate_lines(step.point, pair, instance)
     return (
-        (Prose(told), Display(lines))
-        if told
+        (Prose(written), Display(lines))
+        if written
         else Coordinates((instance.symbols[step.point],), lines)
     )
 
@@ -101,7 +101,7 @@ def coordinate_lines(point: str, pair: Pair, instance: Instance) -> tuple[str, .
 
 def sentence(step: Step, instance: Instance, words: PositionWords) -> str:
     """Where the point of a step lies, for constructions whose coordinates follow at once; "" where
-    these say all.
+    the coordinates alone are enough.
     """
     point, tree = instance.symbols[step.point], step.tree
     match tree:
@@ -132,7 +132,7 @@ def polar_sentence(
     instance: Instance,
     words: PositionWords,
 ) -> str:
-    """Distance and direction from a centre; a negative distance is one in the opposite
+    """Distance and direction from a centre; a negative distance becomes one in the opposite
     direction.
     """
     centre, radius, angle = parts
@@ -150,7 +150,7 @@ def polar_sentence(
 
 
 def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple[Block, ...]:
-    """A point at a distance on the way from one point to another, or along a vector."""
+    """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = parts(step.tree)
     vector = way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
@@ -163,21 +163,23 @@ def toward_blocks(step: Step, instance: Instance, words: PositionWords) -> tuple
     }
     match end:
         case Name():
-            told = words.toward.format(**texts)
+            written = words.toward.format(**texts)
         case Number() | Operation() | Call():
-            told = words.along.format(vector=vector_words(vector, instance, words), **texts)
+            written = words.along.format(vector=vector_words(vector, instance, words), **texts)
         case _:
             assert_never(end)
     if base is None or direction is None:
-        return (Prose(told),)
+        return (Prose(written),)
     lines = length_lines(size, instance)
     reached = scaled(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
-    return Prose(told), Display((*lines, *coordinate_lines(step.point, pair, instance)))
+    return Prose(written), Display((*lines, *coordinate_lines(step.point, pair, instance)))
 
 
 def way(start: Expression, end: Expression, instance: Instance) -> Expression:
-    """The vector from one point to another; what is added to the first is that vector itself."""
+    """The vector from one point to another; a vector that is added to the first point is itself the
+    result.
+    """
     match end:
         case Operation(sign="+", left=same, right=added) if same == start:
             return added
@@ -190,8 +192,8 @@ def way(start: Expression, end: Expression, instance: Instance) -> Expression:
 
 
 def length_lines(size: Expression, instance: Instance) -> tuple[str, ...]:
-    """AB = the root of the squares, worked out; nothing for a length that is no distance of two
-    points.
+    """AB = the root of the sum of squares, worked out; nothing for a length that is not the
+    distance of two points.
     """
     if not isinstance(size, Call) or size.function != "distance":
         return ()

@@ -1,9 +1,9 @@
-"""From constructions to coordinates: every point of a template as a step, and what a step says of x
-and y.
+"""From constructions to coordinates: every point of a template as a step, and what a step says
+about x and y.
 
-A construction within another becomes a step of its own, with an auxiliary point H; differences,
-sums and turns of vectors become formulas in the coordinates of named points. Coordinates that are
-zero by the choice of the axes are put in, so that formulas are as short as in a textbook.
+A construction within another becomes a separate step with an auxiliary point H; differences, sums
+and rotations of vectors become formulas in the coordinates of named points. Coordinates that are
+zero by the choice of the axes are substituted, so that formulas are as short as in a textbook.
 """
 
 from __future__ import annotations
@@ -77,8 +77,8 @@ def unnested(
 def unnested_call(
     tree: Call, found: list[Step], before: int, taken: set[str], top: bool
 ) -> Expression:
-    """A call with inner constructions replaced likewise; itself a new point where it places one and
-    is not `top`.
+    """A call with inner constructions replaced likewise; where it places a point and is not `top`,
+    it becomes a new point itself.
     """
     plain = Call(
         tree.function, tuple(unnested(part, found, before, taken) for part in tree.arguments)
@@ -90,7 +90,7 @@ def unnested_call(
 
 
 def awkward(function: str, centre: Expression) -> bool:
-    """Whether a sentence would stumble over the point about which, or from which, a thing is
+    """Whether a sentence would read badly with the point about which, or from which, something is
     constructed.
     """
     pair = isinstance(centre, Call) and function == "circle"
@@ -119,8 +119,8 @@ def needed(all_steps: tuple[Step, ...], wanted: Iterable[str]) -> tuple[Step, ..
 
 @dataclass(frozen=True)
 class Axes:
-    """Writes vectors in coordinates; `points` are the named ones, `zeros` the coordinates x(A) that
-    are zero.
+    """Writes vectors in coordinates; `points` are the named points, `zeros` the coordinates x(A)
+    that are zero.
     """
 
     points: frozenset[str]
@@ -135,12 +135,12 @@ class Axes:
         return self.coordinate("y", point)
 
     def coordinate(self, axis: str, point: str) -> Expression:
-        """A coordinate of a named point, or the zero that it is by the choice of the axes."""
+        """A coordinate of a named point, or zero where the choice of the axes makes it zero."""
         leaf = Call(axis, (Name(point),))
         return ZERO if leaf in self.zeros else leaf
 
     def is_vector(self, tree: Expression) -> bool:
-        """Whether an expression is a point or a vector, not a number."""
+        """Whether an expression is a point or a vector rather than a number."""
         match tree:
             case Name(name=name):
                 return name in self.points
@@ -154,8 +154,8 @@ class Axes:
                 assert_never(tree)
 
     def pair(self, tree: Expression) -> Pair | None:
-        """The coordinates of a point or vector as formulas; None for what meets or stands at right
-        angles.
+        """The coordinates of a point or vector as formulas; None for intersections and feet of
+        perpendiculars.
         """
         match tree:
             case Name():
@@ -189,14 +189,14 @@ class Axes:
                 vector, factor = ends if self.is_vector(tree.left) else ends[::-1]
                 return scaled(self.pair(vector), factor)
             case "**":
-                raise ValueError("a vector has no power")
+                raise ValueError("a vector cannot be raised to a power")
             case _:
                 assert_never(tree.sign)
 
 
 def axes_of(all_steps: tuple[Step, ...]) -> Axes:
-    """The axes in which points are given, with the coordinates that each construction makes zero at
-    sight.
+    """The axes in which points are given, with the coordinates that each construction obviously
+    makes zero.
     """
     axes = Axes(frozenset(step.point for step in all_steps), frozenset())
     for step in all_steps:
@@ -214,7 +214,7 @@ def axes_of(all_steps: tuple[Step, ...]) -> Axes:
 
 
 def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
-    """What the lines parallel to the axes say of the point in which they meet something; ONE where
+    """What lines parallel to the axes say about the point in which they meet something; ONE where
     they say nothing.
     """
     if not isinstance(tree, Call) or tree.function != "meet":
@@ -229,7 +229,9 @@ def met_along_axes(tree: Expression, axes: Axes) -> Iterator[Pair]:
 
 
 def line_of(shape: Call, axes: Axes) -> tuple[Pair, Pair]:
-    """A point of a line and its direction, of length one where the line is given by an angle."""
+    """A point of a line and the line's direction, a unit vector where the line is given by an
+    angle.
+    """
     start = axes.pair(shape.arguments[0]) or (ZERO, ZERO)
     if not axes.is_vector(shape.arguments[1]):
         return start, unit(shape.arguments[1])
@@ -277,7 +279,7 @@ def divided(pair: Pair | None, divisor: Expression) -> Pair | None:
 
 
 def is_negated(tree: Expression) -> TypeGuard[Operation]:
-    """Whether an expression is a minus with what follows it."""
+    """Whether an expression starts with a minus sign that applies to all of it."""
     return isinstance(tree, Operation) and tree.sign == "-" and is_literal_zero(tree)
 
 
@@ -330,7 +332,7 @@ def over(left: Expression, right: Expression) -> Expression:
 
 
 def square(base: Expression) -> Expression:
-    """The square of an expression, whose sign is dropped."""
+    """The square of an expression, without its sign."""
     if is_negated(base):
         base = base.right
     match base:
@@ -360,7 +362,7 @@ def length_of(vector: Expression, axes: Axes) -> Expression:
 
 
 def root(base: Expression) -> Expression:
-    """The positive square root; that of a square is a size."""
+    """The positive square root; the root of a square is an absolute value."""
     if isinstance(base, Operation) and base.sign == "**" and base.right == TWO:
         return Call("abs", (base.left,))
     return base if base in (ZERO, ONE) else Call("sqrt", (base,))
@@ -372,5 +374,5 @@ def dot(first: Pair, second: Pair) -> Expression:
 
 
 def cross(first: Pair, second: Pair) -> Expression:
-    """The component of the vector product out of the plane."""
+    """The out-of-plane component of the vector product."""
     return minus(times(first[0], second[1]), times(first[1], second[0]))

@@ -1,5 +1,5 @@
-"""A deduction as equations: with symbols, with this paper's numbers, and what follows exactly and
-as a decimal.
+"""A deduction as equations: in symbols, with this paper's numbers, and with its results, exact and
+as decimals.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Stage:
     case: Case
 
     def occurrences(self, rate: str) -> list[tuple[VectorEquation, Part]]:
-        """Where an unknown stands."""
+        """The places where an unknown stands."""
         return [
             (equation, part)
             for equation in self.equations
@@ -58,10 +58,10 @@ class Stage:
     def share_size(
         self, equation: VectorEquation, part: Part, solved: Collection[str] | None
     ) -> str:
-        """A share of a projection before its cosine: in symbols, or in numbers where the rates
-        `solved` are known.
+        """The magnitude of a share of a projection, without its cosine: in symbols, or in numbers
+        where the rates `solved` are known.
 
-        An unknown one stays a symbol in numbers too, with the number by which it is multiplied.
+        An unknown one stays a symbol in numbers too, with its numeric factor.
         """
         if solved is None:
             return (
@@ -120,7 +120,7 @@ def rate_symbol(term: Term, stage: Stage) -> str:
 
 
 def deduced(stage: Stage, deduction: Deduction, solved: Collection[str]) -> Iterator[Block]:
-    """A deduction in words and equations; its relations between rates have been written before."""
+    """A deduction in words and equations; relations between rates have been written before."""
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
         yield Prose(announced(stage, projection))
@@ -137,7 +137,7 @@ def deduced(stage: Stage, deduction: Deduction, solved: Collection[str]) -> Iter
 
 
 def projected_lines(stage: Stage, projection: Projection, solved: Collection[str]) -> Iterator[str]:
-    """A projection in symbols, and in numbers where that says more."""
+    """A projection in symbols, and in numbers where that adds something."""
     symbols, numbers = stage.sides(projection, None), stage.sides(projection, solved)
     yield " &= ".join(symbols)
     if numbers != symbols:
@@ -147,8 +147,8 @@ def projected_lines(stage: Stage, projection: Projection, solved: Collection[str
 def solved_lines(
     stage: Stage, projection: Projection, solved: Collection[str], rate: str
 ) -> Iterator[str]:
-    """A projection with one unknown and what follows; in one chain where the unknown stands alone
-    on a side.
+    """A projection with one unknown and its result; as one chain where the unknown stands alone on
+    a side.
     """
     left, value = next(results(stage, rate)).split(" &= ", 1)
     sides, numbers = stage.sides(projection, None), stage.sides(projection, solved)
@@ -165,7 +165,7 @@ def solved_lines(
 
 
 def announced(stage: Stage, projection: Projection) -> str:
-    """On which axis is projected, and why."""
+    """On which axis the equation is projected, and why."""
     key = AXES.get(projection.axis, "axis_at")
     axis = phrase(key, stage.case.language, angle=angle_text(projection.axis))
     if projection.dropped is None:
@@ -175,7 +175,7 @@ def announced(stage: Stage, projection: Projection) -> str:
 
 
 def results(stage: Stage, rate: str) -> Iterator[str]:
-    """The value of a vector along its direction, and of the rotation that it belongs to."""
+    """The value of a vector along its direction, and of the rotation it belongs to."""
     case, level = stage.case, stage.level
     found = stage.occurrences(rate)
     turning = rate.startswith("omega ")
@@ -212,8 +212,8 @@ def vector_value(part: Part, case: Case, level: Level) -> str:
 
 
 def ends_of_path(part: Part, case: Case) -> tuple[str, str] | None:
-    """The points of the line along which a part lies, in its positive sense; None where no two
-    points tell it.
+    """The points that give the line along which a part lies, in its positive sense; None where no
+    two points do.
     """
     ends = ends_of_track(part.term, case) if part.term and part.term.kind == "sliding" else None
     if ends is None or part.coefficient is None:
@@ -223,7 +223,7 @@ def ends_of_path(part: Part, case: Case) -> tuple[str, str] | None:
 
 
 def along_direction(term: Term, case: Case, level: Level) -> Any:
-    """A term's size along its positive direction, signed: exact where the field holds it."""
+    """A term's signed value along its positive direction: exact where the field holds it."""
     rate = case.rates(level)[term.rate]
     size = length(term.vector, case.arithmetic)
     return float(rate) * size if isinstance(size, float) else rate * size

@@ -1,4 +1,4 @@
-"""What a worked solution consists of, free of any typesetter: prose, equations, tables of terms,
+"""The parts of a worked solution, independent of any typesetter: prose, equations, tables of terms,
 pictures, results.
 
 `kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is
@@ -49,7 +49,7 @@ class Term:
 
 @dataclass(frozen=True)
 class TermTable:
-    """A vector equation written term by term, the magnitude and the direction of every term below
+    """A vector equation written term by term, with the magnitude and direction of each term below
     it.
     """
 
@@ -58,7 +58,7 @@ class TermTable:
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing with what it shows in a few words."""
+    """A drawing with a short caption."""
 
     scene: Scene
     caption: str  # prose, one line
@@ -66,14 +66,14 @@ class Picture:
 
 @dataclass(frozen=True)
 class Pictures:
-    """Drawings side by side, one below the other where the page is too narrow."""
+    """Drawings side by side, or one below the other where the page is too narrow."""
 
     pictures: tuple[Picture, ...]
 
 
 @dataclass(frozen=True)
 class Result:
-    """An answer: the exact value where a line holds it, the decimal, and its sense or direction in
+    """An answer: the exact value where it fits a line, the decimal, and its sense or direction in
     words.
     """
 
@@ -96,6 +96,6 @@ Block = Heading | Prose | Display | TermTable | Pictures | Results
 
 @dataclass(frozen=True)
 class WorkedSolution:
-    """The solution of one question, from what moves how to the results."""
+    """The solution of one question, from how each body moves to the results."""
 
     blocks: tuple[Block, ...]

@@ -4,8 +4,8 @@ numbers.
     l*sin(theta)*cos(psi)/sin(psi)     \\frac{l \\sin\\theta \\cos\\psi}{\\sin\\psi}
     x(A) + k*r*cos(phi + pi/2)         x_{A} + k\\,r \\cos(\\varphi + 90^\\circ)
 
-A leaf is whatever is printed by a symbol or a number; `Writer` is told what the leaves are and
-knows all the rest: precedence, fractions, roots, signs and where a product needs its dot.
+A leaf is whatever is printed by a symbol or a number; `Writer` is given the leaves and does
+everything else: precedence, fractions, roots, signs and the dots of products.
 """
 
 from __future__ import annotations
@@ -59,9 +59,9 @@ def latex_of(
     `symbols_of`.
 
     `pi` prints as such, but in degrees within sines and cosines, and everywhere if the expression
-    is an angle that is to be printed with `degrees`. A name without a symbol prints as
-    `problem.notation.symbol` has it. The difference of two of the `points` prints as a vector with
-    an arrow.
+    is an angle to be printed in `degrees`. A name without a symbol prints as
+    `problem.notation.symbol` gives it. The difference of two of the `points` prints as a vector
+    with an arrow.
 
     >>> from kinegrade.expression import read
     >>> print(latex_of(read("-l_1*sin(psi)/sin(theta + pi/2)"), {}))
@@ -88,8 +88,8 @@ def symbols_of(template: Template) -> dict[str, str]:
 
 
 def symbolic(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Piece | None:
-    """The leaves of a formula in symbols: names, coordinates and distances of points, angles of so
-    many degrees.
+    """The leaves of a formula in symbols: names, coordinates and distances of points, angles in
+    whole degrees.
     """
     if angular and (half_turns := constant_half_turns(tree)) is not None:
         return Piece(decimal_text(abs(half_turns * 180), 6) + r"^\circ", "number", half_turns < 0)
@@ -105,7 +105,7 @@ def symbolic(tree: Expression, angular: bool, symbols: Mapping[str, str]) -> Pie
 
 
 def named(name: str) -> str:
-    """The symbol of a name that was given none."""
+    """The symbol of a name that has been given none."""
     return r"\pi" if name == "pi" else symbol(name)
 
 
@@ -128,8 +128,8 @@ def measured(tree: Call, symbols: Mapping[str, str]) -> Piece | None:
 
 
 def vector_between(tree: Expression, points: Collection[str]) -> Piece | None:
-    """The difference of two points as the vector from the second to the first; None for anything
-    else.
+    """The difference of two points as the vector from the second to the first; None for any other
+    expression.
     """
     if not isinstance(tree, Operation) or tree.sign != "-":
         return None
@@ -145,8 +145,8 @@ def arrow(start: str, end: str) -> str:
 
 
 def quarter_turns(tree: Expression) -> int | None:
-    """How many right angles an angle made of numbers and `pi` comes to, 0 to 3; None where it is no
-    such angle.
+    """The number of right angles, 0 to 3, in an angle made of numbers and `pi`; None for any other
+    angle.
     """
     half_turns = constant_half_turns(tree)
     quarters = None if half_turns is None else half_turns * 2
@@ -154,7 +154,7 @@ def quarter_turns(tree: Expression) -> int | None:
 
 
 def constant_half_turns(tree: Expression) -> Any:
-    """An angle made of numbers and `pi` alone, over pi; None for any other expression."""
+    """An angle made of numbers and `pi` alone, divided by pi; None for any other expression."""
     if set(names(tree)) - {"pi"} or has_call(tree):
         return None
     field = Field()
@@ -169,8 +169,8 @@ def has_call(tree: Expression) -> bool:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes expressions; `leaf` gives the piece of what is printed whole, or None for what is to
-    be taken apart.
+    """Writes expressions; `leaf` gives the piece for whatever is printed whole, or None for an
+    expression to be taken apart.
 
     `angular` says that the expression is an angle, to be printed in degrees.
     """
@@ -207,7 +207,7 @@ class Writer:
                 assert_never(tree.sign)
 
     def sum(self, tree: Operation, angular: bool) -> Piece:
-        """Terms with their signs; a lone minus belongs to what follows it."""
+        """Terms with their signs; a unary minus belongs to the term after it."""
         terms = list(self.terms(tree, angular))
         if len(terms) == 1:
             return whole(terms[0])
@@ -237,9 +237,7 @@ class Writer:
                 assert_never(tree.sign)
 
     def product(self, tree: Operation, angular: bool) -> Piece:
-        """Factors side by side, over the divisors where there are any; all signs before the
-        whole.
-        """
+        """Factors side by side, over the divisors if there are any, with all signs in front."""
         above, below = ([positive(piece) for piece in part] for part in self.factors(tree, angular))
         negative = sum(piece.negative for piece in above + below) % 2 == 1
         top = joined(above)
@@ -248,7 +246,7 @@ class Writer:
         return Piece(rf"\frac{{{top}}}{{{joined(below)}}}", "fraction", negative)
 
     def factors(self, tree: Expression, angular: bool) -> tuple[list[Piece], list[Piece]]:
-        """What stands above and below the line."""
+        """The factors of the numerator and of the denominator."""
         if self.leaf(tree, angular) is not None or not isinstance(tree, Operation):
             return [self.write(tree, angular)], []
         match tree.sign:
@@ -272,7 +270,7 @@ class Writer:
                 assert_never(tree.sign)
 
     def power(self, tree: Operation) -> Piece:
-        """A power; that of a sine stands behind its name."""
+        """A power; the exponent of a sine stands directly after its name."""
         exponent = self.write(tree.right).signed
         if (
             isinstance(tree.left, Call)
@@ -293,7 +291,7 @@ class Writer:
         return Piece(f"{base.text}^{{{exponent}}}", base.kind)
 
     def call(self, tree: Call) -> Piece:
-        """A function of its arguments."""
+        """A function call with its arguments."""
         if tree.function == "sqrt" and len(tree.arguments) == 1:
             return Piece(rf"\sqrt{{{self.write(tree.arguments[0]).signed}}}", "closed")
         if tree.function == "abs" and len(tree.arguments) == 1:

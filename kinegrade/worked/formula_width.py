@@ -1,5 +1,5 @@
-"""About how wide a LaTeX formula prints, in letters: enough to tell what fits on a line of a
-display.
+"""The approximate printed width of a LaTeX formula, in letters: accurate enough to decide what
+fits on a line of a display.
 
 >>> round(width(r"\\frac{a + b}{2}")), round(width(r"x_{A}"), 1)
 (4, 1.7)
@@ -25,8 +25,8 @@ WIDTHS = {
         rf"\{name}": len(name) + 0.5 for name in ("sin", "cos", "tan", "arcsin", "arccos", "arctan")
     },
 }
-WIDEST = 68  # letters: what fits on a line of a display
-SMALL = 0.7  # of a subscript against the letter that carries it
+WIDEST = 68  # letters that fit on a line of a display
+SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 
 def width(latex: str) -> float:
@@ -35,7 +35,7 @@ def width(latex: str) -> float:
 
 
 def group(tokens: Iterator[str]) -> float:
-    """The width of everything up to the brace that closes."""
+    """The width of everything up to the closing brace."""
     total = 0.0
     for token in tokens:
         if token == "}":
@@ -45,7 +45,7 @@ def group(tokens: Iterator[str]) -> float:
 
 
 def one(token: str, tokens: Iterator[str]) -> float:
-    """The width of one token with what belongs to it."""
+    """The width of one token with its arguments."""
     if token == "{":
         return group(tokens)
     if token in "^_":
@@ -66,7 +66,7 @@ def following(tokens: Iterator[str]) -> float:
 
 
 def chained(left: str, parts: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
-    """left = first = second ..., on further lines where one is too short for all; aligned at the
+    """left = first = second ..., continued on further lines where one is too short; aligned at the
     first sign.
     """
     lines, room = [left + " &"], WIDEST - width(left)

@@ -1,5 +1,4 @@
-"""A solved instance as formulas are written for it: symbols on one side, this paper's numbers on
-the other.
+"""Formulas of a solved instance: symbols on one side, this paper's numbers on the other.
 
 x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\mathrm{m}
 """
@@ -24,15 +23,15 @@ from kinegrade.worked.formula_text import Writer, symbol_writer, symbols_of
 from kinegrade.worked.formula_width import chained
 from kinegrade.worked.pieces import INVERSE, TRIGONOMETRY, Piece, numeral
 
-DIGITS = 4  # significant, of every decimal that is rounded
+DIGITS = 4  # significant digits of every rounded decimal
 LONGEST_SUBSTITUTED = (
-    12  # characters of plain text: longer exact numbers, and parts of roots, go in as decimals
+    12  # characters of plain text: longer exact numbers, and parts of roots, become decimals
 )
 LONGEST_EXACT = (
     30  # characters of plain text: a longer exact number is left out on the way to an answer
 )
 STRUCTURAL = frozenset({*TRIGONOMETRY, *INVERSE, "sqrt", "abs"})
-Part = tuple[str, str]  # a relation sign and what stands behind it
+Part = tuple[str, str]  # a relation sign and what follows it
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
 AREA = read_unit("m^2")
@@ -40,8 +39,8 @@ AREA = read_unit("m^2")
 
 @dataclass(frozen=True)
 class Instance:
-    """What formulas of a solved instance need: its steps and axes, symbols of names, and values in
-    SI.
+    """What the formulas of a solved instance need: its steps and axes, symbols of names, and values
+    in SI.
     """
 
     solution: Solution
@@ -52,13 +51,13 @@ class Instance:
     arithmetic: Any
 
     def named(self, name: str, symbol: str, value: Any) -> Instance:
-        """The instance with one thing more that formulas may name."""
+        """The instance with one more name that formulas may use."""
         return replace(
             self, symbols={**self.symbols, name: symbol}, values={**self.values, name: value}
         )
 
     def free(self, letter: str) -> str:
-        """A name for an auxiliary quantity that nothing of the template has."""
+        """A name for an auxiliary quantity that the template does not use."""
         return next(
             name
             for name in (letter, *(f"{letter}{count}" for count in range(1, 1000)))
@@ -66,7 +65,9 @@ class Instance:
         )
 
     def value(self, tree: Expression) -> Any:
-        """The value of an expression in SI: exact where a small field holds it, else enclosed."""
+        """The value of an expression in SI: exact where a small field holds it, otherwise a
+        certified enclosure.
+        """
         try:
             with self.arithmetic.context():
                 return evaluated(tree, self.values, self.arithmetic)
@@ -80,7 +81,7 @@ class Instance:
                 )
 
     def sign(self, tree: Expression) -> int:
-        """Whether the value of an expression is negative, zero or positive: -1, 0, 1."""
+        """The sign of an expression's value: -1, 0 or 1."""
         value = self.value(tree)
         text = decimal_text(value, 1)
         return 0 if text == "0" else -1 if text.startswith("-") else 1
@@ -90,11 +91,11 @@ class Instance:
         return symbol_writer(self.symbols, self.axes.points).write(tree, degrees).signed
 
     def numeric(self, tree: Expression, degrees: bool = False) -> str:
-        """The formula with numbers in place of symbols; angles are worked out."""
+        """The formula with numbers in place of symbols; angles are evaluated."""
         return Writer(self.number).write(tree, degrees).signed
 
     def number(self, tree: Expression, angular: bool) -> Piece | None:
-        """The number that takes the place of a name, a coordinate or an angle."""
+        """The number that replaces a name, a coordinate or an angle."""
         if angular:
             return numeral(self.degrees(self.value(tree)) + r"^\circ")
         if isinstance(tree, Name) and tree.name != "pi":
@@ -104,7 +105,7 @@ class Instance:
         return None
 
     def degrees(self, angle: Any) -> str:
-        """The decimal of an angle in degrees, to two decimals or so."""
+        """An angle in degrees as a decimal, to about two decimals."""
         quantity = self.quantity(angle, DEGREE)
         if quantity.is_plain:
             return quantity.decimal(12)
@@ -118,8 +119,8 @@ class Instance:
             return in_unit("", value, unit)
 
     def proportion(self, left: str, tree: Expression, unit: Unit) -> tuple[str, ...]:
-        """left, up to a factor, as the formula = the same with numbers = the value; a zero is one
-        without a factor.
+        """left, up to a factor, as the formula = the same with numbers = the value; a zero is
+        written without a factor.
         """
         results = result(self.quantity(self.value(tree), unit))
         worked = (("=", self.symbolic(tree)), *self.worked_out(self.symbolic(tree), tree))
@@ -132,7 +133,7 @@ class Instance:
         return chained(left, told_once(self.worked_out(left, tree, unit.degrees), results))
 
     def worked_out(self, left: str, tree: Expression, degrees: bool = False) -> tuple[Part, ...]:
-        """The formula and the same with numbers, each where it says something new."""
+        """The formula and the same with numbers, each where it adds something."""
         symbols, numbers = self.symbolic(tree, degrees), self.numeric(tree, degrees)
         plain = isinstance(tree, (Name, Number)) or (
             isinstance(tree, Call) and tree.function not in STRUCTURAL
@@ -142,9 +143,9 @@ class Instance:
 
 
 def instance_of(solution: Solution) -> Instance:
-    """The instance of a solution, its auxiliary points worked out."""
+    """The instance of a solution, with its auxiliary points evaluated."""
     template = solution.template
-    bare = Instance(
+    instance = Instance(
         solution,
         (),
         Axes(frozenset(), frozenset()),
@@ -152,11 +153,11 @@ def instance_of(solution: Solution) -> Instance:
         dict(solution.assembly.values),
         solution.arithmetic.fork(),
     )
-    return with_steps(bare, steps(template))
+    return with_steps(instance, steps(template))
 
 
 def with_steps(instance: Instance, more: Iterable[Step]) -> Instance:
-    """The instance with further points; those that the template does not name are worked out."""
+    """The instance with further points; those that the template does not name are evaluated."""
     all_steps = (*instance.steps, *more)
     instance = replace(instance, steps=all_steps, axes=axes_of(all_steps))
     for step in all_steps:
@@ -188,7 +189,7 @@ def enclosed(value: Any, balls: Balls) -> Any:
 
 
 def substituted(value: Any) -> str:
-    """A number as it is put into a formula: exact where that is short, else rounded."""
+    """A number as it is substituted into a formula: exact where that is short, else rounded."""
     quantity = in_unit("", value, PURE)
     if isinstance(value, Angle):
         return quantity.decimal(DIGITS)
@@ -205,7 +206,7 @@ def substituted(value: Any) -> str:
 
 
 def settled(quantity: Quantity) -> str | None:
-    """The decimal of an enclosure that is a number of few digits as far as can be told; None for
+    """The decimal of an enclosure that, within its precision, is a number of few digits; None for
     any other.
     """
     text = quantity.decimal(20)
@@ -213,8 +214,8 @@ def settled(quantity: Quantity) -> str | None:
 
 
 def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part, ...]:
-    """All parts of an equation; the last of the working is dropped where it is the result but for
-    its unit.
+    """All parts of an equation; the last step of the working is dropped where it differs from the
+    result only in the unit.
     """
     if worked and results and results[0][1].split(r"\,\mathrm")[0] == worked[-1][1]:
         worked = worked[:-1]
@@ -222,8 +223,8 @@ def told_once(worked: tuple[Part, ...], results: tuple[Part, ...]) -> tuple[Part
 
 
 def result(quantity: Quantity, longest: int = LONGEST_EXACT) -> tuple[Part, ...]:
-    """The value at the end of an equation: exact where it is short enough, then rounded where that
-    says less.
+    """The value at the end of an equation: exact where it is short enough, then rounded where the
+    exact form is not a decimal.
     """
     if quantity.is_zero:
         return (("=", "0"),)
@@ -239,7 +240,7 @@ def result(quantity: Quantity, longest: int = LONGEST_EXACT) -> tuple[Part, ...]
 
 
 def exact_with_unit(quantity: Quantity) -> str:
-    """A closed form with its unit: a sum in brackets, an angle of radians without one."""
+    """A closed form with its unit: a sum in brackets, an angle in radians without one."""
     text = str(quantity.closed_form)
     if isinstance(quantity.number, Angle) and not quantity.measure.degrees:
         return text

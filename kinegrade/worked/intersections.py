@@ -1,8 +1,8 @@
-"""Points in which lines and circles meet, and feet of perpendiculars: the equations and how they
-are solved.
+"""Intersections of lines and circles, and feet of perpendiculars: the equations and how they are
+solved.
 
-A line along an axis gives a coordinate at once; a slanting one is run along by the distance s from
-its point. Two circles are solved in the triangle of their centres and the point.
+A line along an axis gives a coordinate at once; a slanting one is parametrised by the distance s
+from its given point. Two circles are solved in the triangle of their centres and the point.
 """
 
 from __future__ import annotations
@@ -53,36 +53,38 @@ def meeting_blocks(step: Step, instance: Instance, language: Language) -> tuple[
     words = position_words(language)
     if len(lines) == 2:
         return two_lines_blocks(step.point, (first, second), instance, language)
-    told = words.line_meets_circle.format(
+    sentence = words.line_meets_circle.format(
         point=instance.symbols[step.point],
         side=words.sides.get(side, ""),
         line=line_words(lines[0], instance, words),
         circle=circle_words(circles[0], instance, words),
     )
     if ZERO not in line_of(lines[0], instance.axes)[1]:
-        told += between_sentences(language) + along_words(words.quadratic, lines[0], instance)
-    return Prose(told), *line_and_circle(step.point, lines[0], circles[0], instance)
+        sentence += between_sentences(language) + along_words(words.quadratic, lines[0], instance)
+    return Prose(sentence), *line_and_circle(step.point, lines[0], circles[0], instance)
 
 
 def two_lines_blocks(
     point: str, lines: tuple[Call, Call], instance: Instance, language: Language
 ) -> tuple[Block, ...]:
-    """The point in which two lines meet; of two slanting ones the first is run along."""
+    """The point in which two lines meet; of two slanting lines the first is parametrised."""
     words = position_words(language)
-    told = words.lines_meet.format(
+    sentence = words.lines_meet.format(
         point=instance.symbols[point],
         first=line_words(lines[0], instance, words),
         second=line_words(lines[1], instance, words),
     )
     first, second = (line_of(line, instance.axes) for line in lines)
     if ZERO in first[1] + second[1]:
-        return Prose(told), Display(two_lines(point, first, second, instance))
-    told += between_sentences(language) + along_words(words.along_first, lines[0], instance)
-    return Prose(told), Display(two_slanting(point, unit_line(first, instance), second, instance))
+        return Prose(sentence), Display(two_lines(point, first, second, instance))
+    sentence += between_sentences(language) + along_words(words.along_first, lines[0], instance)
+    return Prose(sentence), Display(
+        two_slanting(point, unit_line(first, instance), second, instance)
+    )
 
 
 def along_words(sentence: str, line: Call, instance: Instance) -> str:
-    """A sentence on the distance from a line's own point along it."""
+    """A sentence on the distance along a line from its given point."""
     return sentence.format(share=letter("s", instance), start=instance.symbolic(line.arguments[0]))
 
 
@@ -138,14 +140,14 @@ def two_slanting(point: str, first: Line, second: Line, instance: Instance) -> t
 
 
 def letter(name: str, instance: Instance) -> str:
-    """The symbol of an auxiliary quantity, numbered where the template has that letter itself."""
+    """The symbol of an auxiliary quantity, numbered where the template already uses that letter."""
     return symbol(instance.free(name))
 
 
 def run_along(
     point: str, base: Pair, along: Pair, share: Expression, instance: Instance
 ) -> tuple[str, ...]:
-    """s worked out, then the coordinates of the point s from the line's own point."""
+    """s worked out, then the coordinates of the point at s from the line's given point."""
     name = instance.free("s")
     further = instance.named(name, symbol(name), instance.value(share))
     step = Name(name)
@@ -158,7 +160,7 @@ def run_along(
 def line_and_circle(
     point: str, line: Call, circle: Call, instance: Instance
 ) -> tuple[Display, ...]:
-    """The circle's equation and its solution on the line, aligned each in itself."""
+    """The circle's equation and its solution on the line, each aligned separately."""
     (base, along), centre = (
         line_of(line, instance.axes),
         instance.axes.pair(circle.arguments[0]) or NOTHING,
@@ -210,7 +212,7 @@ def slanting_chord(
 
 
 def unit_line(line: Line, instance: Instance) -> Line:
-    """A line with a direction of length one: as it is where given by an angle, else divided by its
+    """A line with a unit direction vector: as it is where given by an angle, else divided by its
     length.
     """
     base, along = line
@@ -246,7 +248,7 @@ def circles_blocks(
         "first": instance.symbolic(first),
         "second": instance.symbolic(second),
     }
-    told = words.circles_meet.format(
+    sentence = words.circles_meet.format(
         point=texts["point"],
         first=circle_words(circles[0], instance, words),
         second=circle_words(circles[1], instance, words),
@@ -263,7 +265,7 @@ def circles_blocks(
     towards = Call("direction", (first, second))
     heading = (plus if left else minus)(towards, Name(corner))
     return (
-        Prose(told + between_sentences(language) + words.triangle.format(**texts)),
+        Prose(sentence + between_sentences(language) + words.triangle.format(**texts)),
         Display(triangle_lines(axis, cosine, corner, opened)),
         Prose(words.reached_along.format(sense=sense(language, left), **texts)),
         Display((*direction_line(towards, opened), *placed(point, first, radius, heading, opened))),
@@ -271,7 +273,7 @@ def circles_blocks(
 
 
 def between_sentences(language: Language) -> str:
-    """What stands between two sentences."""
+    """The separator between two sentences."""
     return BETWEEN[language]
 
 
@@ -304,7 +306,7 @@ def direction_line(towards: Call, instance: Instance) -> tuple[str, ...]:
 def placed(
     point: str, centre: Expression, radius: Expression, heading: Expression, instance: Instance
 ) -> tuple[str, ...]:
-    """The coordinates at a distance from a centre in a direction."""
+    """The coordinates of a point at a distance from a centre in a direction."""
     pair = instance.axes.pair(Call("polar", (centre, radius, heading))) or NOTHING
     return tuple(
         line
@@ -314,7 +316,7 @@ def placed(
 
 
 def turns_left(point: str, first: Expression, second: Expression, instance: Instance) -> bool:
-    """Whether a point lies on the left of the directed line from the first to the second."""
+    """Whether a point lies to the left of the directed line from the first to the second."""
     axes = instance.axes
     axis, arm = (
         axes.pair(Operation("-", second, first)),
@@ -331,7 +333,7 @@ def foot_blocks(step: Step, instance: Instance, language: Language) -> tuple[Blo
         return ()
     base, along = unit_line(line_of(line, instance.axes), instance)
     place = instance.axes.pair(source) or NOTHING
-    told = words.foot.format(
+    sentence = words.foot.format(
         point=instance.symbols[step.point],
         from_=instance.symbolic(source),
         line=line_words(line, instance, words),
@@ -342,7 +344,7 @@ def foot_blocks(step: Step, instance: Instance, language: Language) -> tuple[Blo
     )
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
-        Prose(told + between_sentences(language) + reached),
+        Prose(sentence + between_sentences(language) + reached),
         Display(run_along(step.point, base, along, share, instance)),
     )
 
@@ -353,5 +355,5 @@ def coordinate(instance: Instance, axis: str, point: str) -> Expression:
 
 
 def label(instance: Instance, axis: str, point: str) -> str:
-    """x_B or y_B, to stand before an equation."""
+    """x_B or y_B, the left side of an equation."""
     return f"{axis}_{{{instance.symbols[point]}}}"

@@ -1,4 +1,4 @@
-"""The first chapter of a solution: what moves how."""
+"""The first chapter of a solution: how each body moves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STOPS: Mapping[Language, tuple[str, str]] = {"en": (".", "; "), "zh": ("ã€‚", "ï
 
 
 def kinds(case: Case) -> Iterator[Block]:
-    """A sentence that says how every body moves."""
+    """A sentence that says how each body moves."""
     mechanism = case.motion.frames.mechanism
     sentences = [kind(body, mechanism, case) for body in mechanism.bodies]
     end, between = STOPS[case.language]
@@ -59,7 +59,7 @@ def kind(body: Body, mechanism: Mechanism, case: Case) -> str:
 
 
 def track_of(roll: Roll, case: Case) -> str:
-    """On what a body rolls, in prose."""
+    """What a body rolls on, in prose."""
     if roll.of != GROUND:
         return case.naming.body(roll.of)
     match roll.on:
@@ -72,7 +72,7 @@ def track_of(roll: Roll, case: Case) -> str:
 
 
 def translating(mechanism: Mechanism) -> set[str]:
-    """The bodies that cannot turn: held parallel to the ground, or to a body that is."""
+    """The bodies that cannot rotate: kept parallel to the ground, or to a body that is."""
     held = {GROUND}
     for _ in mechanism.bodies:
         for joint in mechanism.joints:

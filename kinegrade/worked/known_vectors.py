@@ -1,5 +1,5 @@
-"""How a solution has told a vector that is known by now: by an algebraic value, and along which
-sense.
+"""How a solution has stated a vector that is already known: by an algebraic value, and along which
+positive sense.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from kinegrade.worked.solution_case import Case
 
 
 def sense_told(term: Term, case: Case) -> int:
-    """1 where a term's value has been told along the vector that its rate multiplies, -1 where
+    """1 where a term's value has been stated along the vector that its rate multiplies, -1 where
     against it.
 
     A driver may impose a point's motion in the direction opposite to the joint's.
@@ -36,13 +36,13 @@ def imposes(relation: Relation, term: Term) -> bool:
 
 
 def positive_sense(term: Term, case: Case) -> Vector:
-    """The direction along which a term's told value counts positive."""
+    """The direction along which a term's stated value counts as positive."""
     coefficient = term.coefficient()
     return coefficient if sense_told(term, case) > 0 else -coefficient
 
 
 def is_told_negative(term: Term, case: Case, level: Level) -> bool:
-    """Whether an algebraic value below zero has been told for a term fixed to the ground: given, or
+    """Whether a negative algebraic value has been stated for a term fixed to the ground, given or
     solved for.
     """
     rate = case.rates(level)[term.rate]
@@ -52,8 +52,8 @@ def is_told_negative(term: Term, case: Case, level: Level) -> bool:
 
 
 def path_of(chain: Chain, case: Case) -> Term | None:
-    """The one term that by another way gives the motion which a chain gives, None where there is
-    none.
+    """The single term that gives the same motion as a chain does, by another way; None where there
+    is none.
     """
     for relation in case.motion.frames.relations:
         for same, other in ((relation.left, relation.right), (relation.right, relation.left)):
@@ -63,13 +63,13 @@ def path_of(chain: Chain, case: Case) -> Term | None:
 
 
 def ways(chain: Chain) -> tuple[tuple[str, str, str], ...]:
-    """What tells chains from one another: the rate, the point and the base of every term."""
+    """What distinguishes chains: the rate, the point and the base of each term."""
     return tuple((term.rate, term.point, term.base) for term in chain)
 
 
 def is_vector_result(rate: str, case: Case) -> bool:
-    """Whether a rate comes out of a vector equation, so that the vector's value has been written
-    beside it.
+    """Whether a rate results from a vector equation, so that the vector's value has been written
+    with it.
     """
     step = next((step for step in case.motion.plan.steps if rate in step.unknowns), None)
     relations = [case.motion.frames.relations[index] for index in step.relations] if step else []

@@ -1,7 +1,7 @@
 """Velocities of two points of a body by the projection theorem, or by the instantaneous centre.
 
-Where neither serves (a body that turns about nothing known, a composition of motions), nothing is
-given, and the step is told by the base point.
+Where neither applies (a body that turns about no known point, a composition of motions), nothing is
+given, and the step is written with a base point.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Coupler:
 
 
 def method_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
-    """The step by the method chosen, or nothing where it is to be told by the base point."""
+    """The step by the method chosen, or nothing where a base point is to be used."""
     coupler = coupler_of(stage)
     if coupler is None:
         return
@@ -57,7 +57,7 @@ def method_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Bloc
 
 
 def method_title(stage: Stage) -> str | None:
-    """The title of a step that is told by another method than the base point's, else None."""
+    """The title of a step by another method than the base point's, else None."""
     coupler = coupler_of(stage)
     method = method_for(coupler, stage.case) if coupler else "base-point"
     if coupler is None or method == "base-point":
@@ -82,7 +82,7 @@ def method_for(coupler: Coupler, case: Case) -> Method:
 
 
 def coupler_of(stage: Stage) -> Coupler | None:
-    """The two points of a step of one velocity equation v_B = v_A + v_BA, None for any other
+    """The two points of a step of one velocity equation v_B = v_A + v_BA; None for any other
     step.
     """
     if stage.level != "velocity" or len(stage.equations) != 1:
@@ -177,7 +177,7 @@ def base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
 
 
 def construction(coupler: Coupler, case: Case) -> str:
-    """Which of the constructions of a pole applies."""
+    """Which construction of a pole applies."""
     if case.arithmetic.is_zero(case.motion.omega(coupler.body)):
         return "method_pole_infinity"
     first, second = coupler.base.value, coupler.point.coefficient or Vector(0, 0)
@@ -213,9 +213,7 @@ def pole_lines(
 
 
 def found_speed(coupler: Coupler, how: str, case: Case) -> Iterator[str]:
-    """The size and direction of the second point's velocity, and the rotation of the body that it
-    turns with.
-    """
+    """The magnitude and direction of the second point's velocity, and the body's rotation."""
     sought, term = coupler.point, coupler.point.term
     if term is None or sought.coefficient is None:
         return

@@ -1,5 +1,5 @@
-"""The names of bodies, points and rates in a worked solution: as the paper's own symbols where it
-has them.
+"""The names of bodies, points and rates in a worked solution: the paper's symbols where it has
+them.
 """
 
 from __future__ import annotations
@@ -41,13 +41,13 @@ BODIES = {  # the words that templates use for bodies
     "sun": ("the sun gear", "太阳轮"),
     "roller": ("the roller", "滚子"),
 }
-# Told by their ends
+# Named by their end points
 LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
 
 
 @dataclass(frozen=True)
 class Naming:
-    """How one template's bodies and rates are called in one language."""
+    """What a template's bodies and rates are called in one language."""
 
     template: Template
     language: Language
@@ -75,14 +75,14 @@ class Naming:
         return words.split("$")[1] if "$" in words else rf"\text{{{words.removeprefix('the ')}}}"
 
     def _is_round(self, body: str) -> bool:
-        """Whether a body rolls, meshes or touches with a circle of its own."""
+        """Whether a body has a circle with which it rolls, meshes or touches."""
         return len(body) < 3 and any(
             joint.circle and joint.body == body for joint in self.template.scheme.joints
         )
 
     def _wheel(self, body: str) -> str:
-        """The wheel, or the gear; with its letter where there are several, or where it is a roman
-        numeral.
+        """The wheel, or the gear; with its letter where there are several, or where the letter is a
+        Roman numeral.
         """
         kind = "gear" if "gear" in self.template.about.family else "wheel"
         several = sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1

@@ -39,7 +39,7 @@ def calls(tree: Expression) -> Iterator[Call]:
 
 
 def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[str, str]]:
-    """The (body, point) pairs whose motion a call speaks of."""
+    """The (body, point) pairs whose motion a call refers to."""
     names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
     match call.function:
         case "velocity" | "acceleration":
@@ -53,12 +53,12 @@ def chains_of(call: Call, motion: Motion, quantities: Quantities) -> list[tuple[
 
 
 def body_of(names: list[str], quantities: Quantities, motion: Motion) -> str:
-    """The body whose point is meant."""
+    """The body that a point belongs to."""
     return names[1] if len(names) > 1 else quantities.owner(names[0], None)
 
 
 def turning_bodies(call: Call) -> list[str]:
-    """The bodies whose rotation a call speaks of."""
+    """The bodies whose rotation a call refers to."""
     names = [argument.name for argument in call.arguments if isinstance(argument, Name)]
     match call.function:
         case "omega" | "alpha":
@@ -103,7 +103,8 @@ def steps_needed(motion: Motion, needs: Needs) -> tuple[tuple[Step, ...], tuple[
 
 
 def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
-    """The steps that lead to the wanted rates, from the last to the first and put in order.
+    """The steps that lead to the wanted rates, traced from the last to the first and returned in
+    order.
 
     Raises MechanismError for a rate that no step of the plan gives.
     """
@@ -126,8 +127,8 @@ def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
 
 
 def speaking_of(motion: Motion, index: int) -> Iterable[str]:
-    """The rates on which a relation's accelerations depend: its own, and those of the frames it is
-    told in.
+    """The rates on which a relation's accelerations depend: those of the relation itself, and of
+    its reference frames.
     """
     relation = motion.frames.relations[index]
     chains: list[Chain] = [relation.left, relation.right]

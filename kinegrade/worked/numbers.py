@@ -14,13 +14,13 @@ from kinegrade.problem.quantity import Quantity, in_unit
 from kinegrade.units import read_unit
 
 DIGITS = 4
-NEGLIGIBLE = 1e-12  # in SI: what rounding leaves of zero is less
-LONGEST = 26  # characters of an exact value that still reads at a glance within an equation
+NEGLIGIBLE = 1e-12  # in SI: less than this is what rounding leaves of zero
+LONGEST = 26  # characters of an exact value that is still easy to read within an equation
 
 
 def stated(number: Any, unit: str) -> str:
     """A number in SI as LaTeX math: exact, decimal, unit; the exact value only where it is short
-    and says more.
+    and adds something.
 
     >>> from kinegrade.exact.field import Field
     >>> field = Field()
@@ -33,7 +33,7 @@ def stated(number: Any, unit: str) -> str:
 
 
 def stated_quantity(quantity: Quantity) -> str:
-    """A quantity in its own unit, as `stated`."""
+    """A quantity in its unit, as `stated`."""
     decimal = with_unit(quantity.decimal(DIGITS), quantity.unit)
     if quantity.at_infinity:
         return r"\infty"
@@ -66,12 +66,12 @@ def short(number: Any) -> str:
 
 
 def bracketed(text: str) -> str:
-    """A number that stands after an operator: in brackets where it is negative."""
+    """A number after an operator: in brackets where it is negative."""
     return f"({text})" if text.startswith("-") else text
 
 
 def absolute_value(symbol: str) -> str:
-    """The size of an algebraic quantity, in LaTeX math."""
+    """The absolute value of an algebraic quantity, in LaTeX math."""
     return rf"\left|{symbol}\right|"
 
 
@@ -84,7 +84,7 @@ def length(vector: Vector, arithmetic: Any) -> Any:
 
 
 def double(number: Any) -> float:
-    """A number as a double, zero where rounding has left less than anything that is measured."""
+    """A number as a double; zero where only rounding has left anything."""
     value = float(number)
     return 0.0 if abs(value) < NEGLIGIBLE else value
 
@@ -106,7 +106,7 @@ def tidy(angle: float) -> float:
 
 
 def angle_text(angle: float) -> str:
-    """An angle given in degrees as LaTeX math: whole degrees as they are, others to two decimals.
+    """An angle given in degrees as LaTeX math: whole degrees without decimals, others with two.
 
     >>> angle_text(30.0), angle_text(36.8699)
     ('30^\\\\circ', '36.87^\\\\circ')

@@ -22,7 +22,7 @@ def phrases() -> dict[str, dict[Language, str]]:
 
 
 def phrase(key: str, language: Language, **parts: object) -> str:
-    """A sentence in one language, its places filled in; a first word that is filled in keeps its
+    """A sentence in one language with its placeholders filled in; an inserted first word keeps its
     case.
 
     >>> phrase("ccw", "zh")

@@ -56,13 +56,13 @@ def stage_pictures(step: Step, stage: Stage) -> Iterator[Pictures]:
 
 
 def spans(equation: VectorEquation) -> bool:
-    """Whether the vectors of an equation make a polygon, and not one vector twice."""
+    """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
     return sum(is_seen(part.value) for part in equation.parts) > 2
 
 
 def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[Pictures]:
-    """The mechanism with the rotations and the motions of points that are given; none where all of
-    them are zero.
+    """The mechanism with the given rotations and motions of points; none where all of them are
+    zero.
     """
     rates = [rate for step in steps for rate in step.unknowns]
     found = turnings(rates, case, level)
@@ -85,8 +85,8 @@ def given_pictures(steps: Sequence[Step], case: Case, level: Level) -> Iterator[
 
 
 def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
-    """The picture of a step without vectors: the rotation that it gives, about its pole where a
-    body rolls.
+    """The picture of a step without vectors: the rotation it gives, about the pole where a body
+    rolls.
     """
     case, roll = stage.case, rolling(step, stage.case)
     if roll is not None and roll.of == GROUND and stage.level == "velocity":
@@ -106,7 +106,7 @@ def picture_of_rotation(step: Step, stage: Stage) -> Iterator[Pictures]:
 
 
 def rolling(step: Step, case: Case) -> Roll | None:
-    """The rolling without slipping that a step speaks of."""
+    """The rolling without slipping that a step is about."""
     sources = (case.motion.frames.relations[index].source for index in step.relations)
     return next((source for source in sources if isinstance(source, Roll)), None)
 
@@ -186,7 +186,7 @@ def turnings(rates: Iterable[str], case: Case, level: Level) -> tuple[Turning, .
 
 
 def polygon_picture(equation: VectorEquation, stage: Stage) -> Picture:
-    """The polygon of a vector equation, to a scale that its caption tells."""
+    """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     left, right = (
         [
@@ -219,5 +219,5 @@ def floats(vector: Vector) -> Vector:
 
 
 def is_seen(vector: Vector) -> bool:
-    """Whether a vector is more than rounding leaves of zero."""
+    """Whether a vector is large enough to draw, and not the rounding error of a zero."""
     return max(abs(float(vector.x)), abs(float(vector.y))) > NEGLIGIBLE

@@ -1,4 +1,4 @@
-"""Parts of a formula, and how they stand beside one another: signs, brackets, dots."""
+"""Parts of a formula and how they are joined: signs, brackets, dots."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ APART = ("(", "|", r"\sqrt", r"\cdot", *OPERATORS)  # marks of a product that ne
 
 @dataclass(frozen=True)
 class Piece:
-    """A part of a formula: its text without the sign, and what kind of thing it is to its
-    neighbours.
-    """
+    """A part of a formula: its text without the sign, and how it behaves next to others."""
 
     text: str
     kind: Kind
@@ -25,16 +23,14 @@ class Piece:
 
     @property
     def signed(self) -> str:
-        """The text as it stands alone or first; a number keeps its own minus."""
+        """The text as it stands alone or first; a number keeps its minus sign."""
         if self.negative and self.text.startswith("-"):
             return "-" + bracketed(self.text)
         return ("-" if self.negative else "") + self.text
 
 
 def numeral(text: str) -> Piece:
-    """A number already printed, in LaTeX math, that takes the place of a symbol and keeps its minus
-    to itself.
-    """
+    """A number already printed in LaTeX math that replaces a symbol and keeps its minus sign."""
     body = text.removeprefix("-")
     if is_sum(text):
         return Piece(text, "sum")
@@ -55,14 +51,14 @@ def is_sum(text: str) -> bool:
 
 
 def positive(piece: Piece) -> Piece:
-    """A factor whose own minus is handed to the product."""
+    """A factor whose minus sign is moved to the product."""
     if piece.kind == "sum" or not piece.text.startswith("-"):
         return piece
     return replace(piece, text=piece.text[1:], negative=not piece.negative)
 
 
 def following(piece: Piece) -> str:
-    """A term with the sign that joins it to those before; a negative number keeps its own, in
+    """A term with the sign that joins it to those before; a negative number keeps its sign, in
     brackets.
     """
     if piece.text.startswith("-"):
@@ -71,7 +67,7 @@ def following(piece: Piece) -> str:
 
 
 def joined(factors: list[Piece]) -> str:
-    """A product of sizes; the signs are left to the caller."""
+    """A product of magnitudes; the signs are left to the caller."""
     if len(factors) == 1:
         return factors[0].text
     pieces = [whole(replace(piece, negative=False)) for piece in factors]
@@ -82,8 +78,8 @@ def joined(factors: list[Piece]) -> str:
 
 
 def between(before: Piece, piece: Piece) -> str:
-    """The mark between two factors: a dot where they would run into one another, else a little room
-    or none.
+    """The separator of two factors: a dot where they would run into one another, else a thin space
+    or nothing.
     """
     operator = piece.text.startswith(OPERATORS)
     if piece.kind == "number" or before.text == "1" or (before.kind == "function" and not operator):
@@ -96,7 +92,7 @@ def between(before: Piece, piece: Piece) -> str:
 
 
 def applied(name: str, argument: Piece) -> Piece:
-    """A sine, cosine ... of its argument, in brackets unless that is simple."""
+    """A sine, cosine ... of its argument, in brackets unless the argument is simple."""
     signed = argument.signed.startswith("-")
     plain = argument.kind in ("number", "symbol", "fraction") and not signed
     if plain or (
@@ -114,7 +110,7 @@ def operated(name: str, argument: str) -> str:
 
 
 def whole(piece: Piece) -> Piece:
-    """A piece that holds together beside others: a sum in brackets, anything else as it is."""
+    """A piece that holds together next to others: a sum in brackets, anything else unchanged."""
     match piece.kind:
         case "sum":
             return closed(piece)
@@ -130,5 +126,5 @@ def closed(piece: Piece) -> Piece:
 
 
 def bracketed(text: str) -> str:
-    """Text in brackets as high as it needs."""
+    """Text in brackets of sufficient height."""
     return rf"\left({text}\right)" if r"\frac" in text else f"({text})"

@@ -1,5 +1,5 @@
-"""The velocity or acceleration of a point of a body whose motion is known: by its arm, or by its
-base point.
+"""The velocity or acceleration of a point of a body whose motion is known: from its distance to a
+fixed axis, or from its base point.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ Key = tuple[Level, tuple[tuple[str, str, str], ...]]
 
 @dataclass(frozen=True)
 class Piece:
-    """A vector that is told by one number: its symbol, the direction in which that counts positive,
-    its value.
+    """A vector given by one number: its symbol, the direction in which that counts positive, its
+    value.
     """
 
     symbol: str
@@ -56,11 +56,11 @@ class Piece:
 
 @dataclass(frozen=True)
 class Fact:
-    """A vector that the solution has found: its symbol, and whether by components or by sizes and
-    directions.
+    """A vector that the solution has found: its symbol, and whether by components or by magnitudes
+    and directions.
 
-    `pieces` are the vectors whose sum it is where it is told by sizes: itself, or a normal and a
-    tangential part.
+    `pieces` are the vectors whose sum it is where it is given by magnitudes: itself, or a normal
+    and a tangential part.
     """
 
     symbol: str
@@ -69,8 +69,8 @@ class Fact:
     pieces: tuple[Piece, ...] = ()
 
     @property
-    def told(self) -> tuple[Piece, ...]:
-        """The pieces; of a vector told by size and direction itself alone."""
+    def parts(self) -> tuple[Piece, ...]:
+        """The pieces; of a vector given by magnitude and direction only itself."""
         return self.pieces or (Piece(self.symbol, self.value, self.value),)
 
 
@@ -79,19 +79,19 @@ class Findings:
     """What a solution has found so far, filled in as it is written.
 
     `numbers` are those of the relative motions where a step has several, by the rate of each;
-    `sized` the symbols of vectors known by components whose size has been told as well.
+    `sized` the symbols of vectors known by components whose magnitude has been given as well.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
-    told: dict[Expression, Fact] = field(default_factory=dict)
+    answered: dict[Expression, Fact] = field(default_factory=dict)
     poles: dict[str, str] = field(default_factory=dict)
     numbers: dict[str, str] = field(default_factory=dict)
     sized: set[str] = field(default_factory=set)
 
     def note(self, equation: VectorEquation, case: Case) -> None:
-        """Keep what a solved equation gives: the vector that stands alone on one side, which is
-        that of both chains, the vectors of points fixed to nothing but the ground, and the numbers
-        of its relative motions.
+        """Record what a solved equation gives: the vector that stands alone on one side, which is
+        that of both chains, the vectors of points fixed only to the ground, and the numbers of its
+        relative motions.
         """
         for part in equation.compositions:
             if part.term is not None:
@@ -131,8 +131,8 @@ def fact_of(parts: Sequence[Part], equation: VectorEquation, case: Case) -> Fact
 
 
 def sense_of(part: Part, case: Case) -> Vector:
-    """The direction in which a part's number counts positive: its own where only its size is
-    told.
+    """The direction in which a part's number counts positive: the part's direction where only its
+    magnitude is given.
     """
     if part.coefficient is not None:
         return part.coefficient
@@ -142,7 +142,7 @@ def sense_of(part: Part, case: Case) -> Vector:
 
 
 def key_of(chain: Chain, level: Level) -> Key:
-    """By what a chain's vector is remembered."""
+    """The key under which a chain's vector is kept."""
     return level, ways(chain)
 
 
@@ -159,7 +159,9 @@ def vector_of(chain: Chain, motion: Motion, level: Level) -> Vector:
 def find_point(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """How the vector of a chain is found, if that has not been told; `name` is its symbol."""
+    """How the vector of a chain is found, if that has not been written yet; `name` is its
+    symbol.
+    """
     if key_of(chain, level) in findings.facts or not chain:
         return
     last, value = chain[-1], vector_of(chain, case.motion, level)
@@ -178,7 +180,7 @@ def find_point(
 
 
 def way_of_one(term: Term, value: Vector) -> Vector:
-    """The direction in which the speed of a lone term counts positive."""
+    """The direction in which the speed of a single term counts positive."""
     match term.kind:
         case "rotation":
             return value
@@ -191,7 +193,7 @@ def way_of_one(term: Term, value: Vector) -> Vector:
 def added_up(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The components of a point's vector, its last term added to those before."""
+    """The components of a point's vector: its last term added to the terms before."""
     match chain[-1].kind:
         case "rotation":
             yield from carried(chain, name, case, level, findings)
@@ -202,8 +204,8 @@ def added_up(
 
 
 def single(term: Term, name: str, case: Case) -> Iterator[Block]:
-    """The velocity of a point that turns about a fixed axis; of a guided point, whose speed has
-    been told, nothing.
+    """The velocity of a point that turns about a fixed axis; nothing for a guided point, whose
+    speed has been given.
     """
     if term.kind != "rotation":
         return
@@ -228,17 +230,17 @@ def single(term: Term, name: str, case: Case) -> Iterator[Block]:
 
 
 def place_of(term: Term, case: Case) -> str:
-    """What distinguishes the sentence on a point that only coincides with one of the body that
-    turns.
+    """Which sentence fits a point: another one where the point only coincides with one of the body
+    that turns.
     """
     name = term.rate.removeprefix("omega ")
-    own = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
-    return "" if term.point in own else "_at"
+    points = next(body.points for body in case.motion.frames.mechanism.bodies if body.name == name)
+    return "" if term.point in points else "_at"
 
 
 def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
-    """The acceleration of a point on a fixed circle: the normal part by its speed, the tangential
-    one as told.
+    """The acceleration of a point on a fixed circle: the normal part from its speed, the tangential
+    part as given.
     """
     point, centre = case.naming.point(term.point), case.naming.point(term.base)
     yield Prose(phrase("known_circle", case.language, point=point, centre=centre))
@@ -261,7 +263,7 @@ def circling(term: Term, name: str, case: Case) -> Generator[Block, None, Fact]:
 
 
 def way(vector: Vector, case: Case) -> str:
-    """The direction of a vector behind its size in an equation, "" for a zero vector."""
+    """The direction of a vector after its magnitude in an equation, "" for a zero vector."""
     words = direction_words(vector, case)
     if "$" in words or not words:
         return rf",\quad {angle_text(bearing(vector))}" if words else ""
@@ -271,8 +273,8 @@ def way(vector: Vector, case: Case) -> str:
 def carried(
     chain: Chain, name: str, case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The components of a point's vector by its base point: rotation about it added to the base
-    point's own.
+    """The components of a point's vector from its base point: the base point's plus those of the
+    rotation about it.
     """
     last, before = chain[-1], chain[:-1]
     base_name = point_symbol(last.base, level, case)
@@ -303,8 +305,8 @@ def carried_component(
     """v_Ax - omega (y_P - y_A), or a_Ax - alpha (y_P - y_A) - omega^2 (x_P - x_A), with numbers and
     value.
 
-    `start` is the vector of the base point with its symbol, "" where it is fixed. What does not
-    turn adds nothing.
+    `start` is the vector of the base point with its symbol, "" where it is fixed. Terms of a
+    rotation that is zero are left out.
     """
     base_name, base = start
     along = 0 if axis == "x" else 1
@@ -319,8 +321,8 @@ def carried_component(
 
 
 def turning_summands(axis: str, term: Term, case: Case, level: Level) -> Iterator[Summand]:
-    """What the rotation about a base point adds to a component; nothing where the rotation is
-    zero.
+    """The terms that the rotation about a base point adds to a component; none where the rotation
+    is zero.
     """
     along, across, other, sign = (0, 1, "y", "-") if axis == "x" else (1, 0, "x", "+")
     point, base = case.naming.point(term.point), case.naming.point(term.base)

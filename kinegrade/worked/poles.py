@@ -17,7 +17,7 @@ from kinegrade.worked.summands import component
 
 
 def pole_name(body: str, case: Case) -> str:
-    """The letter of a body's pole: the one by which an ask calls it, else P, or a letter that no
+    """The letter of a body's pole: the one by which an ask names it, else P, or a letter that no
     point has.
     """
     for ask in case.template.asks.values():
@@ -37,7 +37,7 @@ def pole_name(body: str, case: Case) -> str:
 
 
 def pole_blocks(body: str, case: Case, findings: Findings) -> Iterator[Block]:
-    """Where the pole of a body lies; told once."""
+    """Where the pole of a body lies; derived only once."""
     if body in findings.poles:
         return
     name = findings.poles[body] = pole_name(body, case)

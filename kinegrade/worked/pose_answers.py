@@ -1,7 +1,7 @@
-"""How an answer that is asked of a pose follows from coordinates: coordinates, distances,
-components and angles.
+"""How an answer about a pose follows from coordinates: coordinates, distances, components and
+angles.
 
-The last line ends with the key's own answer: its value is not worked out a second time.
+The last line ends with the answer from the key: its value is not worked out a second time.
 """
 
 from __future__ import annotations
@@ -69,11 +69,10 @@ def functions(tree: Expression) -> frozenset[str]:
 def pose_answers(
     solution: Solution, ask_names: Iterable[str], language: Language
 ) -> tuple[Block, ...]:
-    """The workings of answers for which `is_positional` holds, one after the other, from
-    coordinates to each answer as it stands in the key; a length that two of them need is found
-    once.
+    """The workings of answers for which `is_positional` holds, in order, from coordinates to each
+    answer as it stands in the key; a length that two of them need is found once.
 
-    In the asks' own units; angles counter-clockwise. Raises KeyError for an ask that was not
+    In the units of the asks; angles counter-clockwise. Raises KeyError for an ask that was not
     solved.
     """
     blocks: tuple[Block, ...] = ()
@@ -81,18 +80,16 @@ def pose_answers(
     plain = False
     for name in ask_names:
         more, found = one_answer(solution, name, language, found)
-        bare = len(more) == 1
-        blocks = joined(blocks, more) if plain and bare else blocks + more
-        plain = bare
+        single = len(more) == 1
+        blocks = joined(blocks, more) if plain and single else blocks + more
+        plain = single
     return blocks
 
 
 def one_answer(
     solution: Solution, name: str, language: Language, found: frozenset[Expression]
 ) -> tuple[tuple[Block, ...], frozenset[Expression]]:
-    """The working of one answer where the lengths `found` are known, and the lengths known after
-    it.
-    """
+    """The working of one answer given the known lengths `found`, and the lengths known after it."""
     ask, answer, instance = (
         solution.template.asks[name],
         solution.answers[name],
@@ -113,7 +110,7 @@ def one_answer(
 
 
 def joined(blocks: tuple[Block, ...], more: tuple[Block, ...]) -> tuple[Block, ...]:
-    """Blocks one after the other, two displays that meet as one."""
+    """Blocks in order; two adjacent displays become one."""
     if blocks and isinstance(blocks[-1], Display) and isinstance(more[0], Display):
         return (*blocks[:-1], Display(blocks[-1].lines + more[0].lines), *more[1:])
     return blocks + more
@@ -133,22 +130,26 @@ def in_both_units(tree: Expression, answer: Quantity, instance: Instance) -> tup
     """The answer, a length in centimetres or millimetres also in metres, and an angle in radians
     also in degrees.
     """
-    told, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
+    written, unit = result(answer, LONGEST_CLOSED_FORM), answer.measure
     if answer.is_zero or not (
         unit.text == "rad" or (unit.length == 1 and unit.factor != METRE.factor)
     ):
-        return told
+        return written
     other = result(
         instance.quantity(answer.number * unit.factor, DEGREE if unit.text == "rad" else METRE)
     )[0]
-    return (other, *told) if other[0] == "=" else (*told[:-1], other, (r"\approx", told[-1][1]))
+    return (
+        (other, *written)
+        if other[0] == "="
+        else (*written[:-1], other, (r"\approx", written[-1][1]))
+    )
 
 
 @dataclass(frozen=True)
 class Working:
     """The blocks written so far, and the lengths found.
 
-    `symbol` is that of the answer where the answer is itself the measure worked out, else "".
+    `symbol` is that of the answer where the answer is itself the quantity worked out, else "".
     """
 
     instance: Instance
@@ -157,8 +158,8 @@ class Working:
     found: frozenset[Expression] = frozenset()
     blocks: tuple[Block, ...] = ()
 
-    def told(self, sentence: str, lines: tuple[str, ...]) -> Working:
-        """With a sentence and equations more."""
+    def extended(self, sentence: str, lines: tuple[str, ...]) -> Working:
+        """The working with one more sentence and its equations."""
         blocks: tuple[Block, ...] = ((Prose(sentence),) if sentence else ()) + (
             (Display(lines),) if lines else ()
         )
@@ -199,7 +200,7 @@ class Working:
                 assert_never(tree)
 
     def function(self, tree: Call) -> tuple[Expression, Working]:
-        """An elementary function of what its arguments come to."""
+        """An elementary function of its worked-out arguments."""
         parts: list[Expression] = []
         working = replace(self, symbol="")
         for argument in tree.arguments:
@@ -223,10 +224,10 @@ class Working:
         if self.symbol:
             return length_of(Call("", self.pair(vector)), self.instance.axes), self
         lines, working = self.sized(size)
-        return size, working.told("", lines)
+        return size, working.extended("", lines)
 
     def component(self, vector: Expression, direction: Expression) -> tuple[Expression, Working]:
-        """The scalar product over the length of the second vector."""
+        """The scalar product divided by the length of the second vector."""
         size = length_of(direction, self.instance.axes)
         axis = {AXIS_X: "x", AXIS_Y: "y"}.get(self.pair(vector))
         words = self.words.component if axis is None else self.words.axis_component
@@ -235,7 +236,7 @@ class Working:
         )
         product = dot(self.pair(vector), self.pair(direction))
         lines, working = self.sized(size) if product != ZERO else ((), self)
-        return over(product, size), working.told(sentence, lines)
+        return over(product, size), working.extended(sentence, lines)
 
     def sized(self, *sizes: Expression) -> tuple[tuple[str, ...], Working]:
         """The equations of lengths that are not known yet."""
@@ -244,18 +245,18 @@ class Working:
         return lines, replace(self, found=self.found | set(fresh))
 
     def phrase(self, vector: Expression, letter: str = "") -> str:
-        """A vector in a sentence, with the letter by which it goes."""
+        """A vector in a sentence, with the letter that denotes it."""
         axis = {AXIS_X: self.words.x_axis, AXIS_Y: self.words.y_axis}.get(self.pair(vector))
         if axis is not None and isinstance(vector, Call) and not vector.function:
             return axis
         if isinstance(vector, Call) and vector.function == "turned":
-            told = self.words.turned.format(vector=self.phrase(vector.arguments[0]))
+            written = self.words.turned.format(vector=self.phrase(vector.arguments[0]))
         else:
-            told = self.words.vector.format(vector=self.instance.symbolic(vector))
-        return self.words.called.format(vector=told, letter=letter) if letter else told
+            written = self.words.vector.format(vector=self.instance.symbolic(vector))
+        return self.words.called.format(vector=written, letter=letter) if letter else written
 
     def lettered(self, letter: str, vector: Expression) -> tuple[Pair, tuple[str, ...], Instance]:
-        """The components of a vector by a letter of its own, and their equations."""
+        """The components of a vector under a new letter, and their equations."""
         instance, names, lines = self.instance, list[Expression](), list[str]()
         for axis, part in zip("xy", self.pair(vector), strict=True):
             name = instance.free(f"{letter}_{axis}")
@@ -281,7 +282,9 @@ class Working:
         )
 
     def angle_from_axis(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
-        """The angle from an axis: cosine and sine are coordinates of the other vector."""
+        """The angle from an axis: cosine and sine are proportional to coordinates of the other
+        vector.
+        """
         start, end = self.pair(first), self.pair(second)
         axis = "x" if start == AXIS_X else "y"
         simple = (
@@ -290,8 +293,8 @@ class Working:
             and isinstance(second.right, Name)
         )
         other = self.instance.symbolic(second) if simple else r"\boldsymbol{v}"
-        told = self.phrase(second, "" if simple or self.symbol else "v")
-        sentence = self.words.angle_from_axis.format(first=self.phrase(first), second=told)
+        phrase = self.phrase(second, "" if simple or self.symbol else "v")
+        sentence = self.words.angle_from_axis.format(first=self.phrase(first), second=phrase)
         return self.settled(
             self.symbol or rf"\angle({axis}, {other})", sentence, (), (start, end), METRE
         )
@@ -304,7 +307,7 @@ class Working:
         vectors: tuple[Pair, Pair],
         unit: Unit,
     ) -> tuple[Expression, Working]:
-        """The angle from a vector to another, of which the products have the given unit."""
+        """The angle from one vector to another, whose products have the given unit."""
         cosine, sine = dot(*vectors), cross(*vectors)
         lines += self.instance.proportion(operated(r"\cos", label), cosine, unit)
         lines += self.instance.proportion(operated(r"\sin", label), sine, unit)
@@ -315,8 +318,8 @@ class Working:
         instance = self.instance.named(
             name, label, self.instance.value(Call("atan2", (sine, cosine)))
         )
-        working = replace(self, instance=instance).told(sentence, lines)
-        return Name(name), working.told(self.words.quadrants[signs], ())
+        working = replace(self, instance=instance).extended(sentence, lines)
+        return Name(name), working.extended(self.words.quadrants[signs], ())
 
     def tangent(self, label: str, cosine: Expression, sine: Expression) -> tuple[str, ...]:
         """The tangent of an angle, from its sine and cosine up to their common factor."""
@@ -330,7 +333,7 @@ class Working:
         )
 
     def between(self, first: Expression, second: Expression) -> tuple[Expression, Working]:
-        """The angle between two vectors, by its cosine."""
+        """The angle between two vectors, from its cosine."""
         pairs = self.pair(first), self.pair(second)
         sizes = [length_of(vector, self.instance.axes) for vector in (first, second)]
         product, area = dot(*pairs), Call("abs", (cross(*pairs),))
@@ -347,4 +350,4 @@ class Working:
         instance = self.instance.named(
             name, label, self.instance.value(Call("atan2", (area, product)))
         )
-        return Name(name), replace(working, instance=instance).told(sentence, lines)
+        return Name(name), replace(working, instance=instance).extended(sentence, lines)

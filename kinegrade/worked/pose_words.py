@@ -14,7 +14,7 @@ Signs = tuple[int, int]  # of the cosine and of the sine
 
 @dataclass(frozen=True)
 class PoseWords:
-    """How quantities of a pose are told; vectors come as phrases."""
+    """Sentences that introduce quantities of a pose; vectors are inserted as phrases."""
 
     component: str
     axis_component: str

@@ -12,7 +12,7 @@ from kinegrade.language import Language
 
 @dataclass(frozen=True)
 class PositionWords:
-    """How constructions are told; `point` is the one constructed."""
+    """Sentences that describe constructions; `point` is the one constructed."""
 
     origin: str
     lengths: str
@@ -168,5 +168,5 @@ def position_words(language: Language) -> PositionWords:
 
 
 def sense(language: Language, counter_clockwise: bool) -> str:
-    """The word for a sense of turning."""
+    """The word for a sense of rotation."""
     return SENSES[language][0 if counter_clockwise else 1]

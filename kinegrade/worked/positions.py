@@ -1,7 +1,7 @@
-"""The chapter on positions of a worked solution: where every point is at the instant, and how far
-and which way apart.
+"""The chapter on positions of a worked solution: where each point is at the instant, and the
+distances and directions between points.
 
-Everything is told from the constructions of the template, in its order, with this paper's numbers.
+Everything follows the constructions of the template, in its order, with this paper's numbers.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def positions(solution: Solution, wanted: Collection[str], language: Language) -
 
 
 def named_lengths(instance: Instance, language: Language) -> tuple[Block, ...]:
-    """The lengths that follow from the givens."""
+    """The lengths that follow from the given quantities."""
     lines: tuple[str, ...] = ()
     for name, tree in instance.solution.template.scheme.lengths.items():
         unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
@@ -76,8 +76,8 @@ def length_formula(first: str, second: str, instance: Instance) -> Expression:
 
 
 def built_radius(centre: str, tree: Expression) -> Expression | None:
-    """The distance from a named centre at which a construction places its point; None where it does
-    not.
+    """The distance from a named centre at which a construction places its point; None for any other
+    construction.
     """
     match tree:
         case Call(function="polar" | "circle", arguments=(Name(name), radius, *_)) if (

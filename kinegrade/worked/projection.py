@@ -1,4 +1,5 @@
-"""Which projections solve a step: each on an axis normal to one unknown vector, which so drops out.
+"""Which projections solve a step: each on an axis normal to one unknown vector, which thereby drops
+out.
 
 Only directions are decided here, in doubles; the values come from the exact motion.
 """
@@ -15,13 +16,13 @@ from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.numbers import bearing, size, tidy
 from kinegrade.worked.vectors import heading, vanishes
 
-PARALLEL = 1e-9  # sine of the angle below which two directions count as one
+PARALLEL = 1e-9  # sine of the angle below which two directions count as parallel
 
 
 @dataclass(frozen=True)
 class Share:
-    """What one part gives to a projection: its size times the cosine of `angle`, with a sign; angle
-    in degrees.
+    """What one part contributes to a projection: its magnitude times the cosine of `angle`, with a
+    sign; angle in degrees.
     """
 
     part: Part
@@ -58,7 +59,7 @@ class Projection:
                 yield Share(part, 1 if angle < 90 else -1, tidy(min(angle, 180 - angle)))
 
     def row(self) -> dict[str, float]:
-        """The coefficients of the unknown rates when everything stands on the left."""
+        """The coefficients of the unknown rates with everything on the left side."""
         axis = Vector(cos(radians(self.axis)), sin(radians(self.axis)))
         return {
             rate: axis.dot(floats(self.equation.coefficient(rate)))
@@ -66,7 +67,7 @@ class Projection:
         }
 
     def involves(self, rate: str) -> bool:
-        """Whether a rate is left in the projection."""
+        """Whether a rate remains in the projection."""
         return abs(self.row().get(rate, 0.0)) > PARALLEL
 
 
@@ -87,28 +88,30 @@ def deductions(
     """How the vector equations and scalar relations of a step give its unknown rates, one deduction
     after the other.
 
-    An unknown that only one equation holds is first projected out of it; what the equations share
-    is solved together, then each of those follows.
+    An unknown that occurs in only one equation is first projected out of it; the shared unknowns
+    are solved for together, then each of the others follows.
     """
-    own = {index: private(index, equations, scalars) for index in range(len(equations))}
-    shared = [rate for rate in unknowns if not any(rate in rates for rates in own.values())]
+    unshared = {index: private(index, equations, scalars) for index in range(len(equations))}
+    shared = [rate for rate in unknowns if not any(rate in rates for rates in unshared.values())]
     if shared:
         core = [
             projection
             for index, equation in enumerate(equations)
-            for projection in core_projections(equation, own[index])
+            for projection in core_projections(equation, unshared[index])
         ]
         yield Deduction(enough(core, scalars, shared), tuple(scalars), tuple(shared))
     for index, equation in enumerate(equations):
-        for rate in own[index]:
-            others = [other for other in own[index] if other != rate]
+        for rate in unshared[index]:
+            others = [other for other in unshared[index] if other != rate]
             yield Deduction((toward(equation, rate, others),), (), (rate,))
 
 
 def private(
     index: int, equations: Sequence[VectorEquation], scalars: Sequence[Relation]
 ) -> list[str]:
-    """The unknowns that only the equation at `index` holds; the rotation of a body comes last."""
+    """The unknowns that occur only in the equation at `index`; the rotation of a body comes
+    last.
+    """
     elsewhere = {
         rate
         for other, equation in enumerate(equations)
@@ -122,11 +125,11 @@ def private(
     )
 
 
-def core_projections(equation: VectorEquation, own: Sequence[str]) -> Iterator[Projection]:
-    """The projections of an equation in which only unknowns that it shares with others are left."""
-    if len(own) == 1:
-        yield normal_to(equation, own[0])
-    elif not own:
+def core_projections(equation: VectorEquation, unshared: Sequence[str]) -> Iterator[Projection]:
+    """The projections of an equation in which only unknowns that it shares with others remain."""
+    if len(unshared) == 1:
+        yield normal_to(equation, unshared[0])
+    elif not unshared:
         shared = equation.unknowns
         yield normal_to(equation, shared[0])
         yield normal_to(equation, shared[1]) if len(shared) > 1 else along(equation, shared[0])
@@ -135,7 +138,7 @@ def core_projections(equation: VectorEquation, own: Sequence[str]) -> Iterator[P
 def enough(
     core: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[str]
 ) -> tuple[Projection, ...]:
-    """As many of the projections as are needed beside the scalar relations."""
+    """As many of the projections as are needed besides the scalar relations."""
     needed = max(len(shared) - len(scalars), 0)
     telling = [
         projection for projection in core if any(projection.involves(rate) for rate in shared)
@@ -144,27 +147,27 @@ def enough(
 
 
 def toward(equation: VectorEquation, rate: str, others: Sequence[str]) -> Projection:
-    """The projection that gives a rate: normal to the other unknown, else along the rate's own
-    part.
+    """The projection that gives a rate: normal to the other unknown, else along the part of the
+    rate itself.
     """
     return normal_to(equation, others[0], rate) if others else along(equation, rate)
 
 
 def normal_to(equation: VectorEquation, rate: str, sought: str | None = None) -> Projection:
-    """The projection on the axis normal to an unknown, turned so that few parts count negative."""
+    """The projection on the axis normal to an unknown, oriented so that few parts are negative."""
     axis = (bearing(floats(equation.coefficient(rate))) + 90) % 360
     dropped = next(part for part in equation.parts if part.unknown == rate)
     return oriented(Projection(equation, axis, dropped), sought)
 
 
 def along(equation: VectorEquation, rate: str) -> Projection:
-    """The projection on an unknown's own direction."""
+    """The projection on the direction of an unknown."""
     return oriented(Projection(equation, bearing(floats(equation.coefficient(rate))), None), rate)
 
 
 def oriented(projection: Projection, sought: str | None) -> Projection:
-    """The projection with its axis reversed where most parts count negative; in a tie the sought
-    one decides.
+    """The projection, with its axis reversed where most parts are negative; in a tie the unknown
+    sought decides.
     """
     shares = (*projection.left, *projection.right)
     balance = sum(share.sign for share in shares)

@@ -1,4 +1,4 @@
-"""Steps that need no vectors: what is given, bodies that turn alike, rolling without slipping,
+"""Steps that need no vectors: what is given, bodies that rotate together, rolling without slipping,
 meshing gears.
 """
 
@@ -46,7 +46,7 @@ class Statement:
 
 
 def stated_relation(relation: Relation, case: Case, level: Level) -> Statement:
-    """What a scalar relation says of velocities or of accelerations."""
+    """What a scalar relation says about velocities or about accelerations."""
     source = relation.source
     match source:
         case Roll():
@@ -73,7 +73,7 @@ def turning_alike(joint: Parallel | Sleeve, case: Case, level: Level) -> Stateme
 
 
 def scalar_step(relation: Relation, unknown: str, case: Case, level: Level) -> Iterator[Block]:
-    """A step of one scalar relation: the relation and the rate that it gives."""
+    """A step of one scalar relation: the relation and the rate it gives."""
     statement = stated_relation(relation, case, level)
     yield Prose(statement.reason)
     result = rate_result(unknown, case, level)
@@ -147,8 +147,8 @@ def turning_value(body: str, case: Case, level: Level) -> Any:
 
 def relative_turning(body: str, of: str, case: Case, level: Level) -> str:
     """The symbol of one body's rotation relative to another."""
-    own = turning(body, case, level)
-    return own if of == GROUND else f"({own} - {turning(of, case, level)})"
+    rotation = turning(body, case, level)
+    return rotation if of == GROUND else f"({rotation} - {turning(of, case, level)})"
 
 
 def body_or_ground(body: str, case: Case) -> str:
@@ -202,7 +202,9 @@ def positive_words(term: Term, case: Case, level: Level) -> str:
 
 
 def slip_sign(roll: Roll, relation: Relation, case: Case) -> float:
-    """The sign of the rotation's factor where the centre's speed as told has the factor one."""
+    """The sign of the rotation's coefficient when the centre's speed, as stated, has the
+    coefficient one.
+    """
     factor = double(
         next(factor for rate, factor in relation.turning if rate == omega_of(roll.body))
     )
@@ -221,7 +223,7 @@ def radius(roll: Roll, case: Case) -> str:
 
 
 def solved_for(relation: Relation, unknown: str, case: Case, level: Level) -> Iterator[str]:
-    """The relation solved for a rate, with numbers, where they are not zero."""
+    """The relation solved for a rate, with numbers unless they are zero."""
     roll = relation.source
     if not isinstance(roll, Roll):
         return
@@ -230,10 +232,12 @@ def solved_for(relation: Relation, unknown: str, case: Case, level: Level) -> It
     size = short(roll.circle.radius)
     other = turning_value(roll.of, case, level)
     if unknown == term.rate:
-        own = short(turning_value(roll.body, case, level))
-        if own == "0" and not double(other):
+        turned = short(turning_value(roll.body, case, level))
+        if turned == "0" and not double(other):
             return
-        rotation = bracketed(own) if not double(other) else f"({own} - {bracketed(short(other))})"
+        rotation = (
+            bracketed(turned) if not double(other) else f"({turned} - {bracketed(short(other))})"
+        )
         yield rf"{speed(term, case, level)} &= {'-' if sign < 0 else ''}{size}\cdot {rotation}"
     elif unknown == omega_of(roll.body):
         known = short(along_direction(term, case, level) * (sense_told(term, case) * sign))
@@ -245,10 +249,10 @@ def solved_for(relation: Relation, unknown: str, case: Case, level: Level) -> It
 
 
 def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
-    """Equal pitch speeds seen from the carrier, of opposite senses for external gears."""
+    """Equal pitch speeds relative to the carrier, of opposite senses for external gears."""
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     sentence = case.template.scheme.joints[case.motion.frames.mechanism.joints.index(mesh)]
-    own = (
+    radius_text = (
         formula(sentence.circle.arguments[1], case)
         if sentence.circle
         else short(mesh.circle.radius)
@@ -256,7 +260,7 @@ def meshing(mesh: Mesh, case: Case, level: Level) -> Statement:
     others = formula(sentence.on.arguments[1], case) if sentence.on else short(mesh.on.radius)
     sign = "" if mesh.inside else "-"
     line = (
-        rf"{own}\,{relative_turning(mesh.body, mesh.carrier, case, level)} &= "
+        rf"{radius_text}\,{relative_turning(mesh.body, mesh.carrier, case, level)} &= "
         rf"{sign}{others}\,{relative_turning(mesh.of, mesh.carrier, case, level)}"
     )
     return Statement(
@@ -309,9 +313,9 @@ def driven_speed(driver: Component | Circulation, case: Case, level: Level) -> s
 
 
 def expressed(driver: Driver, name: str, case: Case, level: Level) -> str:
-    """The template's expression for a driver's value, with a sign of equality; "" for a number.
+    """The template's expression for a driver's value, with an equals sign; "" for a number.
 
-    Nothing either where the paper's parameter has the very letters of the algebraic value, `name`.
+    Also "" where the paper's parameter has the same letters as the algebraic value, `name`.
     """
     sentence = case.template.scheme.drivers[case.motion.frames.mechanism.drivers.index(driver)]
     tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]

@@ -25,8 +25,8 @@ def rotation_words(value: Any, case: Case) -> str:
 
 
 def sense_along(value: float, positive: Vector, ends: tuple[str, str] | None, case: Case) -> str:
-    """The way of a vector as a text within an equation: left, right, up, down, from point to point,
-    or reversed.
+    """The direction of a vector as a text within an equation: left, right, up, down, from point to
+    point, or reversed.
 
     `ends` are points of its line in the positive sense, None where it has none.
     """

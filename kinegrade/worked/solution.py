@@ -1,9 +1,9 @@
-"""The worked solution of a solved instance, derived from its plan: nothing in it is written for one
-template.
+"""The worked solution of a solved instance, derived from its plan: nothing in it is written for a
+particular template.
 
-What moves how; where everything is; the steps of the plan for velocities, then for accelerations,
-as far as the answers need them; how each answer follows; the answers, whose values are the key's
-own.
+How each body moves; where everything is; the steps of the plan for velocities, then for
+accelerations, as far as the answers need them; how each answer follows; the answers, whose values
+are those of the key.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ from kinegrade.worked.wording import title
 def worked_solution(
     solution: Solution, asks: Iterable[str], language: Language, method: Method | None = None
 ) -> WorkedSolution:
-    """The worked solution for the asks named, by the method where several serve (else the
-    template's, else the base point).
+    """The worked solution for the asks named, by the given method where several apply (by default
+    the template's, else the base point).
     """
     case = Case(solution, language, method or solution.template.about.method)
     asked = tuple(solution.template.asks[name] for name in asks)
@@ -62,7 +62,7 @@ def worked_solution(
 
 
 def begun(block: Block) -> Block:
-    """The block, prose with a capital letter."""
+    """The block with a capital letter at the start of its prose."""
     match block:
         case Prose(text=text):
             return Prose(capitalised(text))
@@ -109,7 +109,7 @@ def all_needs(case: Case, asked: Iterable[Ask]) -> Needs:
 
 
 def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
-    """Where the points of the mechanism are; for a problem of positions alone the answers tell
+    """Where the points of the mechanism are; for a problem of positions alone the answers show
     it.
     """
     yield Heading(phrase("positions", case.language), 1)
@@ -121,8 +121,8 @@ def position_chapter(case: Case, asked: Sequence[Ask]) -> Iterator[Block]:
 def level_chapter(
     steps: Sequence[Step], case: Case, level: Level, findings: Findings
 ) -> Iterator[Block]:
-    """The steps of velocities, or of accelerations, numbered; what is given comes first and counts
-    as one.
+    """The steps of velocities, or of accelerations, numbered; the given motions come first and
+    count as one step.
     """
     imposed = [step for step in steps if is_given(step, case)]
     known: set[str] = {rate for step in imposed for rate in step.unknowns}
@@ -144,7 +144,7 @@ def level_chapter(
 
 
 def numbered_step(number: int, step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
-    """One step under its title: the equations, what follows, the pictures."""
+    """One step under its title: the equations, their results, the pictures."""
     by_method = tuple(method_blocks(step, stage, findings))
     name = (method_title(stage) if by_method else None) or title(step, stage)
     yield Heading(phrase("step", stage.case.language, number=number, title=capitalised(name)), 2)
@@ -162,8 +162,8 @@ def is_given(step: Step, case: Case) -> bool:
 
 
 def holds_still(step: Step, case: Case) -> bool:
-    """Whether a step only says that a body does not turn, which has been told with what moves
-    how.
+    """Whether a step only says that a body does not turn, which the first chapter has already
+    said.
     """
     relations = [case.motion.frames.relations[index] for index in step.relations]
     held = isinstance(relations[0].source, (Parallel, Sleeve))

@@ -1,6 +1,4 @@
-"""The solved instance whose solution is worked out, with the language and the method it is told
-in.
-"""
+"""The solved instance whose solution is written, with its language and method."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ LETTERS: Mapping[Level, str] = {"velocity": "v", "acceleration": "a"}
 
 @dataclass(frozen=True)
 class Case:
-    """A solved instance with the words for it."""
+    """A solved instance with the words for its solution."""
 
     solution: Solution
     language: Language

@@ -47,7 +47,7 @@ def stage_of(step: Step, case: Case, level: Level, known: Collection[str]) -> St
 
 
 def step_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]:
-    """A step: its equations, the projections, what follows from them."""
+    """A step: its equations, the projections, their results."""
     case, scalars = stage.case, scalars_of(step, stage.case)
     if not stage.equations and len(scalars) == 1 and len(step.unknowns) == 1:
         yield from scalar_step(scalars[0], step.unknowns[0], case, stage.level)
@@ -73,7 +73,9 @@ def step_blocks(step: Step, stage: Stage, findings: Findings) -> Iterator[Block]
 
 
 def letters_together(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The symbol of several known terms as one vector: of the transport, or of the point itself."""
+    """The symbol of several known terms as one vector: of the transport motion, or of the point
+    itself.
+    """
     match part.role:
         case "transport":
             return letters_of(equation, part, case)
@@ -85,7 +87,7 @@ def letters_together(equation: VectorEquation, part: Part, case: Case) -> str:
 
 def found_before(equation: VectorEquation, case: Case, findings: Findings) -> Iterator[Block]:
     """How the vectors are found that the equation takes as known and that no earlier step has given
-    as one.
+    as one vector.
     """
     for part in equation.parts:
         if not part.together:
@@ -99,7 +101,7 @@ def found_before(equation: VectorEquation, case: Case, findings: Findings) -> It
 
 
 def size_line(fact: Fact, level: Level, case: Case) -> str:
-    """The size of a vector that is known by its components, and its direction."""
+    """The magnitude of a vector known by its components, and its direction."""
     x, y = (component(fact.symbol, axis) for axis in "xy")
     numbers = "+".join(f"{bracketed(short(number))}^{{2}}" for number in fact.value)
     size = stated(length(fact.value, case.arithmetic), UNITS[level, False])
@@ -110,7 +112,7 @@ def size_line(fact: Fact, level: Level, case: Case) -> str:
 
 
 def contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Why the centre of a circle is the moving point where the circle touches a straight face."""
+    """Why the centre of a circle is the moving point where the circle touches a flat face."""
     for relative in equation.compositions:
         sentence = case.joint(relative.term) if relative.term else None
         if (
@@ -137,7 +139,7 @@ def same_path(equation: VectorEquation) -> bool:
 
 
 def agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """The known motion of the point that both sides speak of."""
+    """The known motion of the point that both sides describe."""
     yield Prose(introduction(equation, case))
     known = next(
         side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
@@ -152,13 +154,13 @@ def agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
 
 
 def equals(formula: str) -> str:
-    """A formula with a sign of equality after it, where there is one."""
+    """A formula followed by an equals sign; "" where there is none."""
     return f"{formula} = " if formula else ""
 
 
 def table(equation: VectorEquation, case: Case) -> TermTable:
-    """The equation term by term with magnitudes and directions; what vanishes at this instant is
-    left out.
+    """The equation term by term with magnitudes and directions; terms that vanish at this instant
+    are left out.
     """
     terms: list[Term] = []
     for side in (equation.left, equation.right):
@@ -180,8 +182,8 @@ def table(equation: VectorEquation, case: Case) -> TermTable:
 
 
 def remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Of what a composition's vectors consist, which parts vanish, and which points are meant by
-    primed letters.
+    """What a composition's vectors consist of, which parts vanish, and which points primed letters
+    denote.
     """
     listed = list(meanings(equation, case))
     if listed:

@@ -1,5 +1,5 @@
-"""Vectors in the sentences of a worked solution: an arrow, a multiple of one, a pair, or one that
-is turned.
+"""Vectors in the sentences of a worked solution: an arrow, a multiple of one, a pair, or a rotated
+vector.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def vector_words(vector: Expression, instance: Instance, words: PositionWords) -
 
 
 def is_plain(vector: Expression, instance: Instance) -> bool:
-    """Whether a vector is printed well as it is: a pair, the way from point to point, or a multiple
+    """Whether a vector is printed unchanged: a pair, the vector from point to point, or a multiple
     of one.
     """
     match vector:

@@ -84,8 +84,8 @@ def letters_of(equation: VectorEquation, part: Part, case: Case, *, bold: bool =
 
 
 def symbol(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The symbol of a part in equations: the algebraic value of an unknown one, the size of a known
-    one.
+    """The symbol of a part in equations: the algebraic value of an unknown one, the magnitude of a
+    known one.
     """
     letters = letters_of(equation, part, case)
     known = (
@@ -105,12 +105,12 @@ def vanishes(part: Part) -> bool:
 
 
 def arm(part: Part, case: Case) -> str:
-    """The length about which a part turns, "AB"; the fixed or base point comes first."""
+    """The radius at which a part turns, "AB"; the fixed or base point comes first."""
     return case.naming.point(part.base) + case.naming.point(part.point)
 
 
 def magnitude(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The size of a part in prose: its formula, and its number or a question mark."""
+    """The magnitude of a part in prose: its formula, and its number or a question mark."""
     formula = magnitude_formula(equation, part, case)
     if part.unknown:
         return f"? $({formula})$" if formula else "?"
@@ -119,7 +119,7 @@ def magnitude(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def magnitude_formula(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The formula of a part's size in LaTeX math, "" where it has none."""
+    """The formula of a part's magnitude in LaTeX math, "" where it has none."""
     term = part.term
     if term is None:
         return ""
@@ -138,8 +138,8 @@ def magnitude_formula(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def magnitude_of_term(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
-    """The formula of the size of a term's velocity, or of a part of its acceleration; "" where it
-    has none.
+    """The formula of the magnitude of a term's velocity, or of a part of its acceleration; "" where
+    it has none.
     """
     match term.kind:
         case "sliding":
@@ -154,7 +154,7 @@ def magnitude_of_term(equation: VectorEquation, part: Part, term: Term, case: Ca
 
 
 def magnitude_of_rotation(equation: VectorEquation, part: Part, term: Term, case: Case) -> str:
-    """The length times the angular velocity or acceleration, or times the square of the former."""
+    """The length times the angular velocity, its square, or the angular acceleration."""
     body = term.rate.removeprefix("omega ")
     match part.part:
         case "n":
@@ -203,7 +203,7 @@ def direction(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def way_of(equation: VectorEquation, part: Part, case: Case) -> str:
-    """How a part lies in LaTeX math, "" where nothing but its angle tells."""
+    """How a part lies in LaTeX math, "" where only its angle describes it."""
     match part.role:
         case "coriolis":
             return rf"\perp v_{{\mathrm{{r}}{number_of(equation, part)}}}"
@@ -214,12 +214,14 @@ def way_of(equation: VectorEquation, part: Part, case: Case) -> str:
 
 
 def heading(part: Part) -> Vector:
-    """The vector that shows the way of a part: itself, or the positive sense of an unknown one."""
+    """The vector whose direction a part has: itself, or the positive sense of an unknown one."""
     return part.value if part.coefficient is None else part.coefficient
 
 
 def lie(part: Part, case: Case) -> str:
-    """How a part lies in LaTeX math: across or along what; "" where nothing but its angle tells."""
+    """How a part lies in LaTeX math: perpendicular to or along what; "" where only its angle
+    describes it.
+    """
     term = part.term
     if term is None:
         return ""
@@ -233,7 +235,7 @@ def lie(part: Part, case: Case) -> str:
 
 
 def across_or_along(part: Part, term: Term, case: Case) -> str:
-    """The arm to which what turns is perpendicular, or the line of what slides."""
+    """The line to which a rotating part is perpendicular, or along which a sliding part lies."""
     match term.kind:
         case "rotation" | "arc":
             return rf"\perp {arm(part, case)}"

@@ -1,4 +1,4 @@
-"""Titles and introductions of the steps: by which theorem their equations hold."""
+"""Titles and introductions of the steps: which theorem each equation uses."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinegrade.worked.vectors import is_composed, letter, letters_of, number_of,
 
 
 def scalars_of(step: Step, case: Case) -> tuple[Relation, ...]:
-    """The relations of a step that are no vector equations."""
+    """The relations of a step that are not vector equations."""
     relations = (case.motion.frames.relations[index] for index in step.relations)
     return tuple(relation for relation in relations if not relation.is_vector)
 
@@ -79,7 +79,7 @@ def bodies_turning(equation: VectorEquation, case: Case) -> str:
 
 
 def introduction(equation: VectorEquation, case: Case) -> str:
-    """By which theorem the equation holds."""
+    """The theorem by which the equation holds."""
     compositions = equation.compositions
     if len(compositions) == 1:
         relative = compositions[0]
@@ -109,7 +109,7 @@ def introduction(equation: VectorEquation, case: Case) -> str:
 
 
 def chained_bases(equation: VectorEquation, turning: Sequence[Term], case: Case) -> str:
-    """The sentence for a point that is reached through several turning bodies, leg by leg."""
+    """The sentence for a point reached through several rotating bodies, one after the other."""
     legs = (
         phrase(
             "leg",
@@ -125,7 +125,7 @@ def chained_bases(equation: VectorEquation, turning: Sequence[Term], case: Case)
 
 
 def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case: Case) -> str:
-    """The sentence for a point seen from two moving frames, or for a point of one that slides in
+    """The sentence for a point relative to two moving frames, or for a point of one that slides in
     another.
     """
     names = [case.naming.body(part.frame) for part in compositions]
@@ -151,30 +151,32 @@ def twice_composed(equation: VectorEquation, compositions: Sequence[Part], case:
 
 
 def meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
-    """Of what the absolute and the transport vector of a composition consist, where they are not
+    """What the absolute and the transport vector of a composition consist of, where they are not
     single parts.
     """
     if len(equation.compositions) != 1:
         return
     relative = equation.compositions[0]
-    own, other = (
+    side, other = (
         (equation.left, equation.right)
         if relative in equation.left
         else (equation.right, equation.left)
     )
-    transport = [part for part in own if part.role not in ("relative", "coriolis")]
+    transport = [part for part in side if part.role not in ("relative", "coriolis")]
     number = number_of(equation, relative)
     for role, parts in (("a", other), ("e", transport)):
-        seen = [letters_of(equation, part, case, bold=True) for part in parts if not vanishes(part)]
+        symbols = [
+            letters_of(equation, part, case, bold=True) for part in parts if not vanishes(part)
+        ]
         if not parts or not all(
             part.role == "transport" or is_composed(equation, part) for part in parts
         ):
             symbol = rf"\boldsymbol{{{letter(equation)}}}_{{\mathrm{{{role}}}{number}}}"
-            yield f"${symbol}={'+'.join(seen) or '0'}$"
+            yield f"${symbol}={'+'.join(symbols) or '0'}$"
 
 
 def owner(equation: VectorEquation, case: Case) -> str:
-    """Whose point moves in the moving frame."""
+    """The body whose point moves in the moving frame."""
     body = getattr(equation.relation.source, "body", GROUND)
     if body == GROUND:
         return phrase("of_ground", case.language)

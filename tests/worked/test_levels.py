@@ -25,5 +25,5 @@ def test_components_of_an_acceleration_are_never_told_in_metres_per_second(
 
 
 def test_a_number_is_neither() -> None:
-    with pytest.raises(TypeError, match="a number or a name is no vector of the motion"):
+    with pytest.raises(TypeError, match="a number or a name is not a vector of the motion"):
         level_of(read("2"))
