@@ -1,4 +1,4 @@
-"""Angles: arcs of several radii, with thin lines to whatever side of the angle is not drawn as a
+"""Angles: arcs of several radii, with thin lines along any side of the angle that is not drawn as a
 bar.
 """
 
@@ -31,16 +31,16 @@ RADII = (
     12.0,
     14.0,
     3.2,
-)  # millimetres, the nicest first where there is room
-SHARE = 0.45  # of the way to the next point on a side of the angle that an arc takes at best
-BEYOND = 2.5  # millimetres a thin line towards a side of the paper goes on beyond the arc
+)  # millimetres, the preferred radius first
+SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
+BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
 
-EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to it
+EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to reach it
 TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 
 
 def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iterator[list[Mark]]:
-    """Arcs of several radii; nothing when the angle is too small to be seen."""
+    """Arcs of several radii; none when the angle is too small to be visible."""
     vertex = at[hint.at]
     legs = _legs(at, hint, drawing)
     start, end = (leg.angle for leg in legs)
@@ -59,8 +59,8 @@ def angle_marks(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> Iter
 
 
 def least_legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Primitive, ...]:
-    """The thin lines that the sides of an angle need in any case, to be spared by what is written
-    before it.
+    """The thin lines that the sides of an angle need in any case; labels written before the angle
+    keep clear of them.
     """
     lines = tuple(
         line for leg in _legs(at, hint, drawing) if (line := leg.line(at[hint.at], RADII[3]))
@@ -84,8 +84,8 @@ def _legs(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Leg,
 
 @dataclass(frozen=True)
 class Leg:
-    """A side of an angle: its direction, how far a bar is drawn along it, and how far the point on
-    it is (or 0).
+    """A side of an angle: its direction, how far a bar is drawn along it, and how far away the
+    point on it is (0 for none).
     """
 
     angle: float
@@ -103,7 +103,7 @@ class Leg:
 
 
 def _demerit(radius: float, nicest: float, legs: Iterable[Leg]) -> float:
-    """The farther from the nicest radius the worse, and worse still where a bar has to be
+    """The demerit grows with the distance from the preferred radius, and more where a bar has to be
     prolonged.
     """
     prolonged = sum(0 < leg.drawn < radius for leg in legs)
@@ -111,9 +111,7 @@ def _demerit(radius: float, nicest: float, legs: Iterable[Leg]) -> float:
 
 
 def _room(vertex: Vector, sides: tuple[float, float], points: Iterable[Vector]) -> float:
-    """How far it is along the sides of an angle to the next point, which may have marks of its
-    own.
-    """
+    """The distance along the sides of an angle to the next point, which may have marks too."""
     steps = [(point - vertex, polar(side)) for point in points for side in sides]
     reaches = [step.dot(toward) for step, toward in steps if abs(step.cross(toward)) < NEAR]
     return min((reach for reach in reaches if reach > NEAR), default=inf)
@@ -135,9 +133,7 @@ def _drawn(vertex: Vector, toward: Vector, drawing: Drawing) -> float:
 
 @dataclass(frozen=True)
 class AngleArc:
-    """An arc, with an arrowhead when the sense matters, and the thin lines it needs for its
-    sides.
-    """
+    """An arc, with an arrowhead when the sense matters, and the thin lines its sides need."""
 
     bow: Bow
     legs: tuple[Leg, ...]

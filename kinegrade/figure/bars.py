@@ -1,7 +1,7 @@
 """The straight parts of a body: links, slotted bars, bars in sleeves, faces, plates, rods in ground
 guides.
 
-All of it follows from the points of the body and from the lines on which other bodies act.
+All of this follows from the points of the body and from the lines on which other bodies act.
 """
 
 from __future__ import annotations
@@ -36,17 +36,17 @@ from kinegrade.mechanics.vector import Vector
 
 Use = Literal["link", "slot", "bar", "face", "rack"]
 
-OVERHANG = 8.0  # millimetres a bar goes on beyond what slides on it
+OVERHANG = 8.0  # millimetres a bar continues beyond whatever slides on it
 ROD = 17.0  # millimetres of a translating rod that are shown at least
 NO_BACK = Vector(0.0, 0.0)
-THROUGH = 11.0  # millimetres a translating rod goes on beyond its point when it has two free ends
+THROUGH = 11.0  # millimetres a translating rod continues beyond its point when it has two free ends
 GUIDE_ROOM = 5.5  # millimetres between the middle of a rod's guide and any other bar
 
 
 @dataclass(frozen=True)
 class Bar:
-    """One straight part; `free` are its ends without a marked point, `actions` what slides or rests
-    on it.
+    """One straight part; `free` are its ends without a marked point, `actions` the points where
+    other bodies slide or rest on it.
 
     A rack has its pitch line as axis and its material in the direction `back`.
     """
@@ -111,8 +111,8 @@ def bodies_of(
 
 
 def bar_and_carrier(mechanism: Mechanism, joint: Sleeve) -> tuple[str, str]:
-    """Of two bodies sliding in each other, the bar and the sleeve: the bar has more points on the
-    line.
+    """Of two bodies sliding in each other, the bar and the sleeve: the bar is the one with more
+    points on the line.
     """
     on_it = [
         sum(on_line(mechanism.points[name], joint.line) for name in _names(mechanism, body))
@@ -159,8 +159,8 @@ def translating(mechanism: Mechanism) -> dict[str, tuple[Vector, Line]]:
 def rods(
     mechanism: Mechanism, shapes: Mapping[str, str], found: tuple[Rim, ...], bars: tuple[Bar, ...]
 ) -> tuple[Rod, ...]:
-    """The translating rods, each away from the rest and long enough to have its guide clear of the
-    bars.
+    """The translating rods, each pointing away from the other bodies and long enough to keep its
+    guide clear of the bars.
     """
     parts = []
     for body, (start, line) in translating(mechanism).items():
@@ -182,7 +182,7 @@ def rods(
 
 
 def _clear(guide: Vector, bars: tuple[Bar, ...]) -> bool:
-    """Whether a guide about this point stands free of all bars."""
+    """Whether a guide about this point is clear of all bars."""
     return all(length(guide - nearest_of(guide, bar.start, bar.end)) > GUIDE_ROOM for bar in bars)
 
 
@@ -210,21 +210,21 @@ def _features(mechanism: Mechanism, shapes: Mapping[str, str]) -> Iterator[_Feat
 def _parts(
     mechanism: Mechanism, body: Body, features: tuple[_Feature, ...], shapes: Mapping[str, str]
 ) -> Iterator[Bar | Plate | SlottedDisc]:
-    own = [mechanism.points[name] for name in body.points]
-    plate = plate_of(body, own, shapes)
+    points = [mechanism.points[name] for name in body.points]
+    plate = plate_of(body, points, shapes)
     on_axis: list[set[Vector]] = []
     for group in _by_line(feature for feature in features if not _at_edge(feature, plate)):
-        if group[0].use == "slot" and len(own) == 1 and not on_line(own[0], group[0].line):
-            yield _slotted_disc(body.name, own[0], group)
+        if group[0].use == "slot" and len(points) == 1 and not on_line(points[0], group[0].line):
+            yield _slotted_disc(body.name, points[0], group)
             continue
-        on_axis.append({point for point in own if on_line(point, group[0].line)})
-        yield _bar_along(body.name, own, group)
-    if not any(set(own) <= covered for covered in on_axis):
-        yield from [plate] if plate else _links(body.name, own, shapes)
+        on_axis.append({point for point in points if on_line(point, group[0].line)})
+        yield _bar_along(body.name, points, group)
+    if not any(set(points) <= covered for covered in on_axis):
+        yield from [plate] if plate else _links(body.name, points, shapes)
 
 
 def _at_edge(feature: _Feature, plate: Plate | None) -> bool:
-    """Whether a feature is the edge of a plate, which is drawn anyhow."""
+    """Whether a feature is the edge of a plate, which is drawn with the plate."""
     return (
         plate is not None
         and feature.use in ("bar", "face")
@@ -243,11 +243,11 @@ def _by_line(features: Iterable[_Feature]) -> list[list[_Feature]]:
     return groups
 
 
-def _bar_along(body: str, own: list[Vector], group: list[_Feature]) -> Bar:
+def _bar_along(body: str, points: list[Vector], group: list[_Feature]) -> Bar:
     """From the outermost point to the outermost action on the line, and beyond the latter."""
     along = unit(group[0].line.direction)
     actions = tuple(feature.action for feature in group)
-    stations = [*actions, *(point for point in own if on_line(point, group[0].line))]
+    stations = [*actions, *(point for point in points if on_line(point, group[0].line))]
     ends = []
     for side in (-1.0, 1.0):
         last = max(stations, key=lambda station: side * station.dot(along))
@@ -267,12 +267,12 @@ def _slotted_disc(body: str, centre: Vector, group: list[_Feature]) -> SlottedDi
     return SlottedDisc(body, centre, radius, (middle - along * half, middle + along * half))
 
 
-def _links(body: str, own: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar]:
-    if len(own) < 2:
+def _links(body: str, points: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar]:
+    if len(points) < 2:
         return
     if shapes.get(body) == "bent":
-        yield from (Bar(body, start, end) for start, end in pairwise(own))
-    elif collinear(own):
-        along = max((point - own[0] for point in own), key=length)
-        ordered = sorted(own, key=along.dot)
+        yield from (Bar(body, start, end) for start, end in pairwise(points))
+    elif collinear(points):
+        along = max((point - points[0] for point in points), key=length)
+        ordered = sorted(points, key=along.dot)
         yield Bar(body, ordered[0], ordered[-1])

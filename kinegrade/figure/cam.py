@@ -1,10 +1,10 @@
-"""A cam known only by its curvature at the contact: a smooth closed convex profile that has it
-there.
+"""A cam known only by its curvature at the contact: a smooth closed convex profile with that
+curvature there.
 
 The profile is the hull of a base disc about the pivot and of the osculating circle's arc around the
-contact, its corners rounded by discs that touch the arc from inside: exact at the contact, free
-elsewhere. The hull is read off direction by direction: what reaches farthest in a direction is the
-hull's point with that normal.
+contact, with its corners rounded by discs that touch the arc from inside: exact at the contact,
+arbitrary elsewhere. The hull is computed direction by direction: the point that reaches farthest in
+a direction is the hull's point with that normal.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ Circle = tuple[Vector, float]
 def cam_profile(
     pivot: Vector, contact: Vector, curvature_centre: Vector, radius: float
 ) -> tuple[Vector, ...]:
-    """The contour, counter-clockwise: through `contact`, curved there with `radius` (all in one
-    unit).
+    """The contour, counter-clockwise: through `contact`, with the radius of curvature `radius`
+    there (all in one unit).
     """
     normal = unit(contact - curvature_centre)
     height = (contact - pivot).dot(normal)
@@ -53,7 +53,7 @@ def _farthest(circles: list[Circle], angle: float) -> Vector:
 
 
 def _spread(radius: float, height: float) -> float:
-    """Half the angle of the osculating arc that is kept: the nose, but no more than the cam's
-    width.
+    """Half the angle of the osculating arc that is kept: the nose, but no more than the width of
+    the cam.
     """
     return min(1.2, asin(min(1.0, 0.75 * max(height, 0.1 * radius) / radius)))

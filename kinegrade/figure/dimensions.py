@@ -1,5 +1,5 @@
-"""Distances between points: dimension lines at several distances, or the symbol at a drawn line or
-led to it.
+"""Distances between points: dimension lines at several distances, or the symbol next to a drawn
+line or at the end of a leader.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ OFFSETS = (
     16.0,
     -16.0,
 )  # millimetres, of dimension lines
-LEAVING = 2.2  # millimetres an extension line runs beside what is drawn at its point anyhow
+LEAVING = 2.2  # millimetres by which an extension line may overlap what is drawn at its point
 LEADERS = (
     6.0,
     9.0,
-)  # millimetres, of the line that leads from a symbol to a bar without room beside it
+)  # millimetres, of the leader from a symbol to a bar with no room next to it
 TURNS = tuple(turn * pi / 6 for turn in range(12))
 DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -53,8 +53,8 @@ def _measured(along: Projection | None, start: Vector, end: Vector) -> Vector:
 
 
 def length_marks(at: Mapping[str, Vector], hint: Length, drawn: Obstacles) -> list[Mark]:
-    """Dimension lines, and the symbol alone where a line is drawn between the two points and no
-    farther.
+    """Dimension lines, and the symbol alone where a line is drawn exactly between the two
+    points.
     """
     start, end = at[hint.start], at[hint.end]
     measured = _measured(hint.along, start, end)
@@ -83,8 +83,8 @@ def _dimension(points: Segment, measured: Vector, offset: float, symbol: str) ->
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
-    """Whether one of the other points divides the line, so that a letter beside it could mean a
-    part.
+    """Whether one of the other points divides the line, so that a letter beside it could mean only
+    a part of it.
     """
     return any(
         length(point - nearest_of(point, start, end)) < NEAR
@@ -104,7 +104,7 @@ class Dimension:
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
-        """The dimension line, and the extension lines from where they have left their points."""
+        """The dimension line, and the extension lines from where they leave their points."""
         return (self._line(), *self._extensions(LEAVING))
 
     def wish(self) -> Wish:
@@ -136,8 +136,8 @@ class Dimension:
 
 @dataclass(frozen=True)
 class Lettered:
-    """The symbol alone, close beside a line that is drawn between the two points: the clearest
-    where it fits.
+    """The symbol alone, close to a line that is drawn between the two points, where the most room
+    is.
     """
 
     start: Vector
@@ -147,7 +147,7 @@ class Lettered:
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
-        """Nothing more is drawn."""
+        """Empty: no line is drawn."""
         return ()
 
     def wish(self) -> Wish:
@@ -157,14 +157,14 @@ class Lettered:
         )
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """Nothing more is drawn."""
+        """Empty: no line is drawn."""
         return ()
 
 
 @dataclass(frozen=True)
 class Leader:
-    """The symbol at the end of a thin line that leads to the middle of a bar: where the bar is
-    short and crowded.
+    """The symbol at the end of a leader to the middle of a bar, for bars that are short and
+    crowded.
     """
 
     middle: Vector
@@ -175,15 +175,15 @@ class Leader:
 
     @property
     def demerit(self) -> float:
-        """Worse than any dimension line that is free."""
+        """Higher than that of any unobstructed dimension line."""
         return 1.0 * self.reach
 
     def path(self) -> tuple[Segment, ...]:
-        """The leader but for its very start, which is at the bar in any case."""
+        """The leader without its start, which touches the bar in any case."""
         return ((self.middle + polar(self.angle, 1.5), self._end()),)
 
     def wish(self) -> Wish:
-        """About the far end."""
+        """Around the far end."""
         return Wish(self.symbol, around(self.symbol, self._end(), away=polar(self.angle))[:6])
 
     def primitives(self) -> tuple[Primitive, ...]:

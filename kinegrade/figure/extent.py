@@ -1,4 +1,4 @@
-"""How much room a symbol takes on paper, estimated on the safe side from its LaTeX for all back
+"""The room a symbol takes on paper, estimated from its LaTeX, never too small, for all back
 ends.
 """
 

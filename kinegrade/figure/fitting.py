@@ -1,5 +1,5 @@
-"""To scale and within the paper: the largest scale at which a drawing, whose symbols do not scale,
-fits its frame.
+"""The scale of a figure: the largest at which a drawing, whose symbols do not scale, fits its
+frame.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-WIDTH, HEIGHT = 75.0, 55.0  # millimetres a figure may take
+WIDTH, HEIGHT = 75.0, 55.0  # millimetres, the largest width of a figure
 ATTEMPTS = 6
-# Millimetres a figure that was too large is aimed below its limit, for marks find new places
+# Millimetres below its limit at which a figure that was too large is aimed, as its marks move
 MARGIN = 1.2
 
 
@@ -29,8 +29,8 @@ def fitted(
     """The scene that `compose` gives at the first scale, from `scale` downward, at which it is
     within WIDTH x `height`.
 
-    `span` is the width and height of what scales, in the unit that the scale (millimetres per unit)
-    is about.
+    `span` is the width and height of the scaled part, in the unit that the scale (millimetres per
+    unit) refers to.
     """
     for _ in range(ATTEMPTS):
         primitives = compose(scale)
@@ -44,13 +44,15 @@ def fitted(
 
 
 def scene_of(primitives: Iterable[Primitive], scale: float) -> Scene:
-    """The primitives as a scene, moved so that nothing is left of or below its corner."""
+    """The primitives as a scene, translated so that nothing lies to the left of or below its
+    corner.
+    """
     drawn = tuple(primitives)
     return _in_corner(drawn, box_around(drawn), scale)
 
 
 def _in_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene:
-    """The primitives, which the box is around, as a scene."""
+    """The primitives, whose bounding box is given, as a scene."""
     home = Vector(-box.left, -box.bottom)
     return Scene(
         box.width, box.height, scale, tuple([moved(primitive, home) for primitive in primitives])
@@ -60,7 +62,7 @@ def _in_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> Scene
 def span_of(
     mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
 ) -> tuple[float, float]:
-    """Width and height in metres of what scales: points, circles, profiles of cams, and points
+    """Width and height in metres of the scaled part: points, circles, profiles of cams, and points
     `beside` them.
     """
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]

@@ -184,7 +184,7 @@ def _bar(mechanism: Mechanism, bar: Bar) -> tuple[Primitive, ...]:
 
 
 def _slot(mechanism: Mechanism, part: Bar) -> tuple[Vector, Vector]:
-    """The slot leaves the ends of a bar whole, and more of it where the bar is pinned."""
+    """The slot leaves the ends of a bar solid, and more of an end where the bar is pinned."""
     along = unit(part.end - part.start)
     margins = [
         0.4 if any(length(end - free) < 1e-6 for free in part.free) else 3.0
@@ -247,10 +247,10 @@ def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
     across = along.turned()
     below = -across if across.y > 1e-9 or (abs(across.y) <= 1e-9 and across.x < 0) else across
     joined = [
-        mechanism.points[own]
+        mechanism.points[point]
         for body in mechanism.bodies
         if name in body.points
-        for own in body.points
+        for point in body.points
     ]
     levels = [(point - at).dot(below) for point in joined]
     if min(levels, default=0.0) < -1.0 and max(levels, default=0.0) > 1.0:
@@ -262,8 +262,8 @@ def _guide_side(mechanism: Mechanism, name: str, along: Vector) -> Vector:
 def _pins(
     mechanism: Mechanism, found: tuple[Rim, ...], hints: FigureHints, knives: set[str]
 ) -> tuple[Primitive, ...]:
-    """Open circles at pins, crosses at centres and at labelled constructions, dots at other marked
-    points.
+    """Open circles at pins, crosses at centres and at labelled construction points, dots at other
+    marked points.
     """
     pinned = {joint.point for joint in mechanism.joints if isinstance(joint, Pin)}
     translated = translating(mechanism)

@@ -1,4 +1,4 @@
-"""A figure in the making: what is drawn and written so far, and how one thing more finds its
+"""A figure in progress: everything drawn and written so far, and how the next item finds its
 place.
 """
 
@@ -19,12 +19,12 @@ BATCHES = (
     4,
     12,
     36,
-)  # how many alternatives of a mark are judged together: mostly one of the first will do
+)  # alternatives of a mark that are judged together: usually one of the first is accepted
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Lines, labels, and both as obstacles; every step gives a new one."""
+    """Lines, labels, and both as obstacles; each step gives a new layout."""
 
     lines: tuple[Primitive, ...]
     labels: tuple[Label, ...]
@@ -42,21 +42,21 @@ class Layout:
         return (*self.lines, *self.labels)
 
     def drawn(self, primitives: Sequence[Primitive]) -> Layout:
-        """With more lines."""
+        """The layout with more lines."""
         return Layout(
             (*self.lines, *primitives), self.labels, self.obstacles.with_drawn(primitives)
         )
 
     def written(self, wishes: Iterable[Wish]) -> Layout:
-        """With a label for each wish, in order."""
+        """The layout with a label for each wish, in order."""
         layout = self
         for wish in wishes:
             layout = layout._labelled(label(wish, layout.obstacles))
         return layout
 
     def marked(self, alternatives: Sequence[Mark], sparing: Sequence[Primitive] = ()) -> Layout:
-        """With the alternative that covers least, and its label; what is still to come may be
-        spared.
+        """The layout with the alternative that covers least, and its label; areas reserved for
+        later items may be kept clear.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
         mark, wish = least_covering(alternatives, crowded)
@@ -79,11 +79,11 @@ def _batches(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
 
 
 def least_covering(alternatives: Sequence[Mark], obstacles: Obstacles) -> tuple[Mark, Wish]:
-    """The cheapest by what its line covers, what its label covers, and its demerit; the nicest of
-    equals. And its wish.
+    """The cheapest alternative, and its wish: the cost is what its line covers, what its label
+    covers, and its demerit; among equals the preferred one.
 
-    Alternatives are judged the nicest first, some at once, and what one covers only while it can
-    still decide: first its line, then its label.
+    Alternatives are judged in order of preference, several at once, and coverage is computed only
+    while it can still decide: first of the line, then of the label.
     """
     ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
     best: tuple[Mark, Wish] | None = None

@@ -1,6 +1,4 @@
-"""One way to draw a mark (a dimension, an angle, a motion): every mark has several to choose
-from.
-"""
+"""One way to draw a mark (a dimension, an angle, a motion): each mark has several alternatives."""
 
 from __future__ import annotations
 
@@ -16,35 +14,35 @@ from kinegrade.mechanics.vector import Vector
 
 
 class Mark(Protocol):
-    """One way to draw a mark; few of them are ever asked for their wish, and one for its
+    """One way to draw a mark. Only a few alternatives are asked for their wish, and one for its
     primitives.
     """
 
     @property
     def demerit(self) -> float:
-        """How much less nice it is than the nicest way; 10 weighs as much as one firm line
-        crossed.
+        """How much worse it looks than the best way; 10 weighs as much as crossing one firm
+        line.
         """
 
     @property
     def shared(self) -> bool:
-        """Whether its lines may lie on thin ones and be one with them."""
+        """Whether its lines may coincide with thin ones."""
 
     def path(self) -> tuple[Segment, ...]:
         """The straight pieces that should not cross anything."""
 
     def wish(self) -> Wish:
-        """Its symbol and where that may stand."""
+        """The symbol of the mark and where it may stand."""
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The mark without its symbol."""
 
 
 def direction(at: Mapping[str, Vector], vertex: Vector, name: str) -> Vector:
-    """A side of the paper, or towards a point."""
+    """A side of the paper, or the direction towards a point."""
     return at[name] - vertex if name in at else SIDE_VECTORS[name]
 
 
 def chords(bow: Bow) -> tuple[Segment, ...]:
-    """An arc as straight pieces, accurate enough to ask what it crosses."""
+    """An arc as straight pieces, accurate enough to find what it crosses."""
     return tuple(pairwise(bow.path(0.35)))

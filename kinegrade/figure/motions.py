@@ -1,5 +1,5 @@
-"""Given motions as arrows: curved about a pivot, straight at a point, each in several ways to
-choose from.
+"""Given motions as arrows: curved about a pivot or straight at a point, each with several
+alternatives.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ TWELFTHS = tuple(index * pi / 6 for index in range(12))
 
 
 def turning_marks(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> list[Mark]:
-    """Arrows about the pivot of a body, the nicest close to it, where the body leaves it."""
+    """Arrows about the pivot of a body, the preferred one close to it, where the body leaves it."""
     centre = pivot_of(mechanism, hint.body, drawing.rims)
     sense = TURN[hint.sense or _imposed_sense(mechanism, hint.body)]
     crank = _crank(mechanism, hint.body, centre, drawing)
@@ -72,27 +72,31 @@ class TurningArrow:
 
 
 def _crank(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) -> float:
-    """The direction in which a body extends from its pivot; up when it has none."""
-    own = [mechanism.points[name] for name in mechanism.body(body).points]
-    own += [
+    """The direction in which a body extends from its pivot; up when it extends in none."""
+    points = [mechanism.points[name] for name in mechanism.body(body).points]
+    points += [
         end
         for part in drawing.parts
         if isinstance(part, Bar) and part.body == body
         for end in part.free
     ]
-    far = max(own, key=lambda point: length(point - centre))
+    far = max(points, key=lambda point: length(point - centre))
     return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
 def pivot_of(mechanism: Mechanism, body: str, found: tuple[Rim, ...]) -> Vector:
-    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the middle
-    of its points.
+    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
+    its points.
     """
     for joint in mechanism.joints:
         if isinstance(joint, Pin) and GROUND in joint.bodies and body in joint.bodies:
             return mechanism.points[joint.point]
-    own = [rim.at for rim in found if rim.body == body]
-    return own[0] if own else mean(mechanism.points[name] for name in mechanism.body(body).points)
+    centres = [rim.at for rim in found if rim.body == body]
+    return (
+        centres[0]
+        if centres
+        else mean(mechanism.points[name] for name in mechanism.body(body).points)
+    )
 
 
 def _imposed_sense(mechanism: Mechanism, body: str) -> Sense:
@@ -103,8 +107,8 @@ def _imposed_sense(mechanism: Mechanism, body: str) -> Sense:
 
 
 def moving_marks(mechanism: Mechanism, hint: Moving) -> list[Mark]:
-    """Arrows in the direction of the motion: from the point, then beside it, off the mechanism
-    first.
+    """Arrows in the direction of the motion: from the point, then beside it, first those clear of
+    the mechanism.
     """
     point = mechanism.points[hint.point]
     toward = (
@@ -137,11 +141,11 @@ class MovingArrow:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The arrow but for its very start."""
+        """The arrow without its start."""
         return ((self.start + self.toward, self._end()),)
 
     def wish(self) -> Wish:
-        """Beside the arrow, else about its tip."""
+        """Beside the arrow, else around its tip."""
         shaft = beside(self.symbol, self.start + self.toward * 3, self._end())
         return Wish(self.symbol, shaft, self._end())
 

@@ -1,4 +1,4 @@
-"""What is written at points, at free ends of bars and at bodies, and where it may stand."""
+"""The labels of points, of free ends of bars and of bodies, and where they may stand."""
 
 from __future__ import annotations
 
@@ -50,14 +50,16 @@ def letters(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Itera
 
 
 def _letter(symbol: str, at: Vector, drawing: Drawing, places: list[Vector]) -> Wish:
-    """A letter at its point, and rather on a thin line than nearer to another point."""
+    """A letter at its point; covering a thin line is preferred to standing nearer to another
+    point.
+    """
     spots = around(symbol, at, away=_away(at, drawing))
     others = [place for place in places if length(place - at) > NEAR]
     return Wish(symbol, spots, demerits=MISTAKEN * nearer_to_others(symbol, spots, at, others))
 
 
 def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
-    """The labels of bodies, which may stand anywhere in or at them.
+    """The labels of bodies, which may stand anywhere in or next to them.
 
     Raises TemplateError for the label of a body of which nothing is drawn.
     """
@@ -67,9 +69,7 @@ def body_names(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> It
 
 
 def _away(at: Vector, drawing: Drawing) -> Vector | None:
-    """The direction that leaves a point between its bars and off its circle; None when none is
-    better.
-    """
+    """The direction away from a point's bars and its circle; None when no direction is better."""
     toward = Vector(0.0, 0.0)
     for part in drawing.parts:
         if isinstance(part, Bar | Rod) and on_line(at, Line(part.start, part.end - part.start)):
@@ -82,8 +82,8 @@ def _away(at: Vector, drawing: Drawing) -> Vector | None:
 
 
 def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
-    """Points that belong to a body, to a circle or to the ground, or are labelled: others are
-    construction only.
+    """Points that belong to a body, to a circle or to the ground, or are labelled; all others serve
+    only for construction.
     """
     used = {name for body in mechanism.bodies for name in body.points} | {
         rim.centre for rim in drawing.rims
@@ -93,36 +93,41 @@ def _named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) ->
 
 
 def _free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
-    """A bar called AB with only A marked ends in B; of two free letters the rod takes the later."""
+    """The letters of free ends: a bar called AB on which only A is marked ends in B; of two free
+    letters the rod takes the later.
+    """
     for body in mechanism.bodies:
         letters = [letter for letter in _letters(body.name) if letter not in mechanism.points]
-        own = [
+        straight = [
             part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body.name
         ]
         ends = [
-            end for part in sorted(own, key=lambda part: isinstance(part, Bar)) for end in part.free
+            end
+            for part in sorted(straight, key=lambda part: isinstance(part, Bar))
+            for end in part.free
         ]
         yield from zip(reversed(letters), ends, strict=False)
 
 
 def _letters(name: str) -> list[str]:
-    """The point names a body's name is made of; none when it is a word or a numeral."""
+    """The point names that a body's name is made of; none when it is a word or a numeral."""
     if not re.fullmatch(r"(?:[A-Z]\d*p?){2,}", name) or set(name) <= set("IVX"):
         return []
     return re.findall(r"[A-Z]\d*p?", name)
 
 
 def _body(body: str, symbol: str, drawing: Drawing) -> Wish:
-    own: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
-    if own:
+    circles: list[Rim] = [rim for rim in drawing.rims if rim.body == body]
+    if circles:
         shares = (0.7, 0.55, 0.4)
         inner = [
-            own[0].at + polar(pi / 4 * turn, own[0].radius * share)
+            circles[0].at + polar(pi / 4 * turn, circles[0].radius * share)
             for share in shares
             for turn in range(8)
         ]
         return Wish(
-            symbol, np.concatenate((np.array(inner), around(symbol, own[0].at, own[0].radius)))
+            symbol,
+            np.concatenate((np.array(inner), around(symbol, circles[0].at, circles[0].radius))),
         )
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:

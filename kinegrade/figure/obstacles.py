@@ -1,11 +1,11 @@
-"""What is drawn so far, as lines and rings, ready to be asked what a rectangle laid over it would
+"""Everything drawn so far, as lines and rings, to determine what a rectangle laid over it would
 cover.
 
-Costs are whole numbers, so that a sum does not depend on the order of its terms, and what merely
-touches is free by a margin far above rounding: the same figure comes out on every machine.
+Costs are whole numbers, so that a sum does not depend on the order of its terms, and things that
+merely touch do not count, by a margin far above rounding: every machine draws the same figure.
 
-Few things are near any one place, and one of the first places asked about is free as a rule: to
-look at those few in plain numbers takes less than to compute with arrays of all.
+Few things are near any one place, and one of the first places tried is usually free: checking those
+few in plain numbers takes less time than computing with arrays of all.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from kinegrade.mechanics.vector import Vector
 Segment = tuple[Vector, Vector]
 Numbers = tuple[float, ...]
 Bounds = tuple[float, float, float, float]  # left, bottom, right, top
-Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its own numbers
+Boxed = tuple[float, float, float, float, Numbers]  # its bounds, then its numbers
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 TOUCH = 1e-6  # millimetres by which two things may overlap and still only touch
@@ -39,15 +39,15 @@ ROOM, SHARED_ROOM = (
     0.8,
     0.6,
 )  # millimetres to be kept free on either side of a mark; less for thin lines
-LEAST = 1e-9  # millimetres: a step that is shorter goes nowhere
+LEAST = 1e-9  # millimetres: a shorter step counts as this one
 SAME_AXIS = 0.05  # millimetres within which two lines count as one
-CORNER = 1.5  # times half its width, how far a pen's corners reach at any angle, and a little more
+CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
 
 
 @dataclass(frozen=True)
 class Obstacles:
-    """Lines and rings, each after the box it lies in (left, bottom, right, top); never changed,
-    only extended.
+    """Lines and rings, each after its bounding box (left, bottom, right, top); never changed, only
+    extended.
 
     A line has x, y of its start, the steps dx, dy to its end, their negative inverses, half of its
     pen's width and its cost. A ring has x, y, inner radius, outer radius and cost.
@@ -62,7 +62,7 @@ class Obstacles:
         return Obstacles((), ()).with_drawn(primitives)
 
     def with_drawn(self, primitives: Iterable[Primitive]) -> Obstacles:
-        """These obstacles and some more."""
+        """These obstacles and more."""
         lines: list[Boxed] = []
         rings: list[Boxed] = []
         for primitive in primitives:
@@ -78,11 +78,11 @@ class Obstacles:
         return Obstacles((*self.lines, *lines), (*self.rings, *rings))
 
     def near(self, box: Bounds) -> Obstacles:
-        """Those that may reach into a box."""
+        """The obstacles that may reach into a box."""
         return Obstacles(_near(self.lines, box), _near(self.rings, box))
 
     def under_box(self, x: float, y: float, width: float, height: float) -> float:
-        """The sum of what an upright box about a centre covers; zero when it is free."""
+        """The sum of the costs that an upright box about a centre covers; zero when it is free."""
         wide, high, total = width / 2, height / 2, 0.0
         box = (x - wide, y - high, x + wide, y + high)
         for _, _, _, _, (start_x, start_y, _, _, pace_x, pace_y, pen, cost) in _near(
@@ -98,8 +98,8 @@ class Obstacles:
     def along(self, path: Sequence[Segment], shared: bool) -> float:
         """The cost of drawing something thin along straight pieces.
 
-        What the path meets counts once; when lines may be shared, a thin line on the axis of a
-        piece not at all.
+        Whatever the path meets counts once; where lines may be shared, a thin line on the axis of a
+        piece does not count.
         """
         if not path:
             return 0.0
@@ -176,15 +176,15 @@ def _strip_encircles(strip: Numbers, ring: Numbers) -> bool:
 
 
 def _pace(step: float) -> float:
-    """The negative inverse of a step; of next to nothing for none."""
+    """The negative inverse of a step; a step shorter than LEAST counts as LEAST."""
     return -1.0 / (step if abs(step) >= LEAST else LEAST)
 
 
 def _crosses(across: Numbers, upward: Numbers) -> bool:
-    """Whether a line meets a box about the origin: on its way it is in both bands at once (Liang
-    and Barsky).
+    """Whether a line meets a box about the origin: it lies within both bands at the same time
+    (Liang and Barsky).
 
-    For either coordinate where the line starts, its pace, and half of the box.
+    For either coordinate the start of the line, its pace, and half of the box.
     """
     x, pace_x, wide = across
     middle, reach = x * pace_x, (wide - TOUCH) * abs(pace_x)
@@ -196,8 +196,8 @@ def _crosses(across: Numbers, upward: Numbers) -> bool:
 
 
 def _encircles(x: float, y: float, half: tuple[float, float], inner: float, outer: float) -> bool:
-    """Whether a ring meets a box about the origin: the box's nearest point within, its farthest
-    without.
+    """Whether a ring meets a box about the origin, by the nearest point of the box and the
+    farthest.
     """
     away_x, away_y, wide, high = abs(x), abs(y), half[0] - TOUCH, half[1] - TOUCH
     if max(away_x - wide, 0.0) ** 2 + max(away_y - high, 0.0) ** 2 > outer**2:
@@ -245,7 +245,7 @@ def _line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
 
 
 def _ring(disc: Disc) -> Boxed:
-    """A small filled disc counts whole, a larger one by its line only."""
+    """A small filled disc counts as a whole, a larger one only by its line."""
     pen = disc.pen.width / 2 if disc.pen else 0.0
     solid = disc.fill in ("black", "white") and disc.radius < 3
     cost = COST_BOLD if solid or pen >= BOLD.width / 2 else COST_FIRM

@@ -1,6 +1,4 @@
-"""From metres to millimetres on paper: one factor for both axes, so that a figure is true to
-scale.
-"""
+"""From metres to millimetres on paper: one factor for both axes, so that a figure is to scale."""
 
 from __future__ import annotations
 

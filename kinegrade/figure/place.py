@@ -1,4 +1,4 @@
-"""Where a symbol may stand, the best spots first, and which of its spots it takes."""
+"""Where a symbol may stand, the best spots first, and which of them it takes."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from kinegrade.mechanics.vector import Vector
 Floats = NDArray[np.float64]
 
 CLEARANCE = 0.25  # millimetres kept free around a label
-FARTHER = 0.04  # cost of each later spot: a hundred of them weigh as much as one thin line covered
-LABEL_WEIGHT = 3.0  # a symbol on a line hurts more than a line across a line
-AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its own point than to any other
-AT_ONCE = 16  # spots looked at together; nearly always one of the first is free
+FARTHER = 0.04  # cost of each later spot: a hundred of them weigh as much as covering one thin line
+LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
+AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
+AT_ONCE = 16  # spots checked together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
 _RINGS = np.array((1.2, 2.0, 3.2, 4.8, 6.8, 9.0))
@@ -33,10 +33,10 @@ _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
 @dataclass(frozen=True)
 class Wish:
     """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and
-    what it is at.
+    the point it belongs to.
 
-    When none of its spots is free, any other around that point will do. A spot may have a demerit
-    of its own.
+    When none of its spots is free, any other spot around that point is allowed. A spot may have a
+    demerit as well.
     """
 
     symbol: str
@@ -63,7 +63,7 @@ def crowding(wish: Wish, obstacles: Obstacles) -> float:
 def _best(
     symbol: str, spots: Floats, obstacles: Obstacles, demerits: Floats | None = None
 ) -> tuple[int, float]:
-    """Index and cost of the best spot; the farther ones are looked at only while none is free."""
+    """Index and cost of the best spot; the farther ones are checked only while none is free."""
     width, height = (size + 2 * CLEARANCE for size in symbol_size(symbol))
     worse = [0.0] * len(spots) if demerits is None else demerits.tolist()
     best, least = 0, inf
@@ -104,14 +104,14 @@ def around(symbol: str, anchor: Vector, gap: float = 0.0, away: Vector | None = 
     return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
 
 
-def nearer_to_others(symbol: str, spots: Floats, own: Vector, others: Sequence[Vector]) -> Floats:
-    """For each spot 1 where a letter would stand about as near to another point as to its own, else
-    0.
+def nearer_to_others(symbol: str, spots: Floats, point: Vector, others: Sequence[Vector]) -> Floats:
+    """For each spot 1 where a letter would stand about as near to another point as to `point`,
+    else 0.
     """
     if not others:
         return np.zeros(len(spots))
     half = np.array(symbol_size(symbol)) / 2
-    gaps = np.maximum(np.abs(spots[:, None] - np.array([own, *others])) - half, 0.0)
+    gaps = np.maximum(np.abs(spots[:, None] - np.array([point, *others])) - half, 0.0)
     distances = np.hypot(gaps[..., 0], gaps[..., 1])
     nearer = distances[:, 1:].min(axis=1) < distances[:, 0] + AMBIGUOUS
     return np.asarray(nearer, dtype=float)
@@ -137,7 +137,7 @@ def beside(
 
 
 def along_bow(symbol: str, bow: Bow) -> Wish:
-    """A symbol outside an arc, then inside it, near its middle first; then round about."""
+    """Spots for a symbol outside an arc, then inside it, near its middle first; then around it."""
     size = np.array(symbol_size(symbol))
     angles = bow.start + bow.sweep * _BOW_STATIONS
     toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)

@@ -1,4 +1,4 @@
-"""The mechanism alone with its letters, as a ground for the vectors of a worked solution."""
+"""The mechanism alone with its letters, as the background for the vectors of a worked solution."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints
 
-LARGEST_PIN = PIN + 0.1  # millimetres, radius of what is drawn at a point
-SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first guess
+LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
+SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
 
 
 def without_givens(hints: FigureHints) -> FigureHints:
-    """The hints about the mechanism itself: no dimensions, angles, radii, given motions and
+    """The hints about the mechanism itself: without dimensions, angles, radii, given motions and
     axes.
     """
     return replace(hints, lengths=(), angles=(), radii=(), arrows=(), axes=False)
@@ -29,7 +29,7 @@ def without_givens(hints: FigureHints) -> FigureHints:
 
 @dataclass(frozen=True)
 class BareMechanism:
-    """A mechanism (metres) without what is given, with `beside` it the points that must be in the
+    """A mechanism (metres) without its givens; `beside` are further points that must be in the
     picture.
     """
 
@@ -42,17 +42,17 @@ class BareMechanism:
         mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
     ) -> BareMechanism:
         """The mechanism of a figure without its givens."""
-        bare = without_givens(hints)
-        return BareMechanism(in_view(mechanism, bare), bare, tuple(beside))
+        kept = without_givens(hints)
+        return BareMechanism(in_view(mechanism, kept), kept, tuple(beside))
 
     @property
     def span(self) -> tuple[float, float]:
-        """Width and height of what scales, m."""
+        """Width and height of the scaled part, m."""
         return span_of(self.mechanism, self.hints, self.beside)
 
     def first_scale(self, height: float = HEIGHT) -> float:
-        """The largest scale, in millimetres per metre, at which the mechanism's own symbols fit
-        under that height.
+        """The largest scale, in millimetres per metre, at which the mechanism's symbols fit within
+        that height.
         """
         across, upward = (max(size, 1e-9) for size in self.span)
         guess = min((WIDTH - SURROUND) / across, (height - SURROUND) / upward)
@@ -66,15 +66,15 @@ class BareMechanism:
 
 
 def bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
-    """The straight bold lines, on which no arrow can be seen."""
+    """The straight bold lines, on which no arrow would be visible."""
     for primitive in primitives:
         if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
             yield from primitive.lines
 
 
 def pins(primitives: Iterable[Primitive]) -> tuple[Primitive, ...]:
-    """The small circles of pins and marked points, to be drawn once more on top of arrows that
-    start there.
+    """The small circles of pins and marked points, to be drawn again on top of arrows that start
+    there.
     """
     discs = (part for part in primitives if isinstance(part, Disc) and part.fill != "none")
     return tuple(disc for disc in discs if disc.radius <= LARGEST_PIN)

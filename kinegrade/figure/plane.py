@@ -25,13 +25,13 @@ def length(vector: Vector) -> float:
 
 
 def unit(vector: Vector) -> Vector:
-    """The direction of a vector; a vector of no length counts as pointing right."""
+    """The direction of a vector; a zero vector counts as pointing right."""
     size = length(vector)
     return vector / size if size > NEAR else Vector(1.0, 0.0)
 
 
 def polar(angle: float, radius: float = 1.0) -> Vector:
-    """The vector of that direction (radians, counter-clockwise from right) and length."""
+    """The vector with that direction (radians, counter-clockwise from right) and length."""
     return Vector(radius * cos(angle), radius * sin(angle))
 
 
@@ -41,7 +41,7 @@ def angle_of(vector: Vector) -> float:
 
 
 def shorter_way(sweep: float) -> float:
-    """The same turn in (-pi, pi]."""
+    """The same rotation in (-pi, pi]."""
     turn = sweep % (2 * pi)
     return turn - 2 * pi if turn > pi else turn
 

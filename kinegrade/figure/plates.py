@@ -1,4 +1,4 @@
-"""Bodies that are plates: the polygon of their points, and what happens at its edges."""
+"""Bodies that are plates: the polygon of their points, and the outward side of its edges."""
 
 from __future__ import annotations
 
@@ -20,16 +20,18 @@ class Plate:
     corners: tuple[Vector, ...]
 
 
-def plate_of(body: Body, own: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:
-    """The plate that a body with these points is; None for rods and for bodies of fewer points."""
-    if len(own) < 3 or shapes.get(body.name) == "bent" or collinear(own):
+def plate_of(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:
+    """The plate that a body with these points forms; None for rods and for bodies of fewer
+    points.
+    """
+    if len(points) < 3 or shapes.get(body.name) == "bent" or collinear(points):
         return None
-    return Plate(body.name, hull(own))
+    return Plate(body.name, hull(points))
 
 
 def outward(plate: Plate, line: Line) -> Vector | None:
-    """The direction (of any length) that leaves a plate across its edge on the line; None when none
-    lies there.
+    """The direction (of any length) that leaves a plate across its edge on the line; None when no
+    edge lies there.
     """
     for start, end in pairwise((*plate.corners, plate.corners[0])):
         if on_line(start, line) and on_line(end, line):

@@ -1,5 +1,5 @@
-"""The construction of a velocity pole: normals to velocities meet in it; what is far away is
-pointed to.
+"""The construction of a velocity pole: the normals to velocities meet in it; a distant pole is
+indicated by arrows.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ NORMAL = Pen(0.22, "dashed")
 TALL = 75.0  # millimetres a picture with a pole may be high
 FAR = 0.4  # of its full size that a mechanism keeps at least to have its pole in the picture
 POINTER = 20.0  # millimetres, of a normal towards a pole outside the picture
-BEYOND = 10.0  # millimetres that such a normal is seen at least beyond a bar on which it lies
+BEYOND = 10.0  # millimetres of such a normal that show at least beyond a bar on which it lies
 SQUARE = 2.3  # millimetres, side of the mark of a right angle: beyond the circle of a pin
 TURNING_RADII = (4.5, 6.0, 7.5)  # millimetres, of the arrow of the rotation about the pole
-LEAST = 0.2  # millimetres: a point with an arrow as short still has its normal
-SAME = 1e-3  # millimetres within which two points are one
+LEAST = 0.2  # millimetres: a point with so short an arrow still has its normal
+SAME = 1e-3  # millimetres within which two points coincide
 
 
 @dataclass(frozen=True)
 class Pole:
-    """A velocity pole: its symbol (LaTeX math), and where it is (m), None when it is at
+    """A velocity pole: its symbol (LaTeX math), and where it is (m), None for a pole at
     infinity.
     """
 
@@ -59,20 +59,20 @@ def pole_picture(
     and its pole.
 
     A dashed normal leads from each point to the pole, with a right angle between it and the
-    velocity; where all normals coincide, a dashed line through the tips of the velocities finds the
-    pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol; to one
-    at infinity they are parallel. A pole at the contact of a rolling wheel needs no rays.
+    velocity; where all normals coincide, a dashed line through the tips of the velocities locates
+    the pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol; to
+    a pole at infinity they are parallel. A pole at the contact of a rolling wheel needs no rays.
     `rotation` is drawn as a curved arrow about a pole in the picture.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     points = tuple(ray.at for ray in rays)
-    bare = BareMechanism.of(mechanism, hints, points)
+    plain = BareMechanism.of(mechanism, hints, points)
     whole = BareMechanism.of(mechanism, hints, (*points, *([pole.at] if pole.at else ())))
-    near = pole.at is not None and whole.first_scale(TALL) >= FAR * bare.first_scale()
-    shown, height = (whole, TALL) if near else (bare, HEIGHT)
+    near = pole.at is not None and whole.first_scale(TALL) >= FAR * plain.first_scale()
+    shown, height = (whole, TALL) if near else (plain, HEIGHT)
     construction = _Construction(pole, rays, rotation if near else None, near)
-    scale = min(shown.first_scale(height), bare.first_scale())
+    scale = min(shown.first_scale(height), plain.first_scale())
     return fitted(lambda factor: construction.compose(shown, factor), scale, shown.span, height)
 
 
@@ -83,32 +83,32 @@ class _Construction:
     rotation: Turning | None
     near: bool
 
-    def compose(self, bare: BareMechanism, scale: float) -> tuple[Primitive, ...]:
+    def compose(self, plain: BareMechanism, scale: float) -> tuple[Primitive, ...]:
         """The normals under the velocities, then the letters, the symbols, the rotation, the names
         of bodies.
         """
-        paper, drawing = bare.at(scale)
+        paper, drawing = plain.at(scale)
         placed = placed_arrows(self.rays, scale, drawing, LEAST)
         bars = tuple(bold_lines(drawing.primitives))
         layout = Layout.of((*drawing.primitives, *self.lines(placed, scale, bars)))
         layout = with_arrows(layout, placed, drawing).drawn(self.mark(paper, scale))
         layout = layout.written(
-            (*letters(paper, bare.hints, drawing), *self.names(placed, scale, bars))
+            (*letters(paper, plain.hints, drawing), *self.names(placed, scale, bars))
         )
         layout = with_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_turning_about(self.place(scale), self.rotation, placed))
-        return layout.written(body_names(paper, bare.hints, drawing)).primitives
+        return layout.written(body_names(paper, plain.hints, drawing)).primitives
 
     def place(self, scale: float) -> Vector:
-        """The pole on paper; only for one that is not at infinity."""
+        """The pole on paper; only for a pole that is not at infinity."""
         return (self.pole.at or Vector(0.0, 0.0)) * scale
 
     def normals(
         self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
     ) -> Iterator[tuple[VectorArrow, Vector]]:
         """Each velocity with the end of its normal on paper; `bars` are bold lines, on which no
-        normal can be seen.
+        normal would be visible.
         """
         first: Vector | None = None
         for arrow in placed:
@@ -151,7 +151,7 @@ class _Construction:
             yield max(combinations(ends, 2), key=lambda pair: length(pair[1] - pair[0]))
 
     def mark(self, paper: Mechanism, scale: float) -> tuple[Primitive, ...]:
-        """The pole as a dot, where no point of the mechanism is drawn already."""
+        """The pole as a dot, unless a point of the mechanism is already drawn there."""
         if not self.near or any(
             length(at - self.place(scale)) < SAME for at in paper.points.values()
         ):

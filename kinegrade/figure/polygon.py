@@ -1,5 +1,5 @@
-"""The polygon of a vector equation, to scale: both sides laid tip to tail from one origin to one
-end.
+"""The polygon of a vector equation, to scale: both sides laid tip to tail from a common origin to a
+common end.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from kinegrade.mechanics.vector import Vector
 WIDE, HIGH = (
     52.0,
     38.0,
-)  # millimetres an own polygon takes at most: the rest of a figure is for symbols
+)  # millimetres that the polygon alone takes at most: the rest of a figure is for symbols
 ROUND = (
     1.0,
     1.2,
@@ -31,8 +31,8 @@ ROUND = (
     5.0,
     6.0,
     8.0,
-)  # leading figures of a scale that is easily told
-NEGLIGIBLE = 0.01  # of the longest vector: what is shorter is not drawn
+)  # leading figures of a scale that is easy to state
+NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 TINY = 1e-12
@@ -42,7 +42,7 @@ ZERO = Vector(0.0, 0.0)
 
 @dataclass(frozen=True)
 class Arrow:
-    """A vector of an equation by its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known`
+    """A vector of an equation with its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known`
     before solving.
     """
 
@@ -55,10 +55,9 @@ def polygon(left: Sequence[Arrow], right: Sequence[Arrow]) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
-    shorter than a hundredth of the longest are not drawn. Where vectors lie on one line they are
-    drawn side by side, tied by thin lines to where they belong. The scale of the scene is
-    millimetres per m/s (or m/s^2), a round number. The figure is within WIDTH x HEIGHT of
-    `fitting`.
+    shorter than a hundredth of the longest are not drawn. Vectors on one line are drawn side by
+    side, with thin lines to their true positions. The scale of the scene is millimetres per m/s (or
+    m/s^2), a round number. The figure is within WIDTH x HEIGHT of `fitting`.
     """
     across, upward = (_span(axis) for axis in zip(*_corners(left), *_corners(right), strict=True))
     if across + upward == 0.0:
@@ -96,8 +95,8 @@ def _span(numbers: Sequence[float]) -> float:
 
 
 def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[Primitive, ...]:
-    """The arrows, then the symbols, of the shortest arrow first: it has the least choice of
-    place.
+    """The arrows, then the symbols, starting with the shortest arrow: it has the fewest places to
+    choose from.
     """
     least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _laid(side, scale, least)]
@@ -112,7 +111,7 @@ def _compose(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tup
 
 
 def _laid(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
-    """The arrows of one side tip to tail on paper, without the negligible ones."""
+    """The arrows of one side tip to tail on paper, without negligible ones."""
     for arrow, start, end in zip(
         chain, list(_corners(chain))[:-1], list(_corners(chain))[1:], strict=True
     ):

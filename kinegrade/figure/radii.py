@@ -1,4 +1,4 @@
-"""Radii of circles: an arrow from the centre to the rim, or from outside at a small circle."""
+"""Radii of circles: an arrow from the centre to the rim, or from outside for a small circle."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def radius_marks(at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius)
 
 
 def _rim_about(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
-    """The circle that is meant, of those that joints know of first."""
+    """The circle that a hint means; circles that joints have come first."""
     for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
         on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (
             1 + rim.radius
@@ -65,7 +65,7 @@ class FromCentre:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """The middle of the arrow: centre and rim are reached in any case."""
+        """The middle of the arrow, which touches centre and rim in any case."""
         clear = min(3.0, self.radius / 2)
         return (
             (self.centre + self.toward * 2.0, self.centre + self.toward * (self.radius - clear)),
@@ -96,11 +96,11 @@ class FromOutside:
     shared: bool = False
 
     def path(self) -> tuple[Segment, ...]:
-        """All of the arrow but its tip."""
+        """The arrow without its tip."""
         return ((self._out(1.2), self._out(7.0)),)
 
     def wish(self) -> Wish:
-        """About the tail."""
+        """Around the tail."""
         return Wish(self.symbol, around(self.symbol, self._out(7.0), away=self.toward))
 
     def primitives(self) -> tuple[Primitive, ...]:

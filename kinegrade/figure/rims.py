@@ -1,4 +1,4 @@
-"""The circles a mechanism has: wheels, gears, tracks, discs, slotted rings, each read from the
+"""The circles of a mechanism: wheels, gears, tracks, discs, slotted rings, each derived from the
 joints.
 """
 
@@ -32,9 +32,9 @@ Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
 
 @dataclass(frozen=True)
 class Rim:
-    """A circle of a body; `ring` when the material lies outside; `touch` is where it is touched.
+    """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
-    The kind "edge" is drawn as a line only: a circle that no joint knows of.
+    The kind "edge" is drawn as a line only: a circle that belongs to no joint.
     """
 
     body: str
@@ -49,8 +49,8 @@ class Rim:
 def rims(
     mechanism: Mechanism, shapes: Mapping[str, str], circles: Iterable[Rimmed] = ()
 ) -> tuple[Rim, ...]:
-    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; asked
-    ones come last.
+    """Every circle once; a shape "gear" or "cam" of its body or partner decides the kind; circles
+    from hints come last.
     """
     found: dict[tuple[str, str, float], Rim] = {}
     for joint in mechanism.joints:
@@ -93,7 +93,7 @@ def touch(mechanism: Mechanism, joint: Contact | Roll | Mesh) -> Vector:
 
 
 def toothed(joint: Contact | Roll | Mesh, shapes: Mapping[str, str]) -> bool:
-    """Whether the joint is one of gears or of a gear and a rack."""
+    """Whether the joint connects two gears, or a gear and a rack."""
     return isinstance(joint, Mesh) or "gear" in (shapes.get(joint.body), shapes.get(joint.of))
 
 
@@ -131,10 +131,12 @@ def _of_arc(mechanism: Mechanism, joint: Arc) -> Rim:
 
 
 def without_hidden(found: tuple[Rim, ...]) -> tuple[Rim, ...]:
-    """Rims from the largest to the smallest, so that none hides another; the ground's first."""
+    """Rims from the largest to the smallest, so that none hides another; those of the ground
+    first.
+    """
     return tuple(sorted(found, key=lambda rim: (rim.body != GROUND, -rim.radius)))
 
 
 def grown(rim: Rim, by: float) -> Rim:
-    """The concentric rim with a radius larger by that much."""
+    """The concentric rim whose radius is larger by that much."""
     return replace(rim, radius=rim.radius + by)

@@ -1,8 +1,8 @@
-"""A drawing as plain values: what every back end (Typst, TikZ, a browser) receives and none may
+"""A drawing as plain values: the input of every back end (Typst, TikZ, a browser), which none may
 change.
 
 Millimetres on paper, x right, y up, origin at the lower left corner; angles in radians,
-counter-clockwise positive. Primitives are listed from the lowest layer to the topmost.
+counter-clockwise positive. Primitives are listed from the bottom layer to the top.
 """
 
 from __future__ import annotations
@@ -135,7 +135,7 @@ class Scene:
 
 
 def fill_of(primitive: Strokes | Outline | Disc | Bow) -> Fill:
-    """What is inside a primitive; strokes and arcs have no inside."""
+    """The fill of a primitive; strokes and arcs have none."""
     match primitive:
         case Outline() | Disc():
             return primitive.fill
@@ -182,7 +182,7 @@ def box_around(primitives: Iterable[Primitive]) -> Box:
 
 
 def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
-    """The points a pen visits."""
+    """The points that a pen visits."""
     match primitive:
         case Strokes():
             return tuple(chain.from_iterable(primitive.lines))
@@ -195,7 +195,7 @@ def corners(primitive: Strokes | Outline | Bow) -> tuple[Vector, ...]:
 
 
 def moved(primitive: Primitive, by: Vector) -> Primitive:
-    """The primitive carried along by a vector."""
+    """The primitive translated by a vector."""
     match primitive:
         case Strokes():
             return Strokes(_moved_lines(primitive.lines, by), primitive.pen)

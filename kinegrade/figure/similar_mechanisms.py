@@ -1,9 +1,9 @@
-"""Mechanisms that differ only in size and speed have one figure, and a class's papers hold many
-such.
+"""Mechanisms that differ only in size and speed have one figure, and a class's papers contain many
+of them.
 
 A figure is to scale, but the scale is chosen to fill the paper, so it shows shape alone; of given
-motions it shows the sense, and none that an arrow's hint tells. What it shows is brought here to a
-form in which alike mechanisms are equal.
+motions it shows only the sense, and not even that where an arrow's hint fixes it. What it shows is
+normalised here so that similar mechanisms are equal.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def _settled(part: Any) -> Any:
 
 
 def _follows_driver(arrow: Turning | Moving) -> bool:
-    """Whether an arrow has its sense from the imposed motion."""
+    """Whether an arrow takes its sense from the imposed motion."""
     match arrow:
         case Turning(sense=sense):
             return sense is None
@@ -84,7 +84,7 @@ def _follows_driver(arrow: Turning | Moving) -> bool:
 
 
 def _sense(driver: Driver) -> Driver:
-    """A driver by the sense of its velocity alone."""
+    """A driver, reduced to the sense of its velocity."""
     velocity = -1.0 if driver.velocity < 0 else 1.0
     match driver:
         case Component():

@@ -1,5 +1,5 @@
-"""From a mechanism to its figure: `sketch` is the way in, `typst` (and its siblings) the way
-out.
+"""From a mechanism to its figure: `sketch` is the entry point, `typst` (and its siblings) the
+output.
 """
 
 from __future__ import annotations
@@ -27,19 +27,19 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.hints import FigureHints, Moving, Turning
 
-SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first guess
+SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a first estimate
 WRITING = (
     4.0,
     5.6,
-)  # millimetres, across and upward, that marks and labels take beside the symbols, as a rule
-ARROWS = 6.6, 2.2  # millimetres that straight arrows take beside the symbols, as a rule
-AXES = 0.0, 4.4  # millimetres that a frame of axes takes at the side, as a rule
+)  # millimetres, across and upward, that marks and labels usually take beside the symbols
+ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the symbols
+AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
 USUAL, FURTHER = (
     4,
     1.2,
-)  # marks that find room within WRITING, and the millimetres that each further one takes
+)  # marks that fit within WRITING, and the millimetres that each further one takes
 LETTERED = (
-    8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+    8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 )
 PLAIN = FigureHints()
 
@@ -72,7 +72,8 @@ def drawn(shown: Subject) -> Scene:
 
 
 def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Primitive, ...]:
-    """The mechanism, then what has least choice of place first, each against what is already there.
+    """The mechanism, then the marks with the fewest possible places first, each placed around what
+    is already there.
 
     Letters must stand near their points, after the marks that are bound to points but before the
     radii, which may go anywhere; the name of a body may stand anywhere in it.
@@ -93,7 +94,7 @@ def _compose(mechanism: Mechanism, hints: FigureHints, scale: float) -> tuple[Pr
 def _with_bound_marks(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing, named: tuple[Wish, ...]
 ) -> Layout:
-    """Marks bound to points: angles, rotations (which spare the letters at their pivots),
+    """Marks bound to points: angles, rotations (which keep clear of the letters at their pivots),
     distances, motions.
     """
     legs = [least_legs(paper.points, angle, drawing) for angle in hints.angles]
@@ -128,7 +129,7 @@ def _with_axes(layout: Layout) -> Layout:
 
 
 def _first_scale(mechanism: Mechanism, hints: FigureHints, span: tuple[float, float]) -> float:
-    """The scale that leaves room for the symbols, which do not scale, and for the writing about
+    """The scale that leaves room for the symbols, which do not scale, and for the labels around
     them.
     """
     guess = min((WIDTH - SURROUND) / max(span[0], 1e-9), (HEIGHT - SURROUND) / max(span[1], 1e-9))

@@ -1,4 +1,4 @@
-"""Figures that several processes need are drawn by the first of them, and kept in a folder for the
+"""Figures that several processes need: drawn by the first of them, and kept in a folder for the
 others.
 """
 
@@ -23,7 +23,7 @@ KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene,
 
 
 def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) -> Scene:
-    """The figure that `sketch` gives, from the folder `book` where another process has drawn it.
+    """The figure that `sketch` gives, read from the folder `book` if another process has drawn it.
 
     Raises TemplateError as `sketch` does.
     """
@@ -32,8 +32,8 @@ def sketch_once(book: Path, mechanism: Mechanism, hints: FigureHints = PLAIN) ->
 
 @lru_cache(maxsize=1024)
 def _kept(book: Path, shown: Subject) -> Scene:
-    """The figure of a mechanism of unit size, from the book or into it. A page appears in it
-    whole.
+    """The figure of a mechanism of unit size, read from the book or added to it. A page is written
+    atomically.
     """
     page = book / sha256(shown.text.encode()).hexdigest()
     try:
@@ -47,7 +47,7 @@ def _kept(book: Path, shown: Subject) -> Scene:
 
 
 def _record(part: Any) -> Any:
-    """A part of a scene in lists and dictionaries; every number keeps all its digits."""
+    """A part of a scene as lists and dictionaries; each number keeps all its digits."""
     if is_dataclass(part) and not isinstance(part, type):
         named = {entry.name: _record(getattr(part, entry.name)) for entry in fields(part)}
         return {"kind": type(part).__name__, **named}
@@ -57,7 +57,7 @@ def _record(part: Any) -> Any:
 
 
 def _scene_part(record: Any) -> Any:
-    """The part of a scene that a record is of."""
+    """The part of a scene that a record describes."""
     if isinstance(record, list):
         return tuple(map(_scene_part, record))
     if isinstance(record, dict):

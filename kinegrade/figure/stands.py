@@ -1,5 +1,5 @@
-"""What stands on the ground: the triangles of fixed pins, and the wedges on which the edges of
-plates rest.
+"""Supports on the ground: the triangles of fixed pins, and the wedges on which the edges of plates
+rest.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ from kinegrade.mechanics.joints import GROUND, Line, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-STAND_ROOM = 0.85  # radians between a stand's axis and a bar, that the bar is clear of its hatching
+STAND_ROOM = (
+    0.85  # radians between a stand's axis and a bar at which the bar is clear of its hatching
+)
 
 
 def knife_edges(

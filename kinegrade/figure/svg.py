@@ -1,7 +1,7 @@
-"""A scene as SVG, written straight, for browsers: a millisecond, and no typesetter.
+"""A scene as SVG, written directly, for browsers: a millisecond, and no typesetter.
 
-It is black on white whatever the page around it, needs nothing but itself, and holds no script,
-link or style sheet.
+It is black on white whatever the page around it, is self-contained, and holds no script, link or
+style sheet.
 """
 
 from __future__ import annotations
@@ -36,20 +36,20 @@ _DASHES: dict[Dash, str] = {
     "dashed": "1.06 1.06",
     "dash-dotted": "1.06 .7 .01 .7",
 }  # millimetres
-_HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must tell its circle
+_HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must determine its circle
 
 
 def to_svg(scene: Scene) -> str:
     """An SVG document for the scene, of its width and height in millimetres.
 
-    Raises TypesetError for a label that is no LaTeX symbol.
+    Raises TypesetError for a label that is not a LaTeX symbol.
     """
     return _document(scene.width, scene.height, scene.primitives)
 
 
 @lru_cache(maxsize=256)
 def _document(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
-    """The document of a figure; papers of a class hold many equal ones."""
+    """The document of a figure, cached; the papers of a class hold many equal figures."""
     across, upward = _mm(width), _mm(height)
     lines = [_written(primitive, height) for primitive in primitives]
     return "\n".join(
@@ -93,7 +93,7 @@ def _polyline(corners: tuple[Vector, ...], height: float) -> str:
 
 
 def _arc(bow: Bow, height: float) -> str:
-    """The arc in parts of less than half a circle."""
+    """The arc in parts of less than half a circle each."""
     count = max(1, ceil(abs(bow.sweep) / _HALF))
     ends = [bow.start + bow.sweep * index / count for index in range(count + 1)]
     points = [_point(bow.centre + Vector(cos(end), sin(end)) * bow.radius, height) for end in ends]
@@ -113,9 +113,7 @@ def _style(pen: Pen | None, fill: Fill) -> str:
 
 
 def _label(label: Label, height: float) -> str:
-    """The symbol with the middle of its letters, as far as they reach up and down, in the middle of
-    its box.
-    """
+    """The symbol, centred in its box by the actual height and depth of its letters."""
     runs = _runs(label.symbol)
     middle = (max(run.top for run in runs) + min(run.bottom for run in runs)) / 2 * EM
     place = f'x="{_mm(label.centre.x)}" y="{_mm(height - label.centre.y + middle)}"'
@@ -152,6 +150,6 @@ def _point(point: Vector, height: float) -> str:
 
 def _mm(value: float) -> str:
     """To a hundredth, rounded twice, so that the last bits of a sine, which differ between
-    machines, never show.
+    machines, never appear.
     """
     return f"{round(round(value, 6), 2) + 0.0:g}"

@@ -1,8 +1,7 @@
-"""A LaTeX symbol as runs of text: what back ends draw that have letters but no typesetter of
-formulas.
+"""A LaTeX symbol as runs of text, for back ends that have fonts but no formula typesetter.
 
 Letters are italic, digits and `\\mathrm` upright, scripts small and shifted, as in print. Lengths
-are in em of the symbol's own size.
+are in em at the symbol's size.
 """
 
 from __future__ import annotations
@@ -13,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from kinegrade.figure.extent import EM, symbol_size
 
-SCRIPT = 0.72  # of the size of what the script belongs to
-RAISED, LOWERED = 0.38, -0.2  # the baseline of a script, in em of what it belongs to
+SCRIPT = 0.72  # relative to the size of the script's base
+RAISED, LOWERED = 0.38, -0.2  # the baseline of a script, in em of its base
 _GREEK = {
     "alpha": "α",
     "beta": "β",
@@ -71,7 +70,7 @@ _LOW, _DEEP, _BOTH = (
 
 @dataclass(frozen=True)
 class Run:
-    """Letters of one lettering; `shift` is the height of their baseline, `back` how far to go back
+    """Letters in one style; `shift` is the height of their baseline, `back` how far to move back
     before them.
     """
 
@@ -90,7 +89,7 @@ class Run:
 
     @property
     def bottom(self) -> float:
-        """How far up the letters begin; negative below the baseline."""
+        """How far above the symbol's baseline the letters begin; negative below it."""
         deep = any(letter in _DEEP | _BOTH for letter in self.text)
         return self.shift - self.size * (0.21 if deep else 0.0)
 
@@ -112,7 +111,7 @@ class _Reader:
         self._place = 0
 
     def row(self, style: Run) -> list[Run]:
-        """What stands up to a closing brace or the end, in a style; scripts belong to the atom
+        """Everything up to a closing brace or the end, in a style; scripts belong to the atom
         before them.
         """
         runs: list[Run] = []
@@ -123,7 +122,7 @@ class _Reader:
         return runs
 
     def scripts(self, token: str, style: Run) -> list[Run]:
-        """One script, or two, of which the second stands above or below the first."""
+        """One script, or two, the second of which stands above or below the first."""
         first_place = self._place
         runs = self.script(token, style)
         width = symbol_size("".join(self._tokens[first_place : self._place]))[0] / EM - 0.12
@@ -137,7 +136,7 @@ class _Reader:
         return runs
 
     def script(self, token: str, style: Run) -> list[Run]:
-        """A small atom, raised or lowered; a prime or a degree sign is so by itself."""
+        """A small atom, raised or lowered; a prime or a degree sign is already raised."""
         raised = style.shift + style.size * (RAISED if token == "^" else LOWERED)
         inner = self.atom(self._next(), replace(style, size=style.size * SCRIPT, shift=raised))
         plain = token == "^" and all(run.text in "′°" for run in inner)
@@ -202,7 +201,7 @@ class _Reader:
 
 
 def _merged(runs: Iterable[Run]) -> list[Run]:
-    """Neighbours of one lettering as one run."""
+    """Adjacent runs of one style as one run."""
     merged: list[Run] = []
     for run in runs:
         if merged and replace(run, text="") == replace(merged[-1], text="", back=0.0):

@@ -100,7 +100,7 @@ def block(
 def ground_slider(
     at: Vector, along: Vector, side: Vector, reach: float = 7.5
 ) -> tuple[Primitive, ...]:
-    """A block on a hatched ground guide that lies on the given side of it."""
+    """A block on a hatched ground guide, which lies on the given side of it."""
     base = at + side * (BLOCK_WIDTH / 2 + FIRM.width / 2)
     return (*ground(base - along * reach, base + along * reach, side), block(at, along))
 
@@ -119,7 +119,7 @@ def guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive, ...
 
 
 def stadium(start: Vector, end: Vector, width: float) -> tuple[Vector, ...]:
-    """The contour of a strip with round ends about the two points."""
+    """The outline of a strip with round ends about the two points."""
     facing = angle_of(end - start)
     caps = ((end, facing - pi / 2), (start, facing + pi / 2))
     return tuple(
@@ -145,7 +145,7 @@ def centre_mark(at: Vector) -> tuple[Primitive, ...]:
 
 
 def dot(at: Vector) -> tuple[Primitive, ...]:
-    """A marked point that is no joint, with a white edge to stand out from a bar."""
+    """A marked point that is not a joint, with a white edge to stand out from a bar."""
     return (Disc(at, 0.95, None, "white"), Disc(at, 0.65, None, "black"))
 
 

@@ -37,7 +37,7 @@ _BEND = pi / 2
 def to_tikz(scene: Scene) -> str:
     r"""LaTeX for the scene: a box of its width and height, its lower edge on the baseline.
 
-    It needs the package tikz and nothing else. Raises TypesetError for a label that is no LaTeX
+    It needs the package tikz and nothing else. Raises TypesetError for a label that is not a LaTeX
     symbol.
     """
     commands = chain.from_iterable(_commands(scene.primitives))
@@ -110,7 +110,7 @@ def _polyline(corners: tuple[Vector, ...]) -> str:
 
 
 def _arc(bow: Bow) -> str:
-    """The arc as Bezier curves, their handles along the tangents."""
+    """The arc as Bezier curves, with control points along the tangents."""
     count = max(1, ceil(abs(bow.sweep) / _BEND - 1e-9))
     turn = bow.sweep / count
     reach = bow.radius * 4 / 3 * tan(turn / 4)
@@ -144,5 +144,7 @@ def _corner(point: Vector) -> str:
 
 
 def _mm(value: float) -> str:
-    """Rounded twice, so that the last bits of a sine, which differ between machines, never show."""
+    """Rounded twice, so that the last bits of a sine, which differ between machines, never
+    appear.
+    """
     return f"{round(round(value, 6), 3) + 0.0:.6g}mm"

@@ -1,6 +1,4 @@
-"""Straight tracks of the ground: one surface under all wheels that stand on the same line, or a
-fixed rack.
-"""
+"""Straight tracks of the ground: one surface under all wheels on the same line, or a fixed rack."""
 
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ class _Foot:
 
 
 def tracks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, ...]:
-    """The hatched surfaces, each as long as its wheels need and on to the ground pins that lie on
+    """The hatched surfaces, each as long as its wheels need and extended to the ground pins on
     it.
     """
     groups: list[list[_Foot]] = []
@@ -43,9 +41,7 @@ def tracks(mechanism: Mechanism, shapes: Mapping[str, str]) -> tuple[Primitive, 
 
 
 def fixed_pins(mechanism: Mechanism) -> list[str]:
-    """The points that stand on the ground: its pins, and those about which it guides a moving
-    line.
-    """
+    """The points fixed to the ground: its pins, and those about which it guides a moving line."""
     pins = [
         joint.point
         for joint in mechanism.joints

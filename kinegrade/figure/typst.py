@@ -39,14 +39,14 @@ _FILLS: dict[Fill, str] = {"none": "none", "white": "white", "grey": "luma(91%)"
 def to_typst(scene: Scene) -> str:
     """Typst markup for the scene: a box of its width and height.
 
-    Raises TypesetError for a label that is no LaTeX symbol.
+    Raises TypesetError for a label that is not a LaTeX symbol.
     """
     return _box(scene.width, scene.height, scene.primitives)
 
 
 @lru_cache(maxsize=256)
 def _box(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
-    """The box of a figure; papers of a class hold many equal ones."""
+    """The box of a figure, cached; the papers of a class hold many equal figures."""
     lines = [_write(primitive, height) for primitive in primitives]
     body = "\n".join(f"  {line}" for line in lines)
     size = f"width: {_mm(width)}, height: {_mm(height)}"
@@ -59,15 +59,15 @@ def to_typst_picture(scene: Scene) -> str:
     """The same box with the lines as one SVG picture and the symbols over it: Typst sets it three
     times as fast.
 
-    Raises TypesetError for a label that is no LaTeX symbol.
+    Raises TypesetError for a label that is not a LaTeX symbol.
     """
     return _picture(scene.width, scene.height, scene.primitives)
 
 
 @lru_cache(maxsize=256)
 def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> str:
-    """The picture in its box, hidden from those who listen, as lines are; labels are topmost in
-    every scene.
+    """The picture in its box, hidden from screen readers, as lines are; labels are topmost in every
+    scene.
     """
     lines = tuple(primitive for primitive in primitives if not isinstance(primitive, Label))
     drawing = to_svg(Scene(width, height, 1.0, lines)).replace('"', "'")
@@ -85,7 +85,7 @@ def _picture(width: float, height: float, primitives: tuple[Primitive, ...]) -> 
 def math_to_typst(symbol: str) -> str:
     """A LaTeX symbol as Typst math with its dollar signs.
 
-    Raises TypesetError when it is none (nothing else may reach the typesetter).
+    Raises TypesetError for anything else (only symbols may reach the typesetter).
 
     >>> math_to_typst("O_1")
     '$O_(1)$'
@@ -154,5 +154,7 @@ def _point(point: Vector, height: float) -> str:
 
 
 def _mm(value: float) -> str:
-    """Rounded twice, so that the last bits of a sine, which differ between machines, never show."""
+    """Rounded twice, so that the last bits of a sine, which differ between machines, never
+    appear.
+    """
     return f"{round(round(value, 6), 3) + 0.0:g}mm"

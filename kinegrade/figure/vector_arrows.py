@@ -1,6 +1,6 @@
-"""Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head,
-told apart in black and white; arrows that would lie on one another, or on a bold line, stand side
-by side.
+"""Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head, to
+be distinguishable in black and white; arrows that would lie on one another, or on a bold line, are
+drawn side by side.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ DASHED = Pen(0.3, "dashed")
 HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
 CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
 STRETCH = 0.8  # millimetres that two lines may run close together
-NEARER = 0.3  # millimetres by which a symbol has to be nearer to its own arrow than to any other
-# Cost of a symbol that may be read as that of another arrow: more than a firm line covered
+NEARER = 0.3  # millimetres by which a symbol has to be nearer to its arrow than to any other
+# Cost of a symbol that may be read as that of another arrow: more than covering a firm line
 MISTAKEN = 40.0
 
 
 @dataclass(frozen=True)
 class VectorArrow:
-    """An arrow on paper, in millimetres, `aside` of where it belongs when another line lies
-    there.
+    """An arrow on paper, in millimetres, displaced by `aside` from its true position when another
+    line lies there.
     """
 
     symbol: str
@@ -46,7 +46,7 @@ class VectorArrow:
         return (self.start + self.aside, self.end + self.aside)
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """Shaft and head; a head that is open where the vector is unknown."""
+        """Shaft and head; the head is open where the vector is unknown."""
         start, tip = self.line
         toward, size = unit(tip - start), length(tip - start)
         head = min(HEAD_LENGTH, HEAD_SHARE * size)
@@ -60,7 +60,9 @@ class VectorArrow:
         return (Strokes(((start, back),), DASHED), Outline(corners, Pen(0.25), "white"))
 
     def ties(self) -> tuple[Primitive, ...]:
-        """Thin lines from where the arrow belongs to the arrow; none where it stands there."""
+        """Thin lines from the true position of the arrow to the arrow; none where it stands
+        there.
+        """
         if self.aside == IN_PLACE:
             return ()
         return (Strokes(tuple((end, end + self.aside) for end in (self.start, self.end)), THIN),)
@@ -73,8 +75,8 @@ class VectorArrow:
         )
 
     def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
-        """The symbol about the tip of the arrow, or beside its farther half, nearer to it than to
-        any other.
+        """The symbol around the tip of the arrow, or beside the half near its tip, nearer to it
+        than to any other.
         """
         start, end = self.line
         half = beside(self.symbol, (start + end) / 2, end, gaps=(0.5, 1.4))
@@ -96,19 +98,21 @@ class VectorArrow:
         )
 
 
-def nearer_to_lines(symbol: str, spots: Floats, own: Segment, others: Sequence[Segment]) -> Floats:
-    """For each spot 1 where a symbol would stand about as near to another line as to its own, else
+def nearer_to_lines(symbol: str, spots: Floats, line: Segment, others: Sequence[Segment]) -> Floats:
+    """For each spot 1 where a symbol would stand about as near to another line as to `line`, else
     0.
     """
     if not others:
         return np.zeros(len(spots))
     half = np.array(symbol_size(symbol)) / 2
-    mine, theirs = (_distances(spots, half, lines) for lines in ([own], others))
+    mine, theirs = (_distances(spots, half, lines) for lines in ([line], others))
     return np.asarray(theirs < mine + NEARER, dtype=float)
 
 
 def _distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
-    """From boxes about the spots to the nearest of the lines, each taken as a row of points."""
+    """The distances from boxes about the spots to the nearest of the lines, each line sampled as a
+    row of points.
+    """
     shares = np.linspace(0.0, 1.0, 17)[:, None]
     points = np.concatenate(
         [np.array(start) + shares * np.array(end - start) for start, end in lines]
@@ -120,8 +124,8 @@ def _distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
 def side_by_side(
     arrows: Iterable[VectorArrow], drawn: Iterable[Segment], offsets: Sequence[float]
 ) -> tuple[VectorArrow, ...]:
-    """The arrows in order, each put aside by the first of the offsets at which it lies on no line
-    and no arrow.
+    """The arrows in order, each displaced by the first of the offsets at which it lies on no line
+    and no other arrow.
 
     Offsets are millimetres to the upper side of the arrow's line (to the right of a vertical one).
     """

@@ -26,7 +26,7 @@ LONGEST, CROWDED = (
     21.0,
 )  # millimetres, of the longest arrow; of one that starts at a point with more than FEW
 FEW = 3
-SHORTEST = 1.2  # millimetres: a shorter arrow could not be seen and is left out
+SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
 OFFSETS = (
     1.5,
     -1.5,
@@ -35,14 +35,14 @@ OFFSETS = (
     4.5,
 )  # millimetres between arrows, or an arrow and a bar, on one line
 LETTERED = (
-    8.0  # millimetres about a pivot within which letters are spared by the arrow of a rotation
+    8.0  # millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 )
 
 
 @dataclass(frozen=True)
 class PointArrow:
-    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before it
-    is solved.
+    """A velocity (m/s) or an acceleration (m/s^2) at a point (m), x right, y up; `known` before
+    solving.
     """
 
     symbol: str
@@ -61,29 +61,29 @@ def with_vectors(
     scale.
 
     The longest arrow is 16 mm long (21 mm where many start at one point); vectors that are zero or
-    too short to be seen are left out. `turnings` are the curved arrows of rotations, each with its
-    sense. The scale of the scene is that of the mechanism.
+    too short to be visible are left out. `turnings` are the curved arrows of rotations, each with
+    its sense. The scale of the scene is that of the mechanism.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
-    bare = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
+    plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
     return fitted(
-        lambda scale: _compose(bare, arrows, turnings, scale), bare.first_scale(), bare.span
+        lambda scale: _compose(plain, arrows, turnings, scale), plain.first_scale(), plain.span
     )
 
 
 def placed_arrows(
     arrows: Sequence[PointArrow], scale: float, drawing: Drawing, shortest: float = SHORTEST
 ) -> tuple[VectorArrow, ...]:
-    """The arrows on paper to one scale of their own, beside bold lines and beside each other, the
-    longest first.
+    """The arrows on paper to one common scale, next to bold lines and to each other, the longest
+    first.
     """
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
     reach = (
         CROWDED if max(Counter(arrow.at for arrow in arrows).values(), default=0) > FEW else LONGEST
     )
-    seen = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
-    ordered = sorted(seen, key=lambda arrow: -round(length(arrow.value) / longest, 6))
+    visible = [arrow for arrow in arrows if length(arrow.value) * reach > shortest * longest]
+    ordered = sorted(visible, key=lambda arrow: -round(length(arrow.value) / longest, 6))
     on_paper = [
         VectorArrow(
             arrow.symbol,
@@ -97,13 +97,15 @@ def placed_arrows(
 
 
 def with_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
-    """The arrows drawn without their symbols, from under the pins at which they start."""
+    """The arrows without their symbols, drawn below the pins at which they start."""
     parts = tuple(part for arrow in arrows for part in arrow.primitives())
     return layout.drawn((*parts, *pins(drawing.primitives)))
 
 
 def with_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
-    """The symbols of the arrows, of the shortest first: they have the least choice of place."""
+    """The symbols of the arrows, starting with the shortest: it has the fewest places to choose
+    from.
+    """
     for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
         layout = layout.written((arrow.wish_at_tip(arrows),))
     return layout
@@ -116,7 +118,7 @@ def with_turnings(
     drawing: Drawing,
     hints: FigureHints,
 ) -> Layout:
-    """The curved arrows, which spare the letters to come at their pivots."""
+    """The curved arrows, which keep clear of the letters still to be written at their pivots."""
     named = tuple(letters(paper, hints, drawing))
     for turning in turnings:
         pivot = pivot_of(paper, turning.body, drawing.rims)
@@ -126,15 +128,15 @@ def with_turnings(
 
 
 def _compose(
-    bare: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
+    plain: BareMechanism, arrows: Sequence[PointArrow], turnings: Sequence[Turning], scale: float
 ) -> tuple[Primitive, ...]:
-    """The mechanism and its arrows, then what has least choice of place first: letters, symbols,
-    names of bodies.
+    """The mechanism and its arrows, then the labels with the fewest possible places first: letters,
+    symbols, names of bodies.
     """
-    paper, drawing = bare.at(scale)
+    paper, drawing = plain.at(scale)
     placed = placed_arrows(arrows, scale, drawing)
     layout = with_arrows(Layout.of(drawing.primitives), placed, drawing)
-    layout = layout.written(letters(paper, bare.hints, drawing))
+    layout = layout.written(letters(paper, plain.hints, drawing))
     layout = with_symbols(layout, placed)
-    layout = with_turnings(layout, paper, turnings, drawing, bare.hints)
-    return layout.written(body_names(paper, bare.hints, drawing)).primitives
+    layout = with_turnings(layout, paper, turnings, drawing, plain.hints)
+    return layout.written(body_names(paper, plain.hints, drawing)).primitives

@@ -1,4 +1,4 @@
-"""What of a mechanism is in view: the points that something drawn or marked is about."""
+"""The points of a mechanism that are in view: those that something drawn or marked refers to."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinegrade.problem.hints import FigureHints
 
 
 def in_view(mechanism: Mechanism, hints: FigureHints) -> Mechanism:
-    """The mechanism without the points that are construction only, which may lie far away."""
+    """The mechanism without points that serve only for construction, which may lie far away."""
     labelled = tuple(name for name, symbol in hints.labels.items() if symbol)
     marks = (
         hints.lengths,
