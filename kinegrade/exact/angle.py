@@ -1,8 +1,8 @@
 """Exact angles: rational multiples of pi and directions of exact vectors, added, halved and
 multiplied.
 
-An angle keeps what it is made of, and its cosine and sine are found only when asked for, so that
-`pi - 2*phi` or `atan(3/4) + 30 degrees` stay exact.
+An angle keeps its components, and its cosine and sine are found only when asked for, so that `pi -
+2*phi` or `atan(3/4) + 30 degrees` stay exact.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Direction = tuple[Real, Real]
 
 
 class Inexact(Exception):
-    """A value lies in no small exact field: to be worked out by balls instead."""
+    """A value lies in no small exact field and has to be worked out with balls instead."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Certified arithmetic: every number is a ball (`flint.arb`) that encloses the true value.
+"""Certified arithmetic: each number is a ball (`flint.arb`) that encloses the true value.
 
 Used where an instance's values lie in no small exact field (37 degrees, deeply nested radicals).
 """
@@ -22,7 +22,7 @@ PRECISIONS = (
 
 
 class Undecided(ArithmeticError):
-    """A ball holds zero, so that a sign or a pivot cannot be told at this precision."""
+    """A ball contains zero, so that a sign or a pivot is undecided at this precision."""
 
 
 class Balls(Magnitude):
@@ -35,7 +35,7 @@ class Balls(Magnitude):
         self.precision = precision
 
     def fork(self) -> Balls:
-        """Balls need no field of their own."""
+        """The same arithmetic: balls need no field."""
         return self
 
     def context(self) -> AbstractContextManager[Any]:
@@ -44,7 +44,7 @@ class Balls(Magnitude):
         return manager
 
     def embed(self, value: Any) -> Any:
-        """A ball is at home everywhere."""
+        """The same ball: balls need no conversion."""
         return value
 
     def number(self, rational: Any) -> Any:
@@ -56,7 +56,7 @@ class Balls(Magnitude):
         return arb.pi() * arb(half_turns)
 
     def is_zero(self, number: Any) -> bool:
-        """Whether a number may be taken for zero: it holds zero and is narrower than half the
+        """Whether a number may be taken for zero: it contains zero and is narrower than half the
         precision.
         """
         value = arb(number)
@@ -64,7 +64,7 @@ class Balls(Magnitude):
             return False
         if value.rad() < arb(2) ** (-self.precision // 2):
             return True
-        raise Undecided("a value cannot be told from zero")
+        raise Undecided("a value cannot be distinguished from zero")
 
     def sign(self, number: Any) -> int:
         """-1, 0 or 1; raises Undecided for a wide ball about zero."""
@@ -100,8 +100,8 @@ class Balls(Magnitude):
         return arb.atan2(arb(y), arb(x))
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """As `Field.solve`; raises Undecided where a pivot cannot be told from zero at this
-        precision.
+        """As `Field.solve`; raises Undecided where a pivot cannot be distinguished from zero at
+        this precision.
         """
         return eliminate([list(map(arb, row)) for row in rows], list(map(arb, right)), self.is_zero)
 

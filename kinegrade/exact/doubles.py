@@ -1,4 +1,4 @@
-"""The arithmetic of `Floats` for one instance alone: plain doubles, without the cost of arrays."""
+"""The arithmetic of `Floats` for a single instance: plain doubles, without the cost of arrays."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ import numpy as np
 from kinegrade.exact.elimination import Singular
 from kinegrade.exact.floats import DEPENDENT, Floats
 
-ZERO = 1e-12  # what `Floats` takes for zero too
+ZERO = 1e-12  # `Floats` takes it for zero too
 
 
 class Doubles(Floats):
-    """Single doubles. Never the reference, like `Floats`, whose results these are."""
+    """Single doubles. Never the reference; the results are those of `Floats`."""
 
     def fork(self) -> Doubles:
-        """Doubles need no field of their own."""
+        """The same arithmetic: doubles need no field."""
         return self
 
     def is_zero(self, number: Any) -> bool:
@@ -33,7 +33,7 @@ class Doubles(Floats):
         return yes if condition else no
 
     def sqrt(self, number: Any) -> float:
-        """The positive square root; not a number below zero (but zero within rounding of zero)."""
+        """The positive square root; NaN below zero (but zero within rounding of zero)."""
         return math.sqrt(max(number, 0.0)) if number > -ZERO else math.nan
 
     def cos(self, angle: Any) -> float:

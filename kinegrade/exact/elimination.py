@@ -1,4 +1,4 @@
-"""Linear equations in any arithmetic whose zeros can be told: Gauss elimination with surplus rows
+"""Linear equations in any arithmetic with a test for zero: Gauss elimination with surplus rows
 allowed.
 """
 
@@ -17,7 +17,7 @@ class Contradiction(ArithmeticError):
 
 
 def eliminate(rows: list[list[Any]], right: list[Any], is_zero: Callable[[Any], bool]) -> list[Any]:
-    """The unknowns of rows * unknowns = right; more rows than unknowns are welcome if they agree.
+    """The unknowns of rows * unknowns = right; more rows than unknowns are allowed if they agree.
 
     Raises Singular when the columns are dependent, Contradiction when a surplus row does not fit.
     """

@@ -1,7 +1,7 @@
 """Exact arithmetic: a field that grows by square roots as an instance needs them.
 
-`Field` is one of the three arithmetics in which geometry and the plan are run; `balls` and `floats`
-are the others. It raises `Inexact` where a value lies in no small field, and the caller turns to
+`Field` is one of the three arithmetics for geometry and the plan; `balls` and `floats` are the
+others. It raises `Inexact` where a value lies in no small field, and the caller falls back on
 balls.
 """
 
@@ -18,15 +18,13 @@ from kinegrade.exact.elimination import Contradiction, eliminate
 from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import MAX_HEIGHT, Real, Root, Surd, enclosure, height, sign, surd
 
-MAX_LEVEL = (
-    5  # degree 32: beyond it a solve costs more than by balls (0.3 ms at level 2, 8 ms at level 5)
-)
+MAX_LEVEL = 5  # degree 32: beyond it balls are faster (0.3 ms at level 2, 8 ms at level 5)
 TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
 
 
 class Field(Magnitude):
-    """The arithmetic of exact numbers; every square root asked for is adjoined unless it is there
-    already.
+    """The arithmetic of exact numbers; each square root asked for is adjoined unless the field has
+    it.
 
     >>> field = Field()
     >>> root = field.sqrt(fmpq(3, 4))
@@ -41,7 +39,7 @@ class Field(Magnitude):
         self.roots = roots
 
     def fork(self) -> Field:
-        """A field with the same numbers that grows independently: for roots that one answer alone
+        """A field with the same numbers that grows independently: for roots that only one answer
         needs.
         """
         return Field(self.roots)
@@ -139,8 +137,8 @@ class Field(Magnitude):
         return as_angle(angle).direction(self)[1]
 
     def arctangent(self, y: Real, x: Real) -> Angle:
-        """The angle from +x to the vector (x, y), in (-pi, pi]; named exactly when it is a multiple
-        of a nice one.
+        """The angle from +x to the vector (x, y), in (-pi, pi]; a rational multiple of pi when it
+        is one of those of `nice_angle`.
 
         Raises ValueError for the zero vector.
         """
@@ -172,7 +170,7 @@ def rational(number: Any) -> Real:
 
 
 def as_angle(value: Any) -> Angle:
-    """An Angle as it is; the number 0 is the zero angle; any other number has no exact sine."""
+    """An Angle unchanged; the number 0 as the zero angle; any other number has no exact sine."""
     if isinstance(value, Angle):
         return value
     if not isinstance(value, (Surd, fmpq, int)):
@@ -203,8 +201,8 @@ def nice_angle(field: Field, y: Real, x: Real) -> Angle | None:
 def square_root(number: Real, roots: tuple[Root, ...]) -> Real | None:
     """A square root of `number` within the tower of `roots`, or None when there is none.
 
-    (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one storey lower, and
-    u^2 = (a +- n)/2.
+    (u + v sqrt d)^2 = a + b sqrt d requires a^2 - b^2 d to be a square n^2 one level lower, and u^2
+    = (a +- n)/2.
     """
     if not roots:
         return rational_root(number)

@@ -1,4 +1,6 @@
-"""Significant figures of exact numbers: what agrees with a number to so many of them."""
+"""Significant figures of exact numbers: the interval that agrees with a number to so many
+figures.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +9,8 @@ from math import ceil, floor
 
 
 def figures_interval(exact: Fraction, figures: int) -> tuple[Fraction, Fraction]:
-    """What agrees with a number other than zero to that many significant figures; a tie may be
-    rounded either way.
+    """The interval of numbers that agree with a non-zero number to so many significant figures; a
+    tie may be rounded either way.
 
     >>> [float(bound) for bound in figures_interval(Fraction("1.235"), 3)]
     [1.225, 1.245]

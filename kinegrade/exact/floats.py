@@ -18,23 +18,23 @@ DEPENDENT = 1e-13
 
 
 class Floats(Magnitude):
-    """The arithmetic of doubles and arrays of doubles. Never the reference: held against exact
-    values by tests.
+    """The arithmetic of doubles and arrays of doubles. Never the reference: tests compare it with
+    exact values.
     """
 
     exact = False
     certified = False
 
     def fork(self) -> Floats:
-        """Floats need no field of their own."""
+        """The same arithmetic: floats need no field."""
         return self
 
     def context(self) -> AbstractContextManager[Any]:
-        """Divisions by zero give infinities, to be sorted out by the caller."""
+        """Divisions by zero give infinities, which the caller filters out."""
         return np.errstate(all="ignore")
 
     def embed(self, value: Any) -> Any:
-        """A double is at home everywhere."""
+        """The same double: doubles need no conversion."""
         return value
 
     def number(self, rational: Any) -> Any:
@@ -60,8 +60,8 @@ class Floats(Magnitude):
         return np.where(condition, yes, no)
 
     def sqrt(self, number: Any) -> Any:
-        """The positive square root, elementwise; not a number below zero (but zero within rounding
-        of zero).
+        """The positive square root, elementwise; NaN below zero (but zero within rounding of
+        zero).
         """
         return np.sqrt(np.where((number < 0) & (number > -1e-12), 0.0, number))
 
@@ -81,7 +81,7 @@ class Floats(Magnitude):
         """The unknowns of rows * unknowns = right for every instance; surplus rows by least
         squares.
 
-        Not a number in instances that do not determine them; raises Singular when no instance does.
+        NaN in instances that do not determine them; raises Singular when no instance does.
         """
         shape = np.broadcast_shapes(
             *(np.shape(entry) for row in rows for entry in row), *map(np.shape, right)
@@ -104,4 +104,4 @@ class Floats(Magnitude):
         return list(np.moveaxis(solution[..., 0], -1, 0))
 
     def require_zero(self, number: Any) -> None:
-        """Nothing: whether surplus equations agree is decided by the exact arithmetics."""
+        """Nothing: the exact arithmetics decide whether surplus equations agree."""

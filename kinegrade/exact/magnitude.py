@@ -1,4 +1,4 @@
-"""The length of a vector, in whatever arithmetic its components are."""
+"""The length of a vector in any arithmetic."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 
 class Rooted(Protocol):
-    """What it takes: telling what is zero, and square roots."""
+    """What a magnitude needs of an arithmetic: a test for zero, and square roots."""
 
     def is_zero(self, number: Any) -> bool:
         """Whether a number is zero."""
@@ -19,8 +19,8 @@ class Magnitude:
     """Gives an arithmetic its `magnitude`."""
 
     def magnitude(self: Rooted, x: Any, y: Any) -> Any:
-        """The length of the vector (x, y); no root is asked for along an axis, where it need not be
-        in the field.
+        """The length of the vector (x, y); along an axis without a root, which the field might not
+        have.
         """
         if self.is_zero(x):
             return abs(y)

@@ -1,10 +1,10 @@
-"""Working by hand for many instances at once: arrays of doubles, each of them what `Rounded` gives,
-to the last bit.
+"""Working by hand for many instances at once: arrays of doubles, each equal to the result of
+`Rounded`, to the last bit.
 
 Sums, products, quotients and roots of arrays are those of single doubles. Sines, cosines and angles
-are taken from the same functions one by one; so is what lies next to the middle between two
+are taken from the same functions one by one; so are numbers close to the midpoint between two
 roundings. An instance that takes another way than most (something vanishes in it, or cannot be
-found) is noted as unsettled, to be worked out alone.
+found) is marked as unsettled, to be worked out separately.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from kinegrade.exact.elimination import Singular
 from kinegrade.exact.rounding import NOTHING, Rounded
 
 POWERS = np.array([float(10**power) for power in range(23)])  # those that doubles hold exactly
-NEAR = 1e-14  # relative: far more than a product of two doubles is off
+NEAR = 1e-14  # relative: far more than the error of a product of two doubles
 DEGREES, RADIANS = (
     180.0 / math.pi,
     math.pi / 180.0,
-)  # as `math.degrees` and `math.radians` have them
+)  # as in `math.degrees` and `math.radians`
 SINE, COSINE = np.frompyfunc(math.sin, 1, 1), np.frompyfunc(math.cos, 1, 1)
 ARCTANGENT = np.frompyfunc(math.atan2, 2, 1)
 
@@ -33,8 +33,8 @@ class RoundedArrays(Rounded):
     """The arithmetic of `Rounded`, or of `Sparing` where `sparing`, for arrays of `count`
     instances.
 
-    `unsettled` tells the instances whose values say nothing; where one of them is no number,
-    FloatingPointError is raised. Numbers that are no arrays are the same in all instances.
+    `unsettled` marks the instances whose values are meaningless; where one of them is NaN,
+    FloatingPointError is raised. Numbers that are not arrays are the same in all instances.
 
     >>> arithmetic = RoundedArrays(3, 2)
     >>> arithmetic.sqrt(np.array([3.0, -2.0])), arithmetic.written(np.array([1.235, 0.0]))
@@ -49,7 +49,7 @@ class RoundedArrays(Rounded):
         self.unsettled: NDArray[np.bool_] = np.zeros(count, dtype=bool)
 
     def context(self) -> AbstractContextManager[Any]:
-        """What gives no number is refused."""
+        """Operations that give NaN are refused."""
         return np.errstate(divide="raise", over="raise", invalid="raise", under="ignore")
 
     def written(self, number: Any) -> Any:
@@ -72,8 +72,8 @@ class RoundedArrays(Rounded):
         return result
 
     def noted(self, number: Any) -> Any:
-        """Values on the way to the unknowns, as work goes on with them: written down, or with all
-        their figures.
+        """Intermediate values as the working continues with them: written down, or with all their
+        figures.
         """
         if not self.sparing:
             return self.written(number)
@@ -154,8 +154,8 @@ class RoundedArrays(Rounded):
         return [self.written(table[index, count]) for index in range(count)]
 
     def cleared(self, table: Any, column: int) -> Any:
-        """The table with the largest entry of the column, from its own row on, as pivot, and the
-        rest of it zero.
+        """The table with the largest entry of the column, from its diagonal row on, as pivot, and
+        the rest of the column zero.
         """
         places = np.arange(table.shape[2])
         pivot = column + np.abs(table[column:, column]).argmax(axis=0)  # the first of equals
@@ -171,12 +171,10 @@ class RoundedArrays(Rounded):
 
 
 def in_doubles(found: Any) -> Any:
-    """What was found one by one, as an array of doubles; a single one stays a double."""
+    """Values found one by one, as an array of doubles; a single value stays a double."""
     return found.astype(float) if isinstance(found, np.ndarray) else found
 
 
 def _plain(result: Any) -> Any:
-    """The same, but an array of no dimension as the number that it is: it holds for all
-    instances.
-    """
+    """The same, but a zero-dimensional array as a plain number: it holds for all instances."""
     return result[()]

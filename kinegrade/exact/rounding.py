@@ -1,10 +1,9 @@
-"""The arithmetic of working by hand: doubles, in which whatever is written down is rounded to some
-significant figures.
+"""The arithmetic of working by hand: doubles, in which everything written down is rounded to a
+number of significant figures.
 
 Written down are sines and cosines, roots, angles found from their sides, and the unknowns of every
-solved set of equations; who uses the arithmetic rounds by `noted` what else is put on paper
-(coordinates, the terms of a vector equation). Sums and products inside one line of working stay in
-the calculator.
+solved set of equations; the caller rounds with `noted` what else is put on paper (coordinates, the
+terms of a vector equation). Sums and products within one line of working stay in the calculator.
 """
 
 from __future__ import annotations
@@ -17,11 +16,12 @@ from kinegrade.exact.elimination import Singular
 from kinegrade.exact.magnitude import Magnitude
 from kinegrade.exact.surd import Surd
 
-NOTHING = 1e-12  # what is smaller is zero: lengths, sines and rates of exercises are not
+NOTHING = 1e-12  # anything smaller is zero: lengths, sines and rates of exercises are not
 
 
 class Rounded(Magnitude):
-    """The arithmetic of one who writes down `figures` significant figures. Never the reference.
+    """The arithmetic of a student who writes down `figures` significant figures. Never the
+    reference.
 
     >>> Rounded(3).sqrt(3.0), Rounded(3).cos(pi / 6), Rounded(4).written(-0.0123456)
     (1.73, 0.866, -0.01235)
@@ -39,11 +39,11 @@ class Rounded(Magnitude):
         return round(number, self.figures - 1 - floor(log10(size))) if size >= NOTHING else 0.0
 
     def noted(self, number: float) -> float:
-        """A value on the way to the unknowns, as work goes on with it: written down."""
+        """An intermediate value as the working continues with it: written down."""
         return self.written(number)
 
     def fork(self) -> Rounded:
-        """Doubles need no field of their own."""
+        """The same arithmetic: doubles need no field."""
         return self
 
     def context(self) -> AbstractContextManager[Any]:
@@ -51,13 +51,11 @@ class Rounded(Magnitude):
         return nullcontext()
 
     def embed(self, value: Any) -> Any:
-        """A double is at home everywhere."""
+        """The same double: doubles need no conversion."""
         return value
 
     def number(self, rational: Any) -> float:
-        """A rational or exact number as a double, not rounded: givens are used as they are
-        given.
-        """
+        """A rational or exact number as a double, not rounded: givens are used as stated."""
         if isinstance(rational, (int, float, Surd)):
             return float(rational)
         return int(rational.p) / int(rational.q)
@@ -96,7 +94,7 @@ class Rounded(Magnitude):
 
     def solve(self, rows: list[list[float]], right: list[float]) -> list[float]:
         """The unknowns of rows * unknowns = right, each written down; surplus rows are not needed
-        and left alone.
+        and are ignored.
 
         Raises Singular where the rows do not determine every unknown.
         """
@@ -110,11 +108,11 @@ class Rounded(Magnitude):
         return [self.written(row[count]) for row in table[:count]]
 
     def require_zero(self, number: Any) -> None:
-        """Nothing: rounded values agree only nearly."""
+        """Nothing: rounded values agree only approximately."""
 
 
 class Sparing(Rounded):
-    """The arithmetic of one who writes down nothing but the solved unknowns, and keeps the rest in
+    """The arithmetic of a student who writes down only the solved unknowns, and keeps the rest in
     the calculator.
 
     >>> Sparing(3).cos(0.3), Sparing(3).solve([[3.0]], [2.0])
@@ -127,8 +125,8 @@ class Sparing(Rounded):
 
 
 def bring_largest(table: list[list[float]], column: int) -> None:
-    """Exchange rows so that the largest entry of the column, from its own row on, is the pivot.
-    Raises Singular.
+    """Exchange rows so that the largest entry of the column, from its diagonal row on, is the
+    pivot. Raises Singular.
     """
     pivot = max(range(column, len(table)), key=lambda index: abs(table[index][column]))
     if not abs(table[pivot][column]) >= NOTHING:

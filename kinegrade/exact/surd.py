@@ -5,7 +5,7 @@ A rational is a `flint.fmpq`, the element of sympy's QQ with python-flint ground
 that needs roots is a `Surd` a + b*sqrt(d), where a, b and d live lower in the tower and b is not
 zero; so every number has one form, stands as low in the tower as it can, and equality is equality
 of forms. Building a tower costs nothing, whereas sympy's `AlgebraicField` takes 45 ms for two
-radicals, which a class with own numbers per student would pay again and again.
+radicals, which a class would pay again and again, as each student has different numbers.
 
 Fields are made by `kinegrade.exact.field`, which also decides what has a square root in a tower.
 """
@@ -25,7 +25,7 @@ MAX_HEIGHT = 1 << 14
 
 @dataclass(frozen=True)
 class Root:
-    """The positive square root of `radicand`, adjoined as storey `level` (1 is the lowest) of a
+    """The positive square root of `radicand`, adjoined as level `level` (1 is the lowest) of a
     tower.
     """
 
@@ -135,7 +135,7 @@ class Surd:
 
 
 def surd(root: Root, a: Real, b: Real) -> Real:
-    """a + b*sqrt(root.radicand) in its one form: the root is dropped when b is zero."""
+    """a + b*sqrt(root.radicand) in its unique form: the root is dropped when b is zero."""
     return Surd(root, a, b) if b != 0 else a
 
 
@@ -160,7 +160,7 @@ def ball(number: Real) -> Any:
 
 
 def enclosure(number: Real, precision: int) -> Any:
-    """An enclosure of `number` as a `flint.arb`, worked out with `precision` bits."""
+    """An enclosure of `number` as a `flint.arb`, computed with `precision` bits."""
     with ctx.workprec(precision):
         return ball(number)
 

@@ -1,5 +1,5 @@
-"""How numbers print: exact text that our own grammar reads back, LaTeX, and decimals to any number
-of digits.
+"""How numbers print: exact text that the expression grammar reads back, LaTeX, and decimals to any
+number of digits.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def products(number: Real, roots: tuple[Root, ...] = ()) -> Iterator[tuple[Any, 
 
 
 def signed_term(factor: Any, free: int, nested: tuple[Root, ...], form: Form) -> tuple[bool, str]:
-    """(negative, text of the size) of one term."""
+    """(negative, text of the absolute value) of one term."""
     radicals = [form.root.format(free)] if free != 1 else []
     radicals += [form.root.format(exact_text(root.radicand, form)) for root in nested]
     size = abs(factor)
@@ -176,7 +176,7 @@ def decimal_text(number: Any, digits: int, degrees: bool = False) -> str:
 
 
 def bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any]:
-    """Rational bounds of a number, worked out with `precision` bits; an Angle in radians or in
+    """Rational bounds of a number, computed with `precision` bits; an Angle in radians or in
     degrees.
     """
     with ctx.workprec(precision):

@@ -1,9 +1,8 @@
 """Numbers as they stand in files, read exactly and within bounds: the one way from a file to a
 fraction.
 
-`Fraction("1e9999999999")` would work for days at a number that no exam holds. Every reader of
-folders, downloads, banks and policies that does not bound its numbers by a pattern of its own comes
-here.
+`Fraction("1e9999999999")` would compute for days for a number that no exam contains. Every reader
+of folders, downloads, banks and policies that does not bound its numbers by a pattern calls this.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 MOST_DIGITS = 600
-LARGEST_POWER = 300  # of ten: what doubles hold
+LARGEST_POWER = 300  # of ten: the range of doubles
 LONGEST_SHOWN = 40
 _NUMBER = re.compile(
     r"[+-]?(?P<whole>[0-9]*)(?:\.(?P<decimals>[0-9]*))?(?:[eE](?P<power>[+-]?[0-9]{1,4}))?"
@@ -23,7 +22,7 @@ _LIMIT = Fraction(10**LARGEST_POWER)
 
 
 class NumberError(ValueError):
-    """What stands where a number should; the message says what it is and what was expected."""
+    """A text or value that is not a number; the message says what it is and what was expected."""
 
     def __init__(self, found: object) -> None:
         text = str(found)[: LONGEST_SHOWN + 1]

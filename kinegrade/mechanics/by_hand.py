@@ -1,9 +1,9 @@
-"""A motion worked out by hand: the plan is followed, and every term and every solved rate is
-written down rounded.
+"""A motion worked out by hand: the plan is followed, and each term and each solved rate is written
+down rounded.
 
-What a term contributes is found from rounded arms and rates and rounded again, as it stands in the
-table of a vector equation: the arm, the velocity, the normal, tangential and Coriolis parts of the
-acceleration.
+The contribution of a term is found from rounded arms and rates and rounded again, as it stands in
+the table of a vector equation: the arm, the velocity, the normal, tangential and Coriolis parts of
+the acceleration.
 """
 
 from __future__ import annotations
@@ -40,10 +40,12 @@ class WrittenTerm(Term):
 
     def acceleration(self, rates: Rates, changes: Rates) -> Vector:
         """The term's acceleration, m/s^2: the sum of its written parts."""
-        return self.seen(rates, changes) + self.coriolis(rates)
+        return self.in_frame(rates, changes) + self.coriolis(rates)
 
-    def seen(self, rates: Rates, changes: Rates) -> Vector:
-        """The acceleration that the frame sees, m/s^2: the written normal and tangential parts."""
+    def in_frame(self, rates: Rates, changes: Rates) -> Vector:
+        """The acceleration relative to the frame, m/s^2: the written normal and tangential
+        parts.
+        """
         tangential: Vector = self.coefficient() * changes[self.rate]
         return self.normal(rates) + write(tangential, self.rounded)
 
@@ -60,7 +62,7 @@ class WrittenFrames(Frames):
 
     @cached_property
     def relative(self) -> dict[tuple[str, str], WrittenTerm]:
-        """The relative motions that the plan solves for: of a point, seen from a body."""
+        """The relative motions that the plan solves for: of a point relative to a body."""
         return {(term.point, term.frame): term for term in self.terms()}
 
     def terms(self) -> Iterator[WrittenTerm]:
@@ -74,22 +76,22 @@ class WrittenFrames(Frames):
 
 @dataclass(frozen=True)
 class WrittenMotion(Motion):
-    """A motion by hand: a relative motion that was an unknown is not found again as a
+    """A motion by hand: a relative motion that was solved for is not found again as a
     difference.
     """
 
     frames: WrittenFrames
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` seen from the moving body `frame`, m/s."""
+        """Velocity of `point` of `body` relative to the moving body `frame`, m/s."""
         term = self.frames.relative.get((point, frame))
         return term.velocity(self.rates) if term else super().relative_velocity(point, body, frame)
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` seen from `frame`, m/s^2."""
+        """Acceleration of `point` of `body` relative to `frame`, m/s^2."""
         term = self.frames.relative.get((point, frame))
         return (
-            term.seen(self.rates, self.changes)
+            term.in_frame(self.rates, self.changes)
             if term
             else super().relative_acceleration(point, body, frame)
         )
@@ -156,5 +158,5 @@ def written(terms: Chain, rounded: Rounded) -> Chain:
 
 
 def write(vector: Vector, rounded: Rounded) -> Vector:
-    """A vector or a point with its components as they are noted."""
+    """A vector or a point with its components as they are written down."""
     return Vector(rounded.noted(vector.x), rounded.noted(vector.y))

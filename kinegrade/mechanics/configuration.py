@@ -1,4 +1,4 @@
-"""Whether the bodies fit together: every joint's condition on the positions at the instant."""
+"""Whether the bodies fit together: the condition of each joint on the positions at the instant."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 
 
 def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
-    """Raises MechanismError with every joint that names unknown things or does not fit the
+    """Raises MechanismError listing every joint that names unknown things or does not fit the
     positions.
     """
     problems = list(unknown_names(mechanism)) or list(nonsense(mechanism))
@@ -39,7 +39,7 @@ def require_assembled(mechanism: Mechanism, arithmetic: Any) -> None:
 
 
 def unknown_names(mechanism: Mechanism) -> Iterator[str]:
-    """Joints and drivers that name a body or point which is not there, and bodies without
+    """Joints and drivers that name a body or point that does not exist, and bodies without
     points.
     """
     bodies = {body.name for body in mechanism.bodies} | {GROUND}
@@ -80,8 +80,8 @@ def body_names(part: Joint | Driver) -> list[str]:
 
 
 def turning_bodies(part: Joint | Driver) -> list[str]:
-    """The bodies of a joint or driver that turn in it or carry its line or circle: no particle
-    can.
+    """The bodies of a joint or driver that turn in it or carry its line or circle, which no
+    particle can.
     """
     match part:
         case Pin():
@@ -95,7 +95,9 @@ def turning_bodies(part: Joint | Driver) -> list[str]:
 
 
 def nonsense(mechanism: Mechanism) -> Iterator[str]:
-    """Joints and drivers that say nothing: of a body with itself, of a particle's rotation."""
+    """Joints and drivers that are meaningless: of a body with itself, or of a particle's
+    rotation.
+    """
     particles = {body.name for body in mechanism.bodies if body.particle}
     for part in (*mechanism.joints, *mechanism.drivers):
         names = body_names(part)
@@ -129,7 +131,7 @@ def point_names(part: Joint | Driver) -> list[str]:
 
 
 def shapes(joint: Joint) -> list[Line | Circle]:
-    """The lines and circles that a joint speaks of."""
+    """The shapes that a joint refers to."""
     match joint:
         case Pin() | Parallel():
             return []
@@ -146,7 +148,7 @@ def shapes(joint: Joint) -> list[Line | Circle]:
 
 
 def circles(joint: Joint) -> list[Circle]:
-    """The circles that a joint speaks of."""
+    """The circles that a joint refers to."""
     return [shape for shape in shapes(joint) if isinstance(shape, Circle)]
 
 
@@ -179,7 +181,7 @@ def misfits(mechanism: Mechanism, joint: Joint, arithmetic: Any) -> Iterator[str
         case Contact() | Roll() | Mesh():
             yield from apart(mechanism, joint, arithmetic)
         case Pin() | Sleeve() | Parallel():
-            pass  # they say nothing of where their bodies are
+            pass  # they say nothing about where their bodies are
         case _:
             assert_never(joint)
 
@@ -191,22 +193,22 @@ def off_line(mechanism: Mechanism, point: str, line: Line, arithmetic: Any) -> b
 
 def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -> Iterator[str]:
     """Two profiles that do not touch."""
-    own, centre = joint.circle.radius, joint.circle.centre
+    radius, centre = joint.circle.radius, joint.circle.centre
     match joint.on:
-        case Circle(centre=other, radius=radius):
-            if joint.inside and arithmetic.is_zero(radius - own):
+        case Circle(centre=other, radius=other_radius):
+            if joint.inside and arithmetic.is_zero(other_radius - radius):
                 yield (
                     f"{describe(joint)}: a circle within a circle of the same radius: one must "
                     "be smaller"
                 )
                 return
-            expected = radius - own if joint.inside else radius + own
+            expected = other_radius - radius if joint.inside else other_radius + radius
             yield from wrong_distance(mechanism, joint, (centre, other), expected, arithmetic)
         case Line(point=point, direction=direction):
             across = direction.cross(mechanism.points[centre] - point)
-            if not arithmetic.is_zero(across * across - own * own * direction.squared()):
+            if not arithmetic.is_zero(across * across - radius * radius * direction.squared()):
                 yield (
-                    f"{describe(joint)}: the circle about {centre} of radius {short(own)} does "
+                    f"{describe(joint)}: the circle about {centre} of radius {short(radius)} does "
                     "not touch the line: its centre must be a radius away"
                 )
         case _:
@@ -216,7 +218,7 @@ def apart(mechanism: Mechanism, joint: Contact | Roll | Mesh, arithmetic: Any) -
 def wrong_distance(
     mechanism: Mechanism, joint: Joint, ends: tuple[str, str], expected: Any, arithmetic: Any
 ) -> Iterator[str]:
-    """Two points whose distance is not what the joint needs."""
+    """Two points whose distance is not the one that the joint needs."""
     first, second = ends
     square = (mechanism.points[first] - mechanism.points[second]).squared()
     if not arithmetic.is_zero(square - expected * expected):

@@ -1,8 +1,8 @@
-"""Dead points: values at which a mechanism that is complete cannot be solved, as links of it stand
-in line.
+"""Dead points: positions at which a complete mechanism cannot be solved because some of its links
+are in line.
 
-A mechanism whose relations determine its motion anywhere else is not loose: no joint and no driver
-is missing.
+A mechanism whose relations determine its motion at all other positions is not loose: no joint and
+no driver is missing.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from kinegrade.mechanics.joints import Pin, Slide
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-PARTS = 9973  # a point is moved by so many parts of a metre, each point by others
+PARTS = 9973  # points are moved by whole multiples of 1/PARTS metre, each by different ones
 
 
 def dead_point(frames: Frames, bodies: Collection[str], arithmetic: Any) -> str:
-    """What stands in line at a dead point, "C, D and O6 are in line"; "" where nothing does, or a
+    """What is in line at a dead point, such as "C, D and O6 are in line"; "" where nothing is, or a
     body is loose.
 
     `bodies` are those that could turn.
@@ -103,5 +103,5 @@ def determined_elsewhere(mechanism: Mechanism, arithmetic: Any) -> bool:
 
 
 def numeral(entry: Any, arithmetic: Any) -> Any:
-    """An entry in the arithmetic's own numbers: plain integers would divide into floats."""
+    """An entry as a number of the arithmetic: plain integers would divide into floats."""
     return arithmetic.number(entry) if isinstance(entry, int) else entry

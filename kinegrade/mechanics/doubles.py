@@ -16,14 +16,14 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True, eq=False)
 class MotionInDoubles(Motion):
-    """A motion in doubles, which is equal to no other, so that what is found of it can be kept."""
+    """A motion in doubles, compared by identity, so that results found for it can be cached."""
 
     __hash__, __eq__ = object.__hash__, object.__eq__
 
 
 def in_doubles(motion: Motion) -> MotionInDoubles:
-    """The same motion with every number a double. Joints and drivers of the mechanism keep theirs:
-    the relations, which are converted, say all that they state.
+    """The same motion with each number a double. Joints and drivers of the mechanism keep their
+    numbers: the relations, which are converted, contain everything that they state.
     """
     mechanism, frames = motion.frames.mechanism, motion.frames
     points = {name: double(point) for name, point in mechanism.points.items()}

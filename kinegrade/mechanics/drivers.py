@@ -23,10 +23,10 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Component:
-    """Motion of `point` of `body` along the unit vector `direction`, seen from the body `of`: m/s
+    """Motion of `point` of `body` along the unit vector `direction`, relative to the body `of`: m/s
     and m/s^2.
 
-    For a point that runs on a straight path this is its motion along the path.
+    For a point that moves on a straight path this is its motion along the path.
     """
 
     point: str

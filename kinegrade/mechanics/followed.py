@@ -1,9 +1,9 @@
-"""The motion that follows from somebody's own values: the plan runs on after them, in doubles.
+"""The motion that follows from a student's values: the rest of the plan uses them, in doubles.
 
-An own value stands in place of what the plan has found: of the one rate (or change of a rate) that
-a step determines it by, of the velocity or acceleration of a point, or of a Coriolis or normal
-part. It is put in right after the step by which it is first determined; what that step found
-besides stays, and all later steps run on with it.
+A student's value replaces a result of the plan: the one rate (or change of a rate) by which a step
+determines it, the velocity or acceleration of a point, or a Coriolis or normal part. It is
+substituted right after the step by which it is first determined; the other results of that step
+stay, and all later steps use it.
 """
 
 from __future__ import annotations
@@ -32,31 +32,29 @@ from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 
-NOTHING = 1e-12  # relative: what is smaller is rounding
-SAME = 1e-9  # relative: how near a reading must come to the own value
-STRAIGHT = (
-    1e-4  # relative: how far one step along a tangent may end from the own value, to be polished
-)
-NEARBY = 1e-3  # relative: how far one goes from a number to see what depends on it
+NOTHING = 1e-12  # relative: anything smaller is rounding
+SAME = 1e-9  # relative: how near a reading must come to the student's value
+STRAIGHT = 1e-4  # relative: the largest miss of one step along a tangent, to be refined
+NEARBY = 1e-3  # relative: how far a number is changed to see what depends on it
 
 
 @dataclass(frozen=True)
 class FollowedMotion(Motion):
-    """A motion while own values are put in, and after; its rates and changes hold what is
-    determined so far.
+    """A motion while the student's values are substituted, and after; its rates and changes are
+    those determined so far.
     """
 
     frames: OwnFrames
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` seen from the moving body `frame`, m/s: as it was solved
-        for, if it was.
+        """Velocity of `point` of `body` relative to the moving body `frame`, m/s: as solved for, if
+        it was.
         """
         term = self.frames.relative.get((point, frame))
         return term.velocity(self.rates) if term else super().relative_velocity(point, body, frame)
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` seen from `frame`, m/s^2: as it was solved for, if it
+        """Acceleration of `point` of `body` relative to `frame`, m/s^2: as solved for, if it
         was.
         """
         term = self.frames.relative.get((point, frame))
@@ -66,27 +64,27 @@ class FollowedMotion(Motion):
         return tangential + term.normal(self.rates)
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
-        """Coriolis acceleration of `point` of `body` seen from `frame`, m/s^2."""
+        """Coriolis acceleration of `point` of `body` relative to `frame`, m/s^2."""
         coriolis: Vector = super().coriolis(point, body, frame) * self.share(
             coriolis_share(point, frame)
         )
         return coriolis
 
     def share(self, name: str) -> float:
-        """What is taken of a Coriolis or normal part: all of it, where nobody has put in an own
-        one.
+        """The share of a Coriolis or normal part that is taken: all of it unless the student has
+        given a value.
         """
         return float(self.rates.get(name, 1.0))
 
 
 @dataclass(frozen=True)
 class OwnValue:
-    """A number that somebody has: `read` reads the quantity off a motion, `value` is what stands in
-    its place.
+    """A student's value: `read` reads the quantity off a motion, `value` is the number that
+    replaces it.
 
     `read` gives None where the motion does not determine the quantity yet. `place` is the body and
-    point of whose velocity or acceleration it is, `part` the name of the Coriolis or normal part
-    that it is of; both None for angular and for relative motions.
+    point whose velocity or acceleration it is, `part` the name of the Coriolis or normal part; both
+    None for angular and for relative motions.
     """
 
     read: Callable[[FollowedMotion], float | None]
@@ -97,25 +95,25 @@ class OwnValue:
 
 
 def followed(
-    frames: Frames, plan: Plan, own: Sequence[OwnValue], arithmetic: Any
+    frames: Frames, plan: Plan, values: Sequence[OwnValue], arithmetic: Any
 ) -> FollowedMotion:
-    """The motion with the own values put in; one that cannot be is left out, and the motion is as
-    without it.
+    """The motion with the student's values substituted; a value that cannot be is left out, and the
+    motion is as without it.
 
     Raises Singular where a step determines nothing.
     """
-    places = tuple(dict.fromkeys(value.place for value in own if value.place))
-    ours = own_frames(frames, plan, places)
+    places = tuple(dict.fromkeys(value.place for value in values if value.place))
+    extended = own_frames(frames, plan, places)
     rates, changes = ({name: 0.0 for place in places for name in offsets(place)} for _ in range(2))
     run = Run(
-        FollowedMotion(ours, plan, rates, changes),
-        own_relations(ours, plan),
+        FollowedMotion(extended, plan, rates, changes),
+        own_relations(extended, plan),
         rates,
         changes,
         Unsuspecting(arithmetic),
     )
-    run.velocities([value for value in own if value.level == "velocity"])
-    accelerations = [value for value in own if value.level == "acceleration"]
+    run.velocities([value for value in values if value.level == "velocity"])
+    accelerations = [value for value in values if value.level == "acceleration"]
     run.parts([value for value in accelerations if value.part])
     run.accelerations([value for value in accelerations if not value.part])
     return run.motion
@@ -123,7 +121,7 @@ def followed(
 
 @dataclass(frozen=True)
 class Run:
-    """A plan on its way: the rates and changes found so far, which are also those of `motion`."""
+    """A run of a plan: the rates and changes found so far, which are also those of `motion`."""
 
     motion: FollowedMotion
     relations: Sequence[Relation]
@@ -136,21 +134,26 @@ class Run:
         """The coefficients of all relations."""
         return [relation.equations() for relation in self.relations]
 
-    def velocities(self, own: Sequence[OwnValue]) -> None:
+    def velocities(self, values: Sequence[OwnValue]) -> None:
         """Follow the plan for velocities."""
-        self.follow(self.rates, lambda index: self.relations[index].velocity_side(), own)
+        self.follow(self.rates, lambda index: self.relations[index].velocity_side(), values)
 
-    def accelerations(self, own: Sequence[OwnValue]) -> None:
+    def accelerations(self, values: Sequence[OwnValue]) -> None:
         """Follow the plan for accelerations."""
         self.follow(
-            self.changes, lambda index: self.relations[index].acceleration_side(self.rates), own
+            self.changes, lambda index: self.relations[index].acceleration_side(self.rates), values
         )
 
     def follow(
-        self, found: dict[str, Any], right: Callable[[int], Sequence[Any]], own: Iterable[OwnValue]
+        self,
+        found: dict[str, Any],
+        right: Callable[[int], Sequence[Any]],
+        values: Iterable[OwnValue],
     ) -> None:
-        """Step by step, with each own value put in as soon as it is determined. Raises Singular."""
-        waiting = list(own)
+        """Run step by step, substituting each student's value as soon as it is determined. Raises
+        Singular.
+        """
+        waiting = list(values)
         for step in self.motion.plan.steps:
             if step.unknowns:
                 sides = {
@@ -168,19 +171,19 @@ class Run:
             for value in ready:
                 self.put_in(value, found, step)
 
-    def parts(self, own: Iterable[OwnValue]) -> None:
-        """Put in what is read off Coriolis and normal parts, which the velocities decide."""
-        for value in own:
+    def parts(self, values: Iterable[OwnValue]) -> None:
+        """Substitute the values of Coriolis and normal parts, which the velocities decide."""
+        for value in values:
             self.rates.setdefault(str(value.part), 1.0)
             move(self.motion, value, self.rates, {str(value.part): NEARBY})
 
-    def put_in(self, own: OwnValue, found: dict[str, Any], step: Step) -> None:
-        """Put an own value in place of what the step determines it by."""
-        rate = None if self.is_given(step) else self.one_rate(own, found, step)
+    def put_in(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> None:
+        """Substitute a student's value for what the step determines it by."""
+        rate = None if self.is_given(step) else self.one_rate(wanted, found, step)
         if rate is not None:
-            move(self.motion, own, found, {rate: reach(found, rate)})
-        elif own.place:
-            body, point = own.place
+            move(self.motion, wanted, found, {rate: reach(found, rate)})
+        elif wanted.place:
+            body, point = wanted.place
             vector = (
                 self.motion.velocity(point, body)
                 if found is self.rates
@@ -188,42 +191,42 @@ class Run:
             )
             move(
                 self.motion,
-                own,
+                wanted,
                 found,
-                dict.fromkeys(offsets(own.place), NEARBY * max(map(abs, vector))),
+                dict.fromkeys(offsets(wanted.place), NEARBY * max(map(abs, vector))),
             )
 
-    def one_rate(self, own: OwnValue, found: dict[str, Any], step: Step) -> str | None:
-        """The one rate of the step that the own value depends on; of a point only where the point
-        moves by it alone.
+    def one_rate(self, wanted: OwnValue, found: dict[str, Any], step: Step) -> str | None:
+        """The one rate of the step that the student's value depends on; for a point only if no
+        other rate moves it.
         """
-        if own.place and not self.moves_by_one(own.place):
+        if wanted.place and not self.moves_by_one(wanted.place):
             return None
-        now = abs(own.read(self.motion) or 0.0)
+        now = abs(wanted.read(self.motion) or 0.0)
         rates = [
             rate
             for rate in step.unknowns
-            if abs(slope(self.motion, own, found, rate, reach(found, rate))) * reach(found, rate)
+            if abs(slope(self.motion, wanted, found, rate, reach(found, rate))) * reach(found, rate)
             > NOTHING * now
         ]
-        if len(rates) != 1 or (own.place and self.without(own, found, rates[0]) > SAME * now):
+        if len(rates) != 1 or (wanted.place and self.without(wanted, found, rates[0]) > SAME * now):
             return None
         return rates[0]
 
     def moves_by_one(self, place: Place) -> bool:
-        """Whether one rate alone is the motion of a point."""
+        """Whether one rate alone determines the motion of a point."""
         added = offsets(place)
         return sum(term.rate not in added for term in self.motion.frames.chain(*place)) == 1
 
-    def without(self, own: OwnValue, found: dict[str, Any], rate: str) -> float:
-        """The size that the own quantity has where a rate is zero."""
+    def without(self, wanted: OwnValue, found: dict[str, Any], rate: str) -> float:
+        """The absolute value of the student's quantity with a rate set to zero."""
         kept, found[rate] = found[rate], 0.0
-        size = abs(own.read(self.motion) or 0.0)
+        size = abs(wanted.read(self.motion) or 0.0)
         found[rate] = kept
         return size
 
     def is_given(self, step: Step) -> bool:
-        """Whether a step says no more than what is given."""
+        """Whether a step only states what is given."""
         sources = (self.relations[index].source for index in step.relations)
         return all(
             isinstance(source, (Rotation, Component, Circulation, Parallel)) for source in sources
@@ -231,43 +234,48 @@ class Run:
 
 
 def reach(found: dict[str, Any], rate: str) -> float:
-    """How far to go from a rate to see what depends on it."""
+    """How far to change a rate to see what depends on it."""
     return NEARBY * float(abs(found[rate]) or max(map(abs, found.values())) or 1.0)
 
 
 def slope(
-    motion: FollowedMotion, own: OwnValue, found: dict[str, Any], rate: str, reach: float
+    motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], rate: str, reach: float
 ) -> float:
-    """By how much the own quantity changes with a rate."""
+    """The derivative of the student's quantity with respect to a rate."""
     kept = found[rate]
     found[rate] = kept + reach
-    above = own.read(motion) or 0.0
+    above = wanted.read(motion) or 0.0
     found[rate] = kept - reach
-    below = own.read(motion) or 0.0
+    below = wanted.read(motion) or 0.0
     found[rate] = kept
     return (above - below) / (2 * reach) if reach else 0.0
 
 
 def move(
-    motion: FollowedMotion, own: OwnValue, found: dict[str, Any], reaches: dict[str, float]
+    motion: FollowedMotion, wanted: OwnValue, found: dict[str, Any], reaches: dict[str, float]
 ) -> None:
-    """Change some rates, by as little as it takes, so that the own quantity has the own value.
+    """Change some rates, by as little as possible, so that the student's quantity has the student's
+    value.
 
-    They stay as they were where that is no straight way: an angle, a magnitude that cannot be
-    negative.
+    They stay unchanged where the quantity is not linear in them: an angle, or a magnitude that
+    cannot be negative.
     """
     kept = {rate: found[rate] for rate in reaches}
-    start = own.read(motion) or 0.0
+    start = wanted.read(motion) or 0.0
     for tolerance in (STRAIGHT, SAME, SAME):
-        missing = own.value - (own.read(motion) or 0.0)
-        if not abs(missing) > NOTHING * abs(own.value):
+        missing = wanted.value - (wanted.read(motion) or 0.0)
+        if not abs(missing) > NOTHING * abs(wanted.value):
             return
-        slopes = {rate: slope(motion, own, found, rate, reach) for rate, reach in reaches.items()}
+        slopes = {
+            rate: slope(motion, wanted, found, rate, reach) for rate, reach in reaches.items()
+        }
         steepness = sum(each * each for each in slopes.values())
         if steepness:
             found.update(
                 {rate: found[rate] + missing * each / steepness for rate, each in slopes.items()}
             )
-        if not abs(own.value - (own.read(motion) or 0.0)) <= tolerance * abs(own.value - start):
+        if not abs(wanted.value - (wanted.read(motion) or 0.0)) <= tolerance * abs(
+            wanted.value - start
+        ):
             found.update(kept)
             return

@@ -1,9 +1,9 @@
-"""From joints to relations: which chain of terms leads from the ground to each body, and which
-loops remain.
+"""From joints to relations: the chain of terms that leads from the ground to each body, and the
+loops that remain.
 
 Each body gets a base point whose motion is written first: a fixed pin, a driven or guided point, a
-pin on a body that is reached already. Every joint that is not used up by that closes a loop and
-states a relation.
+pin on a body that has been reached. Every joint that this does not use up closes a loop and states
+a relation.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True)
 class Guided:
-    """A joint seen as: `point` of `body` moves along one direction or arc in the body `of`."""
+    """A joint as a guide: `point` of `body` moves along one direction or arc in the body `of`."""
 
     joint: Joint
     point: str
@@ -47,7 +47,7 @@ class Guided:
 
 @dataclass(frozen=True)
 class Base:
-    """The base point of a body, the chain of its motion, and the joint that is used up by it (or
+    """The base point of a body, the chain of its motion, and the joint that it uses up (or
     None).
     """
 
@@ -100,8 +100,8 @@ def chain(mechanism: Mechanism, bases: Mapping[str, Base], body: str, point: str
 
 
 def find_guides(mechanism: Mechanism) -> tuple[Guided | None, ...]:
-    """For each joint the guided point that it states; where one point is guided twice the rates are
-    told apart.
+    """For each joint the guided point that it states; where one point is guided twice the rates get
+    different names.
     """
     guides: list[Guided | None] = []
     taken: set[str] = set()
@@ -135,7 +135,7 @@ def guided(mechanism: Mechanism, joint: Joint) -> Guided | None:
 
 
 def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle, of: str) -> Term:
-    """`point` of `body` moves along a line, or about the centre of a circle, seen from `of`."""
+    """`point` of `body` moves along a line, or about the centre of a circle, relative to `of`."""
     match track:
         case Line(direction=direction):
             return Term("sliding", f"slide {point} {body}/{of}", direction, point, frame=of)
@@ -147,8 +147,8 @@ def track_term(mechanism: Mechanism, point: str, body: str, track: Line | Circle
 
 
 def sleeve_point(mechanism: Mechanism, sleeve: Sleeve) -> str:
-    """The point of the sliding body whose relative motion is followed: one that is pinned to
-    another body.
+    """The point of the sliding body whose relative motion is used: one that is pinned to another
+    body.
     """
     points = mechanism.body(sleeve.body).points
     pinned = [
@@ -247,7 +247,7 @@ def joint_relations(
         case Mesh():
             yield meshing(joint)
         case Slide() | Arc() | Contact():
-            pass  # what they guide is all that they state
+            pass  # they state nothing but what they guide
         case _:
             assert_never(joint)
 
@@ -287,8 +287,8 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
             centre = mechanism.points[roll.circle.centre]
             slip = along.dot((foot(centre, roll.on) - centre).turned()) / along.squared()
         case Circle(radius=other):
-            own = roll.circle.radius
-            slip = own / (other - own) if roll.inside else -own / (other + own)
+            radius = roll.circle.radius
+            slip = radius / (other - radius) if roll.inside else -radius / (other + radius)
         case _:
             assert_never(roll.on)
     relative = ((guide.term.rate, 1), *turning(roll.body, roll.of, slip))
@@ -296,14 +296,14 @@ def rolling(mechanism: Mechanism, roll: Roll, guide: Guided) -> Relation:
 
 
 def meshing(mesh: Mesh) -> Relation:
-    """Equal pitch speeds seen from the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring
+    """Equal pitch speeds relative to the carrier: r1 omega_1r = -r2 omega_2r, with + for a ring
     gear.
     """
     sense = -1 if mesh.inside else 1
-    own, other = mesh.circle.radius, mesh.on.radius * sense
+    radius, other = mesh.circle.radius, mesh.on.radius * sense
     rates: dict[str, Any] = {}
     for rate, factor in (
-        *turning(mesh.body, mesh.carrier, own),
+        *turning(mesh.body, mesh.carrier, radius),
         *turning(mesh.of, mesh.carrier, other),
     ):
         rates[rate] = rates[rate] + factor if rate in rates else factor
@@ -344,7 +344,7 @@ def path_direction(mechanism: Mechanism, driver: Circulation, arithmetic: Any) -
 
 
 def describe(part: Joint | Driver) -> str:
-    """A joint or driver in words, as refusals name it."""
+    """A joint or driver in words, as error messages name it."""
     match part:
         case Pin(point=point, bodies=bodies):
             return f"the pin {point} of {' and '.join(bodies)}"

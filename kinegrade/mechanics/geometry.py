@@ -1,8 +1,8 @@
 """Constructions: points from points, lines and circles, with a named branch where there are two.
 
-Configurations are constructed, never iterated, in whatever arithmetic they are given.
-`constructions` gives the functions that expressions in templates may call. Lengths in metres,
-angles counter-clockwise from +x.
+Configurations are constructed, never iterated, in any of the arithmetics. `constructions` gives the
+functions that expressions in templates may call. Lengths in metres, angles counter-clockwise from
++x.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.errors import ExpressionError, MechanismError, message
 from kinegrade.exact.text import decimal_text
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
@@ -36,8 +36,8 @@ class Round:
 
 
 def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Callable[..., Any]]:
-    """The constructions by name; `points` gives names for the refusals and is read when one is
-    written.
+    """The constructions by name; `points` gives names for error messages and is read only when one
+    is written.
     """
     build = Constructions(arithmetic, points)
     return {
@@ -59,8 +59,8 @@ def constructions(arithmetic: Any, points: Mapping[str, Vector]) -> dict[str, Ca
 
 @dataclass(frozen=True)
 class Constructions:
-    """The constructions that need an arithmetic: for roots, for sines, for telling which branch is
-    which.
+    """The constructions that need an arithmetic: for roots, for sines, for distinguishing
+    branches.
     """
 
     arithmetic: Any
@@ -93,7 +93,7 @@ class Constructions:
                 raise TypeError("a distance is that of a point or a line")
 
     def toward(self, start: Vector, end: Vector, distance: Any) -> Vector:
-        """The point at `distance` from `start` on the way to `end` and beyond."""
+        """The point at `distance` from `start` towards `end`, or beyond it."""
         step: Vector = (end - start) * (distance / self.distance(start, end))
         return start + step
 
@@ -110,14 +110,13 @@ class Constructions:
         right, left, upper, lower compare the two candidates; counterclockwise and clockwise, for
         two circles, say on which side of the directed line from the first centre to the second the
         point lies. Raises MechanismError when there is no common point, or when the name does not
-        tell the two apart.
+        distinguish the two.
         """
         if isinstance(first, Line) and isinstance(second, Line):
             return self._lines(first, second)
         if branch not in BRANCHES:
-            raise ExpressionError(
-                f"meet(...): two common points: say which, one of {', '.join(BRANCHES)}"
-            )
+            do = f"say which, one of {', '.join(BRANCHES)}"
+            raise ExpressionError(message("meet(...)", "two common points", do=do))
         match first, second:
             case Round(), Round():
                 return self._circles(first, second, branch)
@@ -181,16 +180,15 @@ class Constructions:
             and side == 0
             and not self.arithmetic.is_zero((first - second).squared())
         ):
-            raise MechanismError(
-                f"{branch} does not tell the two common points apart: "
-                f"name another side, one of {', '.join(BRANCHES)}"
-            )
+            what = f"{branch} does not distinguish the two common points"
+            do = f"name another side, one of {', '.join(BRANCHES)}"
+            raise MechanismError(message("", what, do=do))
         first_wins = side >= 0
         choose = self.arithmetic.choose
         return Vector(choose(first_wins, first.x, second.x), choose(first_wins, first.y, second.y))
 
     def name(self, shape: Line | Round) -> str:
-        """A line or circle in words for a refusal."""
+        """A line or circle in words for an error message."""
         match shape:
             case Round(centre=centre, radius=radius):
                 return f"the circle about {self.point_name(centre)} of radius {short(radius)}"
@@ -219,10 +217,10 @@ def foot(point: Vector, line: Line) -> Vector:
 
 
 def short(number: Any) -> str:
-    """A number of any arithmetic to four figures, for messages."""
+    """A number of any arithmetic to four significant figures, for messages."""
     return f"{size(number):.4g}"
 
 
 def size(number: Any) -> float:
-    """A number of any arithmetic as a double; infinite where no double holds it."""
+    """A number of any arithmetic as a double; infinite where it exceeds the doubles."""
     return float(number) if isinstance(number, float) else float(decimal_text(number, 12))

@@ -1,7 +1,7 @@
 """The joints: each a small frozen value that says which bodies meet, where, and how.
 
 Points are named; lines are values in the common frame at the instant (x right, y up). The ground is
-the body `GROUND`. What a joint means for velocities and accelerations is said in `relations`.
+the body `GROUND`. What a joint means for velocities and accelerations is stated in `relations`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A mechanism at one instant: bodies, where their points are, how they are joined, what drives
+"""A mechanism at one instant: bodies, where their points are, how they are joined, and what drives
 them.
 """
 

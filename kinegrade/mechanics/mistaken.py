@@ -1,9 +1,9 @@
 """The motion that slips lead to: the plan runs on with mistaken terms, in any arithmetic.
 
-Whoever makes a mistake does not notice: surplus equations are not checked, and where there are more
-equations than unknowns, the vectors are projected. Two mistakes are of magnitudes and no longer
-linear: a fixed pivot taken for the velocity pole, and the transport velocity taken for the absolute
-one. They replace what a step of the plan found.
+A student who makes a mistake does not notice it: surplus equations are not checked, and where there
+are more equations than unknowns, the vectors are projected. Two mistakes concern magnitudes and are
+not linear: a fixed pivot taken for the velocity pole, and the transport velocity taken for the
+absolute one. They replace the results of a step of the plan.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from kinegrade.mechanics.vector import Vector
 
 @dataclass(frozen=True)
 class MistakenMotion(Motion):
-    """A motion worked out with slips; what is read off it is read off with the same slips."""
+    """A motion worked out with slips; quantities are read off it with the same slips."""
 
     slips: Slips
 
@@ -43,14 +43,16 @@ class MistakenMotion(Motion):
         return rolling_centres(self.frames)
 
     def omega(self, body: str, of: str = GROUND) -> Any:
-        """Angular velocity, rad/s; relative to `of` with what is thought of its turning."""
-        own = super().omega(body)
-        return own if of == GROUND else own - super().omega(of) * self.slips.asked_relative
+        """Angular velocity, rad/s; relative to `of` with the assumed share of its rotation."""
+        omega = super().omega(body)
+        return omega if of == GROUND else omega - super().omega(of) * self.slips.asked_relative
 
     def alpha(self, body: str, of: str = GROUND) -> Any:
-        """Angular acceleration, rad/s^2; relative to `of` with what is thought of its turning."""
-        own = super().alpha(body)
-        return own if of == GROUND else own - super().alpha(of) * self.slips.asked_relative
+        """Angular acceleration, rad/s^2; relative to `of` with the assumed share of its
+        rotation.
+        """
+        alpha = super().alpha(body)
+        return alpha if of == GROUND else alpha - super().alpha(of) * self.slips.asked_relative
 
     def velocity(self, point: str, body: str) -> Vector:
         """What is taken for the velocity of a point, m/s."""
@@ -63,12 +65,12 @@ class MistakenMotion(Motion):
         return total(term.velocity(self.rates) for term in chain)
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """What is taken for the velocity of `point` of `body` seen from `frame`, m/s."""
-        own, carried = (
+        """What is taken for the velocity of `point` of `body` relative to `frame`, m/s."""
+        absolute, carried = (
             self.summed(velocity_chain(self.frames.chain(name, point), self.slips, self.centres))
             for name in (body, frame)
         )
-        difference: Vector = own - carried
+        difference: Vector = absolute - carried
         return difference
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
@@ -79,14 +81,14 @@ class MistakenMotion(Motion):
 
 @dataclass(frozen=True)
 class Unsuspecting:
-    """An arithmetic that solves as somebody does who does not notice that equations contradict each
-    other.
+    """An arithmetic that solves as a student does who does not notice that equations contradict
+    each other.
     """
 
     arithmetic: Any
 
     def solve(self, rows: list[list[Any]], right: list[Any]) -> list[Any]:
-        """The unknowns; more equations than unknowns are projected on them. Raises Singular."""
+        """The unknowns; surplus equations are projected on them. Raises Singular."""
         if len(rows[0]) == 1:
             return [
                 self.over(
@@ -120,7 +122,7 @@ class Unsuspecting:
         return number / (self.arithmetic.number(divisor) if isinstance(divisor, int) else divisor)
 
     def require_zero(self, number: Any) -> None:
-        """Nothing: surplus equations are not looked at."""
+        """Nothing: surplus equations are not checked."""
 
 
 def product(left: Sequence[Any], right: Sequence[Any]) -> Any:
@@ -131,11 +133,11 @@ def product(left: Sequence[Any], right: Sequence[Any]) -> Any:
 def mistaken(
     mechanism: Mechanism, arithmetic: Any, plan: Plan, slips: Slips, *, perturbed: bool = False
 ) -> MistakenMotion:
-    """The motion as it comes out with slips. Raises Singular where a step determines nothing,
+    """The motion with the slips made. Raises Singular where a step determines nothing,
     MechanismError.
 
-    `perturbed` puts other velocities under the accelerations, none of which vanishes by chance: to
-    see whether a term is of any consequence, or just zero here.
+    `perturbed` uses other velocities for the accelerations, none of which vanishes by chance: to
+    see whether a term matters, or is merely zero here.
     """
     frames = mistaken_frames(build(mechanism, arithmetic), slips)
     rates = Velocities(frames, slips, arithmetic).run(plan)
@@ -152,7 +154,7 @@ def mistaken(
 
 
 def stir(mechanism: Mechanism, rates: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Other rates, of which only those of translating bodies are zero."""
+    """Perturbed rates: those of translating bodies are zero, and no others."""
     still = {
         omega_of(joint.body)
         for joint in mechanism.joints
@@ -222,8 +224,8 @@ class Velocities:
         return replace(relation, left=left, right=right)
 
     def replaced(self, stage: Stage) -> dict[str, Any]:
-        """What a transport velocity in place of the absolute one, and a fixed pivot in place of the
-        pole, give.
+        """The rates that result from a transport velocity in place of the absolute one, and from a
+        fixed pivot in place of the pole.
         """
         result: dict[str, Any] = {}
         for share, find in (
@@ -238,7 +240,9 @@ class Velocities:
         return result
 
     def without_relative(self, stage: Stage) -> Replacements:
-        """|unknown velocity| = |known velocity|, as if nothing moved within the moving body."""
+        """abs(unknown velocity) = abs(known velocity), as if nothing moved within the moving
+        body.
+        """
         for index in stage.step.relations:
             relation = self.frames.relations[index]
             relative = {
@@ -255,7 +259,7 @@ class Velocities:
 
     def about_pivot(self, stage: Stage) -> Replacements:
         """A body in plane motion turns about the fixed pivot of a body that it is pinned to,
-        together with it.
+        together with that body.
         """
         for body, neighbours in pivots(self.frames).items():
             reached = [name for name in neighbours if omega_of(name) in stage.rates]
@@ -264,13 +268,13 @@ class Velocities:
             neighbour = min(reached, key=lambda name: omega_of(name) in stage.step.unknowns)
             turning = self.common_rate(stage, body, neighbour, neighbours[neighbour])
             if turning is not None:
-                own = {omega_of(body), omega_of(neighbour)}
-                yield from ((rate, turning) for rate in stage.step.unknowns if rate in own)
-                yield from self.ends(stage, own, neighbours[neighbour], turning)
+                pair = {omega_of(body), omega_of(neighbour)}
+                yield from ((rate, turning) for rate in stage.step.unknowns if rate in pair)
+                yield from self.ends(stage, pair, neighbours[neighbour], turning)
 
     def common_rate(self, stage: Stage, body: str, neighbour: str, pivot: Vector) -> Any:
-        """The rate with which both turn about the pivot: the neighbour's, or |v| over the distance
-        of a known point; None where neither is known.
+        """The rate with which both turn about the pivot: the neighbour's, or the speed of a known
+        point divided by its distance; None where neither is known.
         """
         if omega_of(neighbour) not in stage.step.unknowns:
             return stage.rates[omega_of(neighbour)]
@@ -286,15 +290,15 @@ class Velocities:
             stage.rates[omega_of(neighbour)],
         )
 
-    def ends(self, stage: Stage, own: set[str], pivot: Vector, turning: Any) -> Replacements:
-        """The rates of the ends that the same step finds, from turning times the distance to the
-        pivot.
+    def ends(self, stage: Stage, pair: set[str], pivot: Vector, turning: Any) -> Replacements:
+        """The rates of the ends that the same step finds: the angular velocity times the distance
+        to the pivot.
         """
         for index in stage.step.relations:
             relation = self.frames.relations[index]
-            others = stage.sought(index) - own
+            others = stage.sought(index) - pair
             ends = [term for term in (*relation.left, *relation.right) if term.rate in others]
-            if own & set(stage.equations[index][0]) and len(ends) == 1 and len(others) == 1:
+            if pair & set(stage.equations[index][0]) and len(ends) == 1 and len(others) == 1:
                 speed = (self.frames.mechanism.points[ends[0].point] - pivot) * turning
                 yield (
                     ends[0].rate,
@@ -308,7 +312,7 @@ class Velocities:
 
 
 def remaining(relation: Relation, equations: Sequence[Row], rates: Mapping[str, Any]) -> list[Any]:
-    """A relation's right-hand sides for velocities, less what is known already."""
+    """A relation's right-hand sides for velocities, minus what is already known."""
     return [
         side - sum((row[rate] * rates[rate] for rate in row if rate in rates), 0)
         for row, side in zip(equations, relation.velocity_side(), strict=True)

@@ -1,7 +1,7 @@
 """The motion: velocity and acceleration of everything, absolute and relative, at the instant.
 
-`solve` is the way in: it states the relations, follows the plan twice, and gives a `Motion` that
-answers every question about points and bodies. Vectors are in the common frame (x right, y up),
+`solve` is the entry point: it states the relations, follows the plan twice, and gives a `Motion`
+that gives the motion of every point and body. Vectors are in the common frame (x right, y up),
 counter-clockwise positive.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.errors import AtInfinity, MechanismError
+from kinegrade.errors import AtInfinity, MechanismError, message
 from kinegrade.exact.elimination import Contradiction, Singular
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.configuration import require_assembled
@@ -63,18 +63,18 @@ class Motion:
         )
 
     def relative_velocity(self, point: str, body: str, frame: str) -> Vector:
-        """Velocity of `point` of `body` seen from the moving body `frame`: v_r = v_a - v_e."""
+        """Velocity of `point` of `body` relative to the moving body `frame`: v_r = v_a - v_e."""
         return self.velocity(point, body) - self.velocity(point, frame)
 
     def coriolis(self, point: str, body: str, frame: str) -> Vector:
-        """Coriolis acceleration 2 omega_e x v_r of `point` of `body` seen from `frame`, m/s^2."""
+        """Coriolis acceleration 2 omega_e x v_r of `point` of `body` relative to `frame`, m/s^2."""
         acceleration: Vector = self.relative_velocity(point, body, frame).turned() * (
             self.omega(frame) * 2
         )
         return acceleration
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` seen from `frame`: a_r = a_a - a_e - a_C."""
+        """Acceleration of `point` of `body` relative to `frame`: a_r = a_a - a_e - a_C."""
         composed = self.acceleration(point, frame) + self.coriolis(point, body, frame)
         return self.acceleration(point, body) - composed
 
@@ -91,18 +91,15 @@ class Motion:
 
 
 class Undriven(dict[str, Any]):
-    """The rates of a mechanism that nothing drives: none is known, and asking for one is
-    refused.
-    """
+    """The rates of a mechanism without a driver: none is known, and reading one is an error."""
 
     def __missing__(self, rate: str) -> Any:
-        raise MechanismError(
-            "nothing drives this mechanism: it has positions but no velocities: give it an input"
-        )
+        what = "nothing drives this mechanism: it has positions but no velocities"
+        raise MechanismError(message("", what, do="give it an input"))
 
 
 def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
-    """A mechanism that is asked for its positions alone. Raises MechanismError when it does not fit
+    """A mechanism whose positions alone are wanted. Raises MechanismError when it does not fit
     together.
     """
     if arithmetic.certified:
@@ -111,8 +108,8 @@ def pose(mechanism: Mechanism, arithmetic: Any) -> Motion:
 
 
 def solve(mechanism: Mechanism, arithmetic: Any, plan: Plan | None = None) -> Motion:
-    """The motion of a mechanism; `plan` saves looking for one, and is replaced where it does not
-    fit.
+    """The motion of a mechanism; a given `plan` saves the search for one, and is replaced where it
+    does not fit.
 
     Raises MechanismError: the configuration does not fit a joint, a body is loose, joints or
     drivers contradict each other, or the mechanism stands at a dead point.
@@ -151,19 +148,18 @@ def followed(plan: Plan, frames: Frames, equations: plans.Equations, arithmetic:
 
 
 def require_all_related(frames: Frames) -> None:
-    """Refuse motions that no joint and no driver speaks of."""
+    """Refuse motions that no joint and no driver determines."""
     if unrelated(frames):
         raise MechanismError(looseness(frames, []))
 
 
 def turning_of(rates: Mapping[str, Any], body: str) -> Any:
-    """The angular rate of a body among `rates`; the ground has none, and a particle cannot be asked
-    for one.
+    """The angular rate of a body among `rates`; the ground has none, and for a particle it is an
+    error.
     """
     if body == GROUND:
         return 0
     if omega_of(body) not in rates:
-        raise MechanismError(
-            f"{body} is a particle: it does not turn: ask for the motion of its point"
-        )
+        what = f"{body} is a particle: it does not turn"
+        raise MechanismError(message("", what, do="ask for the motion of its point"))
     return rates[omega_of(body)]

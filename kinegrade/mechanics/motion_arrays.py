@@ -1,5 +1,5 @@
-"""Motions of one structure, in doubles, as one motion whose numbers are arrays with an entry for
-each.
+"""Motions of one structure, in doubles, as a single motion whose numbers are arrays with an entry
+for each.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ from kinegrade.mechanics.vector import Vector
 
 
 def structure(motion: Motion) -> Hashable:
-    """What two motions of a template must have in common to be stacked: all but the numbers."""
+    """What two motions of a template must have in common to be stacked: everything but the
+    numbers.
+    """
     frames = motion.frames
     bases = tuple(
         (name, base.point, chain_structure(base.chain)) for name, base in frames.bases.items()
@@ -48,8 +50,8 @@ def chain_structure(chain: Chain) -> Hashable:
 
 
 def stacked(motions: Sequence[Motion]) -> Motion:
-    """The motions, of one structure and in doubles, as one. Joints and drivers are the first one's,
-    but for numbers the relations say all that they state.
+    """The motions, of one structure and in doubles, as one. Joints and drivers are those of the
+    first, as relations state all of the numbers.
     """
     first, frames = motions[0], [motion.frames for motion in motions]
     points = {
@@ -113,7 +115,7 @@ def stacked_chain(chains: Sequence[Chain]) -> Chain:
 
 
 def stacked_vector(vectors: Sequence[Vector]) -> Any:
-    """Vectors as one; None for none."""
+    """Vectors as one; None if there are none."""
     if not vectors:
         return None
     return Vector(
@@ -123,7 +125,9 @@ def stacked_vector(vectors: Sequence[Vector]) -> Any:
 
 
 def stacked_numbers(numbers: Sequence[float]) -> Any:
-    """Doubles as an array; what is the same in all, down to the sign of a zero, as one double."""
+    """Doubles as an array; numbers that are equal in all, down to the sign of a zero, as one
+    double.
+    """
     array = np.array(numbers)
     first = array[0]
     if (array == first).all() and (np.signbit(array) == np.signbit(first)).all():

@@ -20,7 +20,7 @@ def drawable_mechanism(mechanism: Mechanism) -> Mechanism:
 
 
 def in_floats(part: Any) -> Any:
-    """A vector, line, circle, joint or driver with its numbers as floats; names stay."""
+    """A vector, line, circle, joint or driver with its numbers as floats; names are unchanged."""
     if isinstance(part, Vector):
         return Vector(float(part.x), float(part.y))
     if is_dataclass(part) and not isinstance(part, type):

@@ -1,9 +1,9 @@
-"""Chains and relations into which own values can be put: of points, and of Coriolis and normal
-parts.
+"""Chains and relations into which a student's values can be substituted: of points, and of Coriolis
+and normal parts.
 
 A point's motion is written by the shortest chain that the steps solved before give it: the end B of
-a connecting rod, once found, moves along its guide, and whoever has another angular velocity of the
-rod still has that motion of B.
+a connecting rod, once found, moves along its guide, and a student who has another angular velocity
+of the rod still has that motion of B.
 """
 
 from __future__ import annotations
@@ -19,43 +19,43 @@ from kinegrade.mechanics.relations import Chain, Rates, Relation, Term
 from kinegrade.mechanics.vector import Vector
 
 Place = tuple[str, str]  # a body and a point of it
-# By what a term is known in other chains: rate, point, base, frame
+# What identifies a term in other chains: rate, point, base, frame
 Sign = tuple[str, str, str, str]
 
 
 def coriolis_share(point: str, frame: str) -> str:
-    """The name, among the rates, of what is taken of the Coriolis acceleration of `point` seen from
-    `frame`.
+    """The name, among the rates, of the share of the Coriolis acceleration of `point` relative to
+    `frame` that is taken.
     """
     return f"coriolis {point}/{frame}"
 
 
 def normal_share(point: str, base: str) -> str:
-    """The name, among the rates, of what is taken of the normal acceleration of `point` relative to
-    `base`.
+    """The name, among the rates, of the share of the normal acceleration of `point` relative to
+    `base` that is taken.
     """
     return f"normal {point}/{base}"
 
 
 def offsets(place: Place) -> tuple[str, str]:
-    """The names, among the rates, of what is added to the two components of a point's motion."""
+    """The names, among the rates, of the additions to the two components of a point's motion."""
     body, point = place
     return f"own {point} {body} x", f"own {point} {body} y"
 
 
 @dataclass(frozen=True)
 class OwnTerm(Term):
-    """A term of whose normal and Coriolis parts the share is taken that stands among the rates, if
-    one does.
+    """A term of whose normal and Coriolis parts only the share given among the rates is taken, if
+    there is one.
     """
 
     def normal(self, rates: Rates) -> Vector:
-        """What is taken of the centripetal part, m/s^2."""
+        """The centripetal part that is taken, m/s^2."""
         taken: Vector = super().normal(rates) * rates.get(normal_share(self.point, self.base), 1.0)
         return taken
 
     def coriolis(self, rates: Rates) -> Vector:
-        """What is taken of the Coriolis part, m/s^2."""
+        """The Coriolis part that is taken, m/s^2."""
         taken: Vector = super().coriolis(rates) * rates.get(
             coriolis_share(self.point, self.frame), 1.0
         )
@@ -64,12 +64,14 @@ class OwnTerm(Term):
 
 @dataclass(frozen=True)
 class OwnRelation(Relation):
-    """A relation of whose own Coriolis acceleration, of an imposed relative motion, the share is
-    taken likewise.
+    """A relation of whose imposed relative motion the share of the Coriolis acceleration is taken
+    likewise.
     """
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
-        """What is taken of the Coriolis acceleration of the imposed relative motion, m/s^2."""
+        """The part of the Coriolis acceleration of the imposed relative motion that is taken,
+        m/s^2.
+        """
         point = self.left[-1].point if self.left else ""
         taken: Vector = super().imposed_coriolis(rates) * rates.get(
             coriolis_share(point, self.frame), 1.0
@@ -79,7 +81,7 @@ class OwnRelation(Relation):
 
 @dataclass(frozen=True)
 class Shortcut:
-    """A chain that a relation, solved in the step of number `step`, says to be equal to a shorter
+    """A chain that a relation, solved in the step of number `step`, states to be equal to a shorter
     one.
     """
 
@@ -90,7 +92,7 @@ class Shortcut:
 
 @dataclass(frozen=True)
 class OwnFrames(Frames):
-    """Frames whose chains take the shortcuts and have, at `places`, a term for what is added
+    """Frames whose chains use the shortcuts and have, at `places`, a term for the additions
     there.
     """
 
@@ -99,23 +101,25 @@ class OwnFrames(Frames):
     known: dict[Place, Chain] = field(default_factory=dict, compare=False, repr=False)
 
     def chain(self, body: str, point: str) -> Chain:
-        """The terms whose sum is the velocity of `point`, taken as a point of `body`, as they stand
-        in the end.
+        """The terms whose sum is the velocity of `point`, taken as a point of `body`, after all
+        shortcuts.
         """
         place = body, point
         if place not in self.known:
-            self.known[place] = self.with_own(shortened(super().chain(body, point), self.shortcuts))
+            self.known[place] = self.with_additions(
+                shortened(super().chain(body, point), self.shortcuts)
+            )
         return self.known[place]
 
-    def with_own(self, chain: Chain) -> Chain:
-        """The terms, each followed by what is added to the motion of the point that it leads to."""
+    def with_additions(self, chain: Chain) -> Chain:
+        """The terms, each followed by the additions to the motion of the point that it leads to."""
         return tuple(
             part for term in chain for part in (own(term), *self.additions.get(sign(term), ()))
         )
 
     @cached_property
     def additions(self) -> dict[Sign, Chain]:
-        """What is added at the places, by the last term that leads there."""
+        """The additions at the places, by the last term that leads there."""
         ends = {
             place: shortened(super(OwnFrames, self).chain(*place), self.shortcuts)
             for place in self.places
@@ -133,7 +137,7 @@ class OwnFrames(Frames):
 
     @cached_property
     def relative(self) -> dict[tuple[str, str], Term]:
-        """The relative motions that the plan solves for: of a point, seen from a body."""
+        """The relative motions that the plan solves for: of a point relative to a body."""
         chains = [side for relation in self.relations for side in (relation.left, relation.right)]
         return {
             (term.point, term.frame): own(term)
@@ -144,7 +148,7 @@ class OwnFrames(Frames):
 
 
 def own_frames(frames: Frames, plan: Plan, places: Sequence[Place]) -> OwnFrames:
-    """The frames with shortcuts, and with terms for what is added at `places`."""
+    """The frames with shortcuts, and with terms for the additions at `places`."""
     return OwnFrames(
         frames.mechanism,
         frames.bases,
@@ -164,10 +168,10 @@ def own_relations(frames: OwnFrames, plan: Plan) -> tuple[Relation, ...]:
 
 
 def own_relation(relation: Relation, frames: OwnFrames, step: int) -> Relation:
-    """A relation as it stands at a step."""
+    """A relation as it is written at a step."""
     cuts = [cut for cut in frames.shortcuts if cut.step < step]
     left, right = (
-        frames.with_own(shortened(side, cuts)) for side in (relation.left, relation.right)
+        frames.with_additions(shortened(side, cuts)) for side in (relation.left, relation.right)
     )
     return OwnRelation(
         relation.origin,
@@ -198,7 +202,7 @@ def shortcuts(frames: Frames, plan: Plan) -> Iterator[Shortcut]:
 
 
 def shortened(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
-    """The chain with the shortcuts taken, one after the other, as long as there is one."""
+    """The chain with shortcuts applied one after the other until none applies."""
     for cut in cuts:
         if cut.long == tuple(map(sign, chain[: len(cut.long)])):
             return shortened((*cut.short, *chain[len(cut.long) :]), cuts)
@@ -206,10 +210,10 @@ def shortened(chain: Chain, cuts: Sequence[Shortcut]) -> Chain:
 
 
 def sign(term: Term) -> Sign:
-    """By what a term is known in other chains."""
+    """What identifies a term in other chains."""
     return term.rate, term.point, term.base, term.frame
 
 
 def own(term: Term) -> OwnTerm:
-    """The term, open to own shares."""
+    """The term, prepared for shares of its parts."""
     return OwnTerm(term.kind, term.rate, term.vector, term.point, term.base, term.frame)

@@ -1,5 +1,5 @@
-"""The plan: the textbook's order, in which each step is the smallest set of relations that what is
-known determines.
+"""The plan: the textbook's order, in which each step is the smallest set of relations determined by
+what is known.
 
 One vector equation with two unknowns where possible, two or three together only where nothing
 smaller works. The plan is structure: it is found once at one configuration, and run in any
@@ -24,7 +24,7 @@ MAX_TOGETHER = 3
 @dataclass(frozen=True)
 class Step:
     """The relations (by index) solved together and the rates they give; no rates: a surplus
-    relation, checked.
+    relation, which is checked.
     """
 
     relations: tuple[int, ...]
@@ -89,7 +89,7 @@ def full_rank(rows: Sequence[Row], unknowns: Sequence[str], arithmetic: Any) -> 
 def run(
     plan: Plan, equations: Equations, right: Callable[[int], Sequence[Any]], arithmetic: Any
 ) -> dict[str, Any]:
-    """The rates that the plan gives; `right` tells a relation's right-hand sides.
+    """The rates that the plan gives; `right` gives a relation's right-hand sides.
 
     Raises Singular at a dead point of a step, Contradiction when surplus equations do not agree.
     """

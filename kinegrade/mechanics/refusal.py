@@ -81,8 +81,8 @@ def unrelated(frames: Frames) -> list[str]:
 def contradiction(
     matrix: Sequence[Sequence[Sequence[Any]]], sides: Sequence[Sequence[Any]], arithmetic: Any
 ) -> list[int]:
-    """A smallest set of relations (by index) that cannot hold together: none of them can be left
-    out.
+    """A minimal set of contradictory relations (by index): without any one of them the others
+    agree.
     """
     culprits = list(range(len(matrix)))
     for index in list(culprits):
@@ -95,5 +95,5 @@ def contradiction(
 
 
 def arithmetic_row(row: Sequence[Any], arithmetic: Any) -> list[Any]:
-    """A row in the arithmetic's own numbers."""
+    """A row as numbers of the arithmetic."""
     return [numeral(entry, arithmetic) for entry in row]

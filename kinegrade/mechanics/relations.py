@@ -1,11 +1,11 @@
 """The vector equations that the joints and drivers state, for velocities and accelerations alike.
 
-Every point's motion is written as a chain of terms from the ground outwards, `v_B = v_A + v_BA` or
-`v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that closes a loop equates two
-chains. The same relations hold for accelerations, with each term's part that the velocities decide:
-centripetal and Coriolis.
+The motion of each point is written as a chain of terms from the ground outwards, `v_B = v_A + v_BA`
+or `v_a = v_e + v_r`, each term a vector times one unknown rate. A joint that closes a loop equates
+two chains. The same relations hold for accelerations, with the part of each term that the
+velocities decide: centripetal and Coriolis.
 
-`build` is called by `motion`; `plan` says in which order the relations determine what.
+`build` is called by `motion`; `plan` decides in which order the relations determine the rates.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Term:
 
     - rotation: the point turns about a base point of its body; `vector` goes from base to point,
       the rate is omega.
-    - sliding: the point moves along `vector` seen from the body `frame`; the rate is in units of
+    - sliding: the point moves along `vector` relative to the body `frame`; the rate is in units of
       `vector`.
     - arc: the point turns about a centre fixed in `frame`; `vector` goes from centre to point, the
       rate is omega.
@@ -77,8 +77,8 @@ class Term:
                 assert_never(self.kind)
 
     def coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for a body's own
-        rotation.
+        """The Coriolis part 2 omega x v_r of the term's acceleration, m/s^2; zero for the rotation
+        of a body.
         """
         if self.kind == "rotation" or self.frame == GROUND:
             return Vector(0, 0)
@@ -86,7 +86,7 @@ class Term:
         return coriolis
 
     def remainder(self, rates: Rates) -> Vector:
-        """All of the term's acceleration that the velocities decide."""
+        """The whole part of the term's acceleration that the velocities decide."""
         return self.normal(rates) + self.coriolis(rates)
 
     def acceleration(self, rates: Rates, changes: Rates) -> Vector:
@@ -103,9 +103,9 @@ class Relation:
     """left chain = right chain (two equations), or their difference along a vector plus turning
     rates = imposed.
 
-    `origin` says in words which joint or driver states it, `source` is that part. `frame` is the
-    body from which a component is imposed: its rotation adds the Coriolis acceleration of the
-    relative motion.
+    `origin` says in words which joint or driver states it, `source` is that joint or driver.
+    `frame` is the body relative to which a component is imposed: its rotation adds the Coriolis
+    acceleration of the relative motion.
     """
 
     origin: str
@@ -120,7 +120,7 @@ class Relation:
 
     @property
     def is_vector(self) -> bool:
-        """Whether the relation is a vector equation, that is two equations."""
+        """Whether the relation is a vector equation, that is, two equations."""
         return self.along is None and not self.turning
 
     def unknowns(self) -> tuple[str, ...]:
@@ -170,9 +170,7 @@ class Relation:
         return [self.acceleration - self.along.dot(decided)]
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
-        """The Coriolis acceleration 2 omega x v_r of the relative motion seen from `frame`,
-        m/s^2.
-        """
+        """The Coriolis acceleration 2 omega x v_r of the motion relative to `frame`, m/s^2."""
         relative = total(t.velocity(rates) for t in self.left) - total(
             t.velocity(rates) for t in self.right
         )

@@ -1,9 +1,9 @@
-"""Slips: how the relations of a mechanism read to somebody who makes a known mistake.
+"""Slips: the relations of a mechanism as a student reads them who makes a known mistake.
 
 A slip is a transformation of terms: each number of a `Slips` is the share that remains of
-something, 1 where all is right and 0 where it is forgotten. Shares may be arrays, one entry for
-each way to go wrong, so that one run of the plan gives what many mistakes lead to. `mistaken` runs
-the plan on.
+something, 1 if correct and 0 if forgotten. Shares may be arrays, one entry for each way to go
+wrong, so that one run of the plan gives the results of many mistakes. `mistaken` runs the plan with
+them.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Slips:
     - carried: the carrier's turning within a relative angular velocity; 0 takes relative for
       absolute.
     - asked_relative: the second body's turning where a relative angular velocity is asked for.
-    - arm: the carried wheel's own radius within the arm r1 + r2.
+    - arm: the radius of the carried wheel within the arm r1 + r2.
     - pole: 0 takes a fixed pivot for the velocity pole.
     - centre: the centre's velocity within that of other points of a rolling body.
     - relative: the relative velocity within an absolute one; 0 takes the transport velocity for
@@ -72,33 +72,35 @@ class MistakenTerm(Term):
     coriolis_share: Any = 1
 
     def normal(self, rates: Rates) -> Vector:
-        """What is taken of the centripetal part, m/s^2."""
+        """The centripetal part that is taken, m/s^2."""
         taken: Vector = super().normal(rates) * self.normal_share
         return taken
 
     def coriolis(self, rates: Rates) -> Vector:
-        """What is taken of the Coriolis part, m/s^2."""
+        """The Coriolis part that is taken, m/s^2."""
         taken: Vector = super().coriolis(rates) * self.coriolis_share
         return taken
 
 
 @dataclass(frozen=True)
 class MistakenRelation(Relation):
-    """A relation of whose own Coriolis acceleration, that of an imposed relative motion, only a
-    share is taken.
+    """A relation that imposes a relative motion, of whose Coriolis acceleration only a share is
+    taken.
     """
 
     coriolis_share: Any = 1
 
     def imposed_coriolis(self, rates: Rates) -> Vector:
-        """What is taken of the Coriolis acceleration of the imposed relative motion, m/s^2."""
+        """The part of the Coriolis acceleration of the imposed relative motion that is taken,
+        m/s^2.
+        """
         taken: Vector = super().imposed_coriolis(rates) * self.coriolis_share
         return taken
 
 
 @dataclass(frozen=True)
 class MistakenFrames(Frames):
-    """The chains and relations as they read to somebody who makes the slips."""
+    """The chains and relations of a student who makes the slips."""
 
     slips: Slips
     arms: Arms
@@ -145,18 +147,18 @@ def mistaken_term(term: Term, slips: Slips, normal_share: Any, arms: Arms) -> Te
 
 
 def carried_arms(frames: Frames, slips: Slips) -> Iterator[tuple[tuple[str, str], Any]]:
-    """For each wheel that runs on a circle what is taken of the distance of the two centres: r1 of
-    r1 + r2.
+    """For each wheel that runs on a circle the share taken of the distance of the two centres: of
+    r1 in r1 + r2.
     """
     for joint in frames.mechanism.joints:
         if isinstance(joint, (Roll, Mesh)) and isinstance(joint.on, Circle):
-            own = -joint.circle.radius if joint.inside else joint.circle.radius
-            share = (joint.on.radius + slips.arm * own) / (joint.on.radius + own)
+            radius = -joint.circle.radius if joint.inside else joint.circle.radius
+            share = (joint.on.radius + slips.arm * radius) / (joint.on.radius + radius)
             yield (joint.circle.centre, joint.on.centre), share
 
 
 def mistaken_relation(relation: Relation, slips: Slips, arms: Arms) -> Relation:
-    """A relation with the slips made in its chains and in what it says of turning."""
+    """A relation with the slips made in its chains and in its turning rates."""
     return MistakenRelation(
         relation.origin,
         mistaken_chain(relation.left, slips, arms),
@@ -195,8 +197,8 @@ def mistaken_turning(relation: Relation, slips: Slips) -> tuple[tuple[str, Any],
 
 
 def mistaken_carrying(relation: Relation, of: str, slips: Slips) -> tuple[tuple[str, Any], ...]:
-    """The factors of the turning rates where the turning of the body `of` is only thought of in
-    part.
+    """The factors of the turning rates where only part of the rotation of the body `of` is taken
+    into account.
     """
     if of == GROUND:
         return relation.turning
@@ -211,23 +213,23 @@ def mistaken_rolling(relation: Relation, roll: Roll, slips: Slips) -> Iterator[t
     leaves -r/R.
     """
     sense = -slips.meshing if roll.inside else slips.meshing
-    own = roll.circle.radius * sense
-    slip = -own / (roll.on.radius + slips.arm * slips.carried * own)  # type: ignore[union-attr]
+    radius = roll.circle.radius * sense
+    slip = -radius / (roll.on.radius + slips.arm * slips.carried * radius)  # type: ignore[union-attr]
     for rate, factor in relation.turning:
         yield rate, {omega_of(roll.body): slip, omega_of(roll.of): -slip}.get(rate, factor)
 
 
 def mistaken_meshing(mesh: Mesh, slips: Slips) -> tuple[tuple[str, Any], ...]:
-    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's turning that
-    is thought of.
+    """r1 (omega_1 - c omega_c) + r2 (omega_2 - omega_c), c the share of the carrier's rotation that
+    is taken into account.
     """
     sense = -slips.meshing if mesh.inside else slips.meshing
-    own, other = mesh.circle.radius, mesh.on.radius * sense
+    radius, other = mesh.circle.radius, mesh.on.radius * sense
     thought = (slips.carried, 1) if mesh.body != GROUND else (1, slips.carried)
     factors = [
-        (mesh.body, own),
+        (mesh.body, radius),
         (mesh.of, other),
-        (mesh.carrier, -own * thought[0] - other * thought[1]),
+        (mesh.carrier, -radius * thought[0] - other * thought[1]),
     ]
     rates: dict[str, Any] = {}
     for body, factor in factors:
@@ -242,9 +244,10 @@ def velocity_chain(
     chain: Chain, slips: Slips, rolling: Mapping[str, str], whole: bool = False
 ) -> Chain:
     """The terms that are taken for a velocity: of a rolling body (its centre by its rate) without
-    the centre's.
+    the velocity of the centre.
 
-    `whole` leaves out relative motions as well: the velocity of the point of the moving body there.
+    `whole` leaves out relative motions as well: the velocity of the coincident point of the moving
+    body.
     """
     last = chain[-1] if chain else None
     about_centre = (

@@ -40,9 +40,7 @@ class Vector(NamedTuple):
         return self.x * other.x + self.y * other.y
 
     def cross(self, other: Vector) -> Any:
-        """Component along the axis out of the plane of the vector product, counter-clockwise
-        positive.
-        """
+        """The out-of-plane component of the vector product, counter-clockwise positive."""
         return self.x * other.y - self.y * other.x
 
     def turned(self) -> Vector:

@@ -29,7 +29,7 @@ class Part:
 
     absolute:  of `point`, about the fixed `base` where there is one, else along its path, or drawn
     together; transport: of the point of the moving body that coincides with `point`; relative:  of
-    `point` seen from `frame`; rotation:  of `point` relative to `base`, a point of the same body;
+    `point` relative to `frame`; rotation:  of `point` relative to `base`, a point of the same body;
     `coincident` when it stands for the point of
                the moving body at `point`;
     coriolis:  the Coriolis acceleration of the relative motion.
@@ -59,7 +59,7 @@ class Part:
 
     @property
     def unknown(self) -> str | None:
-        """The rate that is sought with this part, None where the part is known."""
+        """The unknown rate of this part, None where the part is known."""
         return self.term.rate if self.term and self.coefficient is not None else None
 
 
@@ -67,8 +67,8 @@ class Part:
 class VectorEquation:
     """left = right; `relation` is where it comes from.
 
-    Its compositions of motions count from `first` where others are solved together with them,
-    `among` in all.
+    Its compositions of motions are numbered from `first` where others are solved together with
+    them, `among` in all.
     """
 
     relation: Relation
@@ -85,7 +85,7 @@ class VectorEquation:
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """The rates that are sought, in order of occurrence."""
+        """The unknown rates, in order of occurrence."""
         return tuple(dict.fromkeys(part.unknown for part in self.parts if part.unknown))
 
     def coefficient(self, rate: str) -> Vector:
@@ -107,14 +107,14 @@ def vector_equation(
     """
     left = list(chain_parts(relation.left, motion, known, level))
     right = list(chain_parts(relation.right, motion, known, level))
-    if is_whole(right) and not is_whole(left):  # v_B = v_A + v_BA, not the other way about
+    if is_whole(right) and not is_whole(left):  # v_B = v_A + v_BA, not the other way round
         left, right = right, left
     parts = numbered([*left, *right])
     return VectorEquation(relation, tuple(parts[: len(left)]), tuple(parts[len(left) :]), level)
 
 
 def together(equations: Sequence[VectorEquation]) -> tuple[VectorEquation, ...]:
-    """The same equations with their compositions of motions counted through."""
+    """The same equations with their compositions of motions numbered consecutively."""
     counts = [len(equation.compositions) for equation in equations]
     return tuple(
         replace(equation, first=sum(counts[:place]), among=sum(counts))
@@ -148,10 +148,12 @@ def numbered(parts: Sequence[Part]) -> list[Part]:
 def chain_parts(
     chain: Chain, motion: Motion, known: Collection[str], level: Level
 ) -> Iterator[Part]:
-    """The parts of one side: what is known from the ground outwards, then term by term."""
+    """The parts of one side: what is known from the ground outwards as one vector, then term by
+    term.
+    """
     count = next((place for place, term in enumerate(chain) if term.rate not in known), len(chain))
     if count > 1 and chain[count - 1].frame != GROUND:
-        count -= 1  # a relative motion stands for itself, even a known one
+        count -= 1  # a relative motion is a part by itself, even a known one
     if count > 1:
         yield drawn_together(chain[:count], motion, level, transports(chain, count))
     for place in range(count if count > 1 else 0, len(chain)):
@@ -165,7 +167,7 @@ def transports(chain: Chain, count: int) -> bool:
 
 
 def drawn_together(chain: Chain, motion: Motion, level: Level, transport: bool) -> Part:
-    """Known terms as one vector."""
+    """Known terms combined into one vector."""
     value = total(term_value(term, motion, level) for term in chain)
     return Part("transport" if transport else "absolute", chain[-1].point, value, together=chain)
 
@@ -200,8 +202,8 @@ def term_parts(term: Term, motion: Motion, known: Collection[str], level: Level)
 def acceleration_parts(
     term: Term, motion: Motion, role: Role, unknown: Vector | None
 ) -> Iterator[Part]:
-    """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies what
-    is sought.
+    """The normal, tangential and Coriolis parts of a term's acceleration; `unknown` multiplies the
+    unknown rate.
     """
     along = term.coefficient() * motion.changes[term.rate]
     match term.kind:

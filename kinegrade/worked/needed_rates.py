@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from kinegrade.errors import MechanismError
+from kinegrade.errors import MechanismError, message
 from kinegrade.expression import Call, Expression, Name, every_part
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
@@ -119,10 +119,8 @@ def followed(motion: Motion, wanted: set[str]) -> tuple[Step, ...]:
             }
     missing = wanted - {rate for step in chosen for rate in step.unknowns}
     if missing:
-        raise MechanismError(
-            f"the plan does not give {', '.join(sorted(missing))}, which the answers need: "
-            "solve the template anew"
-        )
+        what = f"the plan does not give {', '.join(sorted(missing))}, which the answers need"
+        raise MechanismError(message("", what, do="solve the template again"))
     return tuple(reversed(chosen))
 
 

@@ -355,7 +355,7 @@ def test_what_a_solved_motion_is_not_asked_for() -> None:
         [P.turns("OA", 0)],
     )
     with pytest.raises(
-        MechanismError, match="M is a particle: it does not turn: ask for the motion of its point"
+        MechanismError, match="M is a particle: it does not turn - ask for the motion of its point"
     ):
         motion.alpha("M")
     with pytest.raises(
@@ -432,12 +432,12 @@ BUILD = Constructions(P.field, {"A": (place := P.vector(0, 1))})
         ),
         (
             lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "right"),
-            "right does not tell the two common points apart: name another side, one of right, "
+            "right does not distinguish the two common points - name another side, one of right, "
             "left, upper, lower",
         ),
         (
             lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "clockwise"),
-            "clockwise does not tell the two",
+            "clockwise does not distinguish the two",
         ),
         (
             lambda: BUILD.meet(ground_line(0), ground_line(3)),

@@ -248,7 +248,7 @@ def test_without_any_one_step_of_the_plan_there_is_no_solution(name: str) -> Non
     for step in {step for steps in steps_needed(solution.motion, needs) for step in steps}:
         steps = tuple(other for other in solution.motion.plan.steps if other != step)
         with pytest.raises(
-            MechanismError, match="the plan does not give .*, which the answers need: solve the "
+            MechanismError, match="the plan does not give .*, which the answers need - solve the "
         ):
             steps_needed(replace(solution.motion, plan=Plan(steps)), needs)
 
