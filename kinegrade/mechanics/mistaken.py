@@ -240,7 +240,7 @@ class Velocities:
         return result
 
     def without_relative(self, stage: Stage) -> Replacements:
-        """abs(unknown velocity) = abs(known velocity), as if nothing moved within the moving
+        """|unknown velocity| = |known velocity|, as if nothing moved within the moving
         body.
         """
         for index in stage.step.relations:

@@ -40,7 +40,7 @@ def normal_share(point: str, base: str) -> str:
 def offsets(place: Place) -> tuple[str, str]:
     """The names, among the rates, of the additions to the two components of a point's motion."""
     body, point = place
-    return f"own {point} {body} x", f"own {point} {body} y"
+    return f"added {point} {body} x", f"added {point} {body} y"
 
 
 @dataclass(frozen=True)
