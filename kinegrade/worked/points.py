@@ -70,7 +70,7 @@ class Fact:
 
     @property
     def parts(self) -> tuple[Piece, ...]:
-        """The pieces; of a vector given by magnitude and direction only itself."""
+        """The pieces, or the vector itself where it is given by magnitude and direction."""
         return self.pieces or (Piece(self.symbol, self.value, self.value),)
 
 
