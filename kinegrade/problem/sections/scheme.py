@@ -7,7 +7,7 @@ from __future__ import annotations
 from functools import partial
 
 from kinegrade.errors import FieldError
-from kinegrade.expression import Expression, Number
+from kinegrade.expression import Expression, read
 from kinegrade.fields.table import Table
 from kinegrade.fields.values import found
 from kinegrade.mechanics.mechanism import Body
@@ -18,7 +18,7 @@ from kinegrade.problem.sentences import DriverSentence, JointSentence, read_driv
 from kinegrade.problem.template import Condition
 
 _LIKE_INPUT = '{ motion = "OA turns", velocity = "omega" }'
-_NOTHING: Expression = Number(0)
+_NOTHING: Expression = read("0")
 
 
 def read_expressions(table: Table, key: str) -> dict[str, Expression]:
