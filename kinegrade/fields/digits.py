@@ -1,25 +1,25 @@
-"""What a parser may make of a file: numbers digit by digit, and nothing absurdly large or deep."""
+"""What a parser accepts from a file: numbers digit by digit, and nothing absurdly large or deep."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 MOST_DIGITS = 60  # of a whole number
-DEEPEST = 30  # no file of ours nests deeper than eight
+DEEPEST = 30  # our deepest file has eight levels
 TOO_DEEP = "nested too deeply: write it more simply"
 TOO_LARGE = f"a whole number of more than {MOST_DIGITS} digits: round it"
 
 
 class Digits(str):
-    """A number with a point or a power of ten, digit by digit as it stands in the file; "nan" and
-    "inf" too.
+    """A number with a decimal point or exponent, digit by digit as it stands in the file; also
+    "nan" and "inf".
     """
 
     __slots__ = ()
 
 
 class Unbounded(ValueError):
-    """A content that is nested too deeply or holds an absurdly large number; the message says
+    """Content that is too deeply nested, or holds an absurdly large number; the message says
     which.
     """
 
@@ -39,7 +39,7 @@ def require_bounded(content: object) -> None:
 
 
 def _parts(value: object) -> Iterable[object]:
-    """What stands directly in a table or a list."""
+    """The items directly inside a table or list."""
     match value:
         case dict():
             return value.values()

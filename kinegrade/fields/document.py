@@ -1,4 +1,4 @@
-"""Opening a TOML or JSON file as the table that it is."""
+"""Opening a TOML or JSON file as a table."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ _Lines = Callable[[str], Mapping[Place, int]]
 
 @dataclass(frozen=True)
 class FileKind:
-    """What a kind of file is called in messages ("a bank file"), the error that its faults are
-    raised as, how many bytes of it are read, and what to do about a fault that names no remedy.
+    """How messages name a kind of file ("a bank file"), the error raised for its faults, the most
+    bytes read, and the remedy for a fault that names none.
     """
 
     noun: str
@@ -33,7 +33,7 @@ class FileKind:
 
 @dataclass(frozen=True)
 class Document:
-    """The text of a file, with the line of each place in it; the lines are looked for when a fault
+    """The text of a file, with the line of each place in it; lines are worked out only once a fault
     needs one.
     """
 
@@ -42,7 +42,7 @@ class Document:
     find_lines: _Lines
 
     def where(self, place: Place) -> Where:
-        """The line of a place; of what is missing, of the nearest table around it."""
+        """The line of a place; for something missing, that of the nearest enclosing table."""
         around = (place[:length] for length in range(len(place), -1, -1))
         lines = (self._lines[outer] for outer in around if outer in self._lines)
         return Where(self.name, place, next(lines, None))
@@ -78,8 +78,8 @@ def read_text(path: Path, kind: FileKind) -> str:
 
 
 def toml_table(name: str, text: str, kind: FileKind) -> Table:
-    """The whole of a TOML text, which is called `name` in messages. Raises the kind's error where
-    it is not TOML.
+    """A whole TOML text as a table; messages call it `name`. Raises the kind's error where it is
+    not TOML.
     """
     try:
         content = read_toml(text)
@@ -89,7 +89,7 @@ def toml_table(name: str, text: str, kind: FileKind) -> Table:
 
 
 def json_table(name: str, text: str, kind: FileKind) -> Table:
-    """The object that a JSON text is. Raises the kind's error where it is none."""
+    """A JSON text as a table. Raises the kind's error where it is not a JSON object."""
     try:
         content = read_json(text)
     except SyntaxFault as fault:
@@ -100,7 +100,7 @@ def json_table(name: str, text: str, kind: FileKind) -> Table:
 
 
 def parsed_table(name: str, content: Mapping[str, object], kind: FileKind) -> Table:
-    """A table of a file that was parsed before, of whose places no lines are known."""
+    """A table from content that is already parsed; the lines of its places are unknown."""
     return Table(Faults(Document(name, "", _no_lines), kind.error, kind.do), (), content)
 
 

@@ -1,4 +1,4 @@
-"""The faults of a file, noted while it is read and reported at once, in the order of the file."""
+"""The faults of a file, collected while it is read and reported together in the file's order."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ class _Fault:
 
 
 class Faults:
-    """Collects the faults of what is read from `source`; `error` is what they are raised as.
+    """Collects the faults found while reading `source`; `error` is the type they are raised as.
 
-    `do` is what a person can do about a fault that names no remedy.
+    `do` is the remedy for a fault that names none.
     """
 
     def __init__(self, source: Source, error: type[KinegradeError], do: str = "") -> None:
@@ -30,11 +30,11 @@ class Faults:
         self._noted: list[tuple[Place, str, str, str]] = []
 
     def note(self, place: Place, what: str, expected: str = "", do: str = "") -> None:
-        """Note a fault at a place: what stands there, what was expected, what to do."""
+        """Notes a fault at a place: what stands there, what was expected, what to do."""
         self._noted.append((place, what, expected, do or self._do))
 
     def note_error(self, place: Place, error: KinegradeError) -> None:
-        """Note all problems of an error that was raised for what stands at a place."""
+        """Notes every problem of an error raised for what stands at a place."""
         if isinstance(error, FieldError):
             self.note(place, error.what, error.expected, error.do)
             return
@@ -42,11 +42,11 @@ class Faults:
             self.note(place, problem)
 
     def within(self, place: Place) -> bool:
-        """Whether a fault is noted at a place or inside of it."""
+        """Whether a fault is noted at a place or inside it."""
         return any(noted[: len(place)] == place for noted, *_ in self._noted)
 
     def require_none(self) -> None:
-        """Raises the error with all faults noted, if there are any."""
+        """Raises the error with all faults noted so far, if there are any."""
         if self._noted:
             raise self.raised()
 
@@ -55,7 +55,9 @@ class Faults:
         return self._error(*map(str, self._in_order()))
 
     def _in_order(self) -> list[_Fault]:
-        """By file, as the files were first met, and by line; what has no line comes first."""
+        """By file, in the order in which the files first occur, then by line; faults without a line
+        come first.
+        """
         faults = [
             _Fault(self._source.where(place), what, expected, do)
             for place, what, expected, do in self._noted

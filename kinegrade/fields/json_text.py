@@ -1,4 +1,4 @@
-"""JSON as an exam folder holds it: its content digit by digit, or the fault with its line."""
+"""JSON as an exam folder holds it: its content digit by digit, or the fault and its line."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def read_json(text: str) -> object:
 
 
 def _object(pairs: Sequence[tuple[str, object]]) -> dict[str, object]:
-    """A JSON object in which no key stands twice."""
+    """A JSON object in which no key occurs twice."""
     found: dict[str, object] = {}
     for key, value in pairs:
         if key in found:

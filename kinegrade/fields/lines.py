@@ -1,7 +1,7 @@
 """The line of every key and list entry in a TOML or JSON text that a parser has accepted.
 
-It is looked for only where a fault is to be reported, so parsers stay as fast as they are. JSON is
-read as the one inline table that it is.
+Lines are worked out only when a fault is to be reported, so parsing stays as fast as it is. JSON is
+read as a single inline table.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _PLAIN = re.compile(r"[^,\]}#\n]*")
 
 
 def lines_of_toml(text: str) -> Mapping[Place, int]:
-    """The line, from 1, on which each place of a valid TOML text first stands.
+    """The line, from 1, on which each place of a valid TOML text first occurs.
 
     >>> lines_of_toml('[[questions]]\\nasks = { v_B = 3 }')[("questions", 0, "asks", "v_B")]
     2
@@ -37,7 +37,7 @@ def lines_of_toml(text: str) -> Mapping[Place, int]:
 
 
 def lines_of_json(text: str) -> Mapping[Place, int]:
-    """The line, from 1, on which each place of a valid JSON text stands.
+    """The line, from 1, on which each place of a valid JSON text occurs.
 
     >>> lines_of_json('{"students": [\\n{"name": "Ada"}]}')[("students", 0, "name")]
     2
@@ -54,16 +54,16 @@ def _toml_key(quoted: str) -> str:
 
 
 class _Scan:
-    """Goes through a text once; `at` is the character that is next."""
+    """Goes through a text once; `at` is the position of the next character."""
 
     def __init__(self, text: str, unquote: Callable[[str], str]) -> None:
         self.text, self.unquote, self.at = text, unquote, 0
         self.lines: dict[Place, int] = {}
         self._line_ends = [found.start() for found in re.finditer("\n", text)]
-        self._entries: dict[Place, int] = {}  # how many [[tables]] a list has so far
+        self._entries: dict[Place, int] = {}  # the number of [[tables]] in each list so far
 
     def document(self) -> None:
-        """A whole TOML text: headers of tables, and keys with values below them."""
+        """A whole TOML text: table headers, and keys with values below them."""
         table: Place = ()
         self.skip()
         while self.at < len(self.text):
@@ -74,7 +74,7 @@ class _Scan:
             self.skip()
 
     def value(self, place: Place) -> None:
-        """A value, with all that stands inside of it."""
+        """A value, with everything inside it."""
         if self._next("["):
             self._list(place)
         elif self._next("{"):
@@ -83,7 +83,7 @@ class _Scan:
             self._take(next((form for form in _STRINGS if form.match(self.text, self.at)), _PLAIN))
 
     def skip(self) -> None:
-        """Go over blanks, ends of lines and comments."""
+        """Skips blanks, line ends and comments."""
         self._take(_SPACE)
 
     def _header(self) -> Place:
@@ -105,7 +105,9 @@ class _Scan:
         return place
 
     def _latest(self, place: Place) -> Place:
-        """The last entry of a list of tables, to which what follows belongs; else the place."""
+        """The last entry of a list of tables, to which what follows belongs; otherwise the place
+        itself.
+        """
         entries = self._entries.get(place)
         return place if entries is None else (*place, entries - 1)
 
@@ -116,12 +118,12 @@ class _Scan:
         for key in self._keys():
             place = (*place, key)
             self.lines.setdefault(place, line)
-        self.at += 1  # the sign between key and value
+        self.at += 1  # the = or : between key and value
         self.skip()
         self.value(place)
 
     def _keys(self) -> list[str]:
-        """The keys of a path, up to the sign that ends it."""
+        """The keys of a path, up to the character that ends it."""
         keys = [self._key()]
         while self._next("."):
             keys.append(self._key())
@@ -157,13 +159,13 @@ class _Scan:
         self.skip()
 
     def _next(self, sign: str) -> bool:
-        """Whether a sign is next; then it is taken."""
+        """Whether this character comes next; if so, it is consumed."""
         found = self.text.startswith(sign, self.at)
         self.at += found
         return found
 
     def _take(self, form: re.Pattern[str]) -> str:
-        """The text of that form that is next, which may be empty."""
+        """The next text of that form, which may be empty; it is consumed."""
         found = form.match(self.text, self.at)
         taken = found[0] if found else ""
         self.at += len(taken)

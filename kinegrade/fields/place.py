@@ -7,13 +7,13 @@ from typing import Protocol
 
 from kinegrade.errors import short_line
 
-Place = tuple[str | int, ...]  # keys, and positions in lists counted from 0; () is the whole file
+Place = tuple[str | int, ...]  # keys, and list positions from 0; () is the whole file
 _LONGEST_KEY = 80
 
 
 @dataclass(frozen=True)
 class Where:
-    """A file, the place in it, and the line of that place, from 1; None where no line is known."""
+    """A file, a place in it, and the line of that place, from 1; None where it is unknown."""
 
     file: str
     place: Place
@@ -30,14 +30,16 @@ class Where:
 
 
 class Source(Protocol):
-    """What knows where a place stands: a file, or a file laid over another one."""
+    """Something that knows where a place is: a file, or a file laid over another one."""
 
     def where(self, place: Place) -> Where:
-        """The file and the line of a place; of what is missing, of the nearest table around it."""
+        """The file and line of a place; for something missing, those of the nearest enclosing
+        table.
+        """
 
 
 def key_path(place: Place) -> str:
-    """A place as people write it; positions in lists are counted from 1.
+    """A place as people write it; list positions are counted from 1.
 
     >>> key_path(("questions", 1, "asks", "v_B"))
     'questions[2].asks.v_B'

@@ -1,7 +1,7 @@
 """A table of a TOML or JSON file, read key by key into typed values.
 
-What is at fault is noted with its place and read as None, as empty or as the default; so reading
-goes on, and all faults of a file are reported at once by `faults.require_none()`.
+A faulty value is noted with its place and read as None, as empty or as the default. Reading goes
+on, and `faults.require_none()` reports all faults of a file together.
 
     bank = open_toml(path, BANK).only("title", "versions", "questions")
     title = bank.required("title", text)
@@ -27,10 +27,10 @@ _NOTHING: Mapping[str, object] = {}
 
 @dataclass(frozen=True)
 class Table:
-    """A table at a place of a file.
+    """A table at a place in a file.
 
-    Keys that are `excused` are not missed: they are misspelt, which is reported already. A table
-    that is not `whole` stands for one that is at fault itself, in which nothing is missed.
+    Missing keys that are `excused` are not reported: they are misspelt, and that is reported
+    already. A table that is not `whole` stands in for a faulty one; no keys are missing from it.
     """
 
     faults: Faults
@@ -49,7 +49,7 @@ class Table:
         return len(self.content)
 
     def only(self, *known: str, kind: str = "key") -> Table:
-        """The table with those of its keys that are known; the others are faults."""
+        """The table with only its known keys; each of the others is noted as a fault."""
         unknown = [key for key in self.content if key not in known]
         for key in unknown:
             self.fault(key, f"unknown {kind}", do=did_you_mean(key, known))
@@ -62,35 +62,35 @@ class Table:
         )
 
     def required(self, key: str, read: Read[Value]) -> Value | None:
-        """What `read` makes of the value of a key; None after a fault. A missing key is one."""
+        """The value of a key, as `read` gives it; None after a fault. A missing key is a fault."""
         if key in self.content:
             return self._read(key, self.content[key], read)
         self.missing(key, _expected(read))
         return None
 
     def optional(self, key: str, read: Read[Value]) -> Value | None:
-        """What `read` makes of the value of a key; None where there is none, and after a fault."""
+        """The value of a key, as `read` gives it; None where there is none, and after a fault."""
         return self._read(key, self.content[key], read) if key in self.content else None
 
     def with_default(self, key: str, read: Read[Value], default: Value) -> Value:
-        """As `optional`, with a default in place of None."""
+        """Like `optional`, with a default in place of None."""
         value = self.optional(key, read)
         return default if value is None else value
 
     def entries(self, read: Read[Value]) -> dict[str, Value]:
-        """What `read` makes of each value of the table; those at fault are left out."""
+        """Every value of the table, as `read` gives it; faulty ones are left out."""
         values = {key: self._read(key, value, read) for key, value in self.content.items()}
         return {key: value for key, value in values.items() if value is not None}
 
     def listing(self, key: str, read: Read[Value], like: str = "") -> tuple[Value, ...]:
-        """What `read` makes of each entry of a list; those at fault are left out.
+        """Every entry of a list, as `read` gives it; faulty ones are left out.
 
-        A list that is missing is empty. `like` is an example of one.
+        A missing list is empty. `like` is an example for messages.
         """
         return tuple(self.numbered(key, read, like).values())
 
     def numbered(self, key: str, read: Read[Value], like: str = "") -> dict[int, Value]:
-        """As `listing`, each by its position in the list, counted from 0."""
+        """Like `listing`, with the position of each entry in the list, counted from 0."""
         expected = f"a list like {like}" if like else "a list"
         values = {
             number: self._read_at((*self.place, key, number), entry, read)
@@ -99,11 +99,11 @@ class Table:
         return {number: value for number, value in values.items() if value is not None}
 
     def table(self, key: str, like: str = "") -> Table:
-        """The table under a key, empty where there is none; `like` is an example of it."""
+        """The table under a key, empty where there is none; `like` is an example for messages."""
         return self._table_at((*self.place, key), self.content.get(key, _NOTHING), like)
 
     def tables(self, key: str, like: str = "") -> tuple[Table, ...]:
-        """The tables of a list, none where there is no list; `like` is an example of one."""
+        """The tables of a list, none where there is no list; `like` is an example for messages."""
         expected = f"a list of tables like [{like}]" if like else f"tables [[{key}]]"
         return tuple(
             self._table_at((*self.place, key, number), entry, like)
@@ -111,33 +111,33 @@ class Table:
         )
 
     def each_table(self, like: str = "") -> dict[str, Table]:
-        """The tables under the keys of this one, whose names are free."""
+        """The tables under this one's keys, which may have any names."""
         return {key: self.table(key, like) for key in self.content}
 
     def value(self, key: str) -> object:
-        """What stands under a key, as it was parsed; None where nothing does."""
+        """The value of a key as parsed; None where there is none."""
         return self.content.get(key)
 
     def is_sound(self, key: str) -> bool:
-        """Whether no fault is noted so far of what stands under a key, or of anything in it."""
+        """Whether no fault has been noted at a key or anywhere inside its value."""
         return not self.faults.within((*self.place, key))
 
     def holds_table(self, key: str) -> bool:
-        """Whether a table stands under a key."""
+        """Whether the value of a key is a table."""
         return isinstance(self.content.get(key), dict)
 
     def missing(self, key: str, expected: str = "") -> None:
-        """Note that a key is missing, if it is to be missed here."""
+        """Notes that a key is missing, unless missing keys are not reported here."""
         if self.whole and key not in self.excused:
             self.fault(key, "missing", expected)
 
     def fault(self, key: str | None, what: str, expected: str = "", do: str = "") -> None:
-        """Note a fault of what stands under a key, or of the table itself (None)."""
+        """Notes a fault in the value of a key, or in the table itself (None)."""
         place = self.place if key is None else (*self.place, key)
         self.faults.note(place, what, expected, do)
 
     def require(self, keys: Collection[str]) -> bool:
-        """Whether all these keys are there; each that is missing is noted."""
+        """Whether all these keys are present; each missing one is noted."""
         missing = [key for key in keys if key not in self.content]
         for key in missing:
             self.missing(key)
@@ -168,7 +168,7 @@ class Table:
 
 
 def _expected(read: Read[Value]) -> str:
-    """What a reader expects, by its refusal of nothing; "" where it does not say."""
+    """What a reader expects, found from its refusal of None; "" where it does not say."""
     try:
         read(None)
     except FieldError as error:

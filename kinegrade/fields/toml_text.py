@@ -1,7 +1,7 @@
-"""TOML as people write it: the tables of a text, and the slip with its line where it is no TOML.
+"""TOML as people write it: the tables of a text, or the mistake and its line where it is not TOML.
 
 Numbers with a point keep their digits, so that nothing is rounded on reading. `document` adds the
-file's name.
+name of the file.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from kinegrade.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, requ
 STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
 PLACE = re.compile(r" \(at line (\d+), column \d+\)")
 LONGEST_SHOWN = 40
-MOST_DOTS = 200  # in one line, besides those inside of numbers
+MOST_DOTS = 200  # in one line, not counting those inside numbers
 DECIMAL = re.compile(r"[0-9]+\.[0-9]+")
-TWICE = "Cannot overwrite a value"  # the parser's words for a key that stands twice
+TWICE = "Cannot overwrite a value"  # the parser's words for a duplicate key
 FULL_WIDTH = "，．：；＝（）［］｛｝＃％／０１２３４５６７８９"
 PLAIN_VALUE = re.compile(r"[-+]?\d[\d_.eE+-]*|true|false", re.ASCII)
 Advice = Callable[[re.Match[str]], str]
 
 
 def read_toml(text: str) -> dict[str, Any]:
-    """The tables of a TOML text; numbers with a point are Digits. Raises TomlError with the slip
+    """The tables of a TOML text; numbers with a point are Digits. Raises TomlError with the mistake
     and its line.
     """
     require_few_dots(text)
@@ -46,14 +46,14 @@ def read_toml(text: str) -> dict[str, Any]:
 
 
 def require_few_dots(text: str) -> None:
-    """Raises TomlError for keys of hundreds of parts, on which the parser works for minutes."""
+    """Raises TomlError for keys of hundreds of parts, which would occupy the parser for minutes."""
     for number, line in enumerate(text.split("\n"), 1):
         if line.count(".") > MOST_DOTS and DECIMAL.sub("", line).count(".") > MOST_DOTS:
             raise TomlError(TOO_DEEP, number)
 
 
 def named(text: str, fault: str) -> TomlError:
-    """The fault of the parser, or the slip that is behind it, with its line."""
+    """The parser's fault, or the mistake behind it, with its line."""
     place = PLACE.search(fault)
     if place is None:
         return TomlError(one_line(fault))
@@ -70,8 +70,8 @@ def named(text: str, fault: str) -> TomlError:
 
 
 def slip_in(line: str) -> str:
-    """What a line's writer did that TOML does not know, and what to write; "" where none of the
-    usual slips is seen.
+    """What someone wrote on a line that TOML does not allow, and what to write instead; "" where it
+    is none of the usual mistakes.
 
     >>> slip_in("draw = [30°, 60°]")
     '30°: a number without its unit is expected: write 30, and unit = "deg"'
@@ -87,7 +87,7 @@ def slip_in(line: str) -> str:
 
 
 def dotted_date(found: re.Match[str]) -> str:
-    """A date as it is written in much of Europe: day, month, year."""
+    """A date as much of Europe writes it: day, month, year."""
     day, month, year = (part.zfill(2) for part in found.groups())
     text = "".join(found[0].split())
     return (
@@ -97,7 +97,7 @@ def dotted_date(found: re.Match[str]) -> str:
 
 
 def other_date(found: re.Match[str]) -> str:
-    """A date whose day and month cannot be told apart, or that lacks a zero."""
+    """A date whose day and month cannot be distinguished, or that lacks a zero."""
     return (
         f"{found[0]}: write a date as year-month-day, like 2026-05-01, "
         f'or as a text in quotation marks, "{found[0]}"'
@@ -110,7 +110,7 @@ SLIPS: tuple[tuple[re.Pattern[str], Advice], ...] = (
         lambda found: f'{found[0]}: a curly quotation mark: write straight ones, "..."',
     ),
     (
-        re.compile(r"""(?<!["'])["'](?!["']).*"""),  # outside of the texts that are closed
+        re.compile(r"""(?<!["'])["'](?!["']).*"""),  # outside the texts that are closed
         lambda found: f"{found[0][:LONGEST_SHOWN]}: a quotation mark without its partner: close it",
     ),
     (
@@ -161,7 +161,7 @@ def unquoted(outside: str) -> str:
         if plain != value:
             return f"{value}: write {plain}"
         if outside[found.end() :].lstrip().startswith("="):
-            continue  # a name, which follows a comma in a table
+            continue  # a key, after a comma in an inline table
         if not PLAIN_VALUE.fullmatch(value) and len(value) <= LONGEST_SHOWN:
             return f'{value}: a text or an expression needs quotation marks: write "{value}"'
     return ""

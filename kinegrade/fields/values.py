@@ -1,7 +1,6 @@
-"""Readers of single values: each gives what stands under a key as a typed value, exactly, or raises
-FieldError.
+"""Readers of single values: each gives the value of a key, typed and exact, or raises FieldError.
 
-`Table` calls them and notes the place of what they refuse.
+`Table` calls them and notes where the refused values stand.
 """
 
 from __future__ import annotations
@@ -79,7 +78,7 @@ def share(value: object) -> Fraction:
 
 
 def choice(words: Sequence[Word], otherwise: str = "") -> Read[Word]:
-    """A reader of one of some words; `otherwise` is what else may stand there."""
+    """A reader of one word out of several; `otherwise` says what else is allowed there."""
     expected = " or ".join([*words, otherwise] if otherwise else words)
 
     def read(value: object) -> Word:
@@ -92,7 +91,7 @@ def choice(words: Sequence[Word], otherwise: str = "") -> Read[Word]:
 
 
 def date_text(value: object) -> str:
-    """A date as it is printed: a text, or a date of TOML."""
+    """A date as it will be printed: a text, or a TOML date."""
     if isinstance(value, date):
         return str(value)
     if isinstance(value, str) and not isinstance(value, Digits):
@@ -101,8 +100,8 @@ def date_text(value: object) -> str:
 
 
 def found(value: object) -> str:
-    """What stands in a file, as a message shows it: texts in quotation marks, of tables and lists
-    the kind.
+    """What stands in a file, as messages show it: texts in quotation marks; of tables and lists
+    only the kind.
 
     >>> found("1 %"), found(True), found([1])
     ('"1 %"', 'true', 'a list')
@@ -123,7 +122,7 @@ def found(value: object) -> str:
 
 
 def _written(value: object) -> str:
-    """The digits of a number, or a text that may spell one; "" of anything else."""
+    """The digits of a number, or a text that may spell one; "" for anything else."""
     plain = isinstance(value, str | int) and not isinstance(value, bool)
     return str(value).strip() if plain else ""
 
