@@ -1,5 +1,5 @@
-"""The cells of a marks folder's files, read as they are written: records one after the other, whole
-tables, and amounts. What cannot be read is refused in one way.
+"""The cells of a marks folder's files, read as they are written: record by record, as whole tables,
+and as amounts. Whatever cannot be read is refused in the same way.
 """
 
 from __future__ import annotations
@@ -24,26 +24,26 @@ _LONGEST_SHOWN = 40
 
 
 def edited(where: Path | str, problem: str) -> str:
-    """What is said of a file that somebody changed so that it cannot be read."""
+    """The message for a file that was edited so that it can no longer be read."""
     return f"{where}: {problem} - {EXPECTED}"
 
 
 def wrong_cell(path: Path, line: int, column: str, cell: str, expected: str) -> str:
-    """What is said of one cell."""
+    """The message for one cell."""
     shown = one_line(cell[:_LONGEST_SHOWN])
     return f'{path}:{line}: {column} is "{shown}" - expected {expected} - grade again'
 
 
 def wrong_amount(path: Path, line: int, column: str, cell: str) -> str:
-    """What is said of a cell that should hold a number of points."""
+    """The message for a cell that should hold a number of points."""
     return wrong_cell(path, line, column, cell, "a number of zero or more")
 
 
 def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
-    """The cells of a file in the order of its columns, with the line at which each record ends.
+    """The cells of a file in the order of its columns, with the line on which each record ends.
 
-    One record after the other, so that a million need no memory. Raises TableError, at the line
-    where that is found.
+    Records are read one at a time, so that a million of them take no memory. Raises TableError at
+    the line of the fault.
     """
     path = folder / file.name
     try:
@@ -64,13 +64,13 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
 
 
 def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
-    """The same of a file that is not in every folder."""
+    """The same for a file that not every folder has."""
     if (folder / file.name).exists():
         yield from read_records(folder, file)
 
 
 def read_whole(folder: Path, file: TableFile) -> Table:
-    """A file at once, whatever separator a spreadsheet gave it. Raises TableError."""
+    """A whole file at once, with whatever separator a spreadsheet gave it. Raises TableError."""
     path = folder / file.name
     with _readable(path):
         content = path.read_bytes()
@@ -86,7 +86,7 @@ def read_whole(folder: Path, file: TableFile) -> Table:
     return table
 
 
-@lru_cache(maxsize=4096)  # few amounts are different
+@lru_cache(maxsize=4096)  # there are few distinct amounts
 def amount(cell: str) -> Fraction | None:
     """A number of points as it is written; None for anything else."""
     return Fraction(cell) if _AMOUNT.fullmatch(cell) else None

@@ -1,8 +1,8 @@
-"""Whether grades.csv still says what marks.csv adds up to: totals that were changed by hand are
+"""Whether grades.csv still agrees with the sums of marks.csv: totals that were changed by hand are
 refused.
 
-A total that kept.csv keeps is held against kept.csv. Every amount is written with four places, so a
-sum of amounts may be off by half a place for each.
+A total kept by kept.csv is compared with kept.csv. Every amount is written to four decimal places,
+so a sum of amounts may be off by half of the last place for each of them.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _MOST_NAMED = 20
 
 
 def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> None:
-    """Raises TableError naming each row of grades.csv that marks.csv or kept.csv contradicts."""
+    """Raises TableError naming each row of grades.csv that contradicts marks.csv or kept.csv."""
     faults = list(_faults(totals, sums))
     if not faults:
         return
@@ -37,10 +37,10 @@ def refuse_changed_totals(folder: Path, totals: ClassTotals, sums: Iterable[Stud
 
 
 def _faults(totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[str]:
-    """What is to be said of grades.csv, each after its path."""
+    """The faults of grades.csv, each as the text that follows its path."""
     yield from _doubled(totals)
     rows = dict(totals.by_student)
-    full = 0  # lines of the first student: nobody has more
+    full = 0  # lines of the first student: no student has more
     for each in sums:
         row = rows.pop(each.student, None)
         if row is None:
@@ -70,9 +70,9 @@ def _of_row(row: StudentTotal, problem: str) -> str:
 
 
 def _problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> list[str]:
-    """What the row of a student says otherwise than the sums.
+    """Where a student's row contradicts the sums.
 
-    Where lines of marks.csv are missing, what reports or compares them sees that.
+    Missing lines of marks.csv are left to the commands that report or compare them.
     """
     lines = sum(sums.lines.values())
     problems = [*_wrong_points(row, sums), *_wrong_total(row, sums, lines)]
@@ -97,7 +97,7 @@ def _wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[s
 
 
 def _wrong_percent(row: StudentTotal) -> Iterator[str]:
-    """The share is held against the total and the maximum beside it; all three are rounded."""
+    """The percentage is compared with the total and the maximum beside it, all three rounded."""
     if row.percent is None:
         return
     expected = 100 * row.share
@@ -118,7 +118,7 @@ def _wrong_status(row: StudentTotal, sums: StudentSums) -> Iterator[str]:
 
 
 def _difference(name: str, amount: Fraction, expected: Fraction, lines: int) -> Iterator[str]:
-    """What to say where an amount is not the sum of so many, each of them rounded."""
+    """The message where an amount is not the sum of so many lines, each of them rounded."""
     if amount == expected:
         return
     if abs(amount - expected) > (lines + 1) * _HALF_A_PLACE:

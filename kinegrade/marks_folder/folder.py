@@ -1,7 +1,7 @@
-"""A marks folder, read: the one way to what `kinegrade grade` wrote.
+"""A marks folder, read: the only way to what `kinegrade grade` wrote.
 
-A command opens the folder once, by `open_marks`, and passes it on. What is in a file is read when
-it is asked for; marks.csv one line after the other, so that a class of any size needs no memory.
+A command opens the folder once, with `open_marks`, and passes it on. Each file is read when it is
+needed; marks.csv line by line, so that a class of any size takes no memory.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ _PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
 
 @dataclass(frozen=True)
 class MarksFolder:
-    """The files of a marks folder at `path`. Every reading raises TableError for a file that is
+    """The files of a marks folder at `path`. Every reader raises TableError for a file that is
     missing, or that `grade` cannot have written.
     """
 
@@ -61,20 +61,20 @@ class MarksFolder:
 
     @cached_property
     def totals(self) -> ClassTotals:
-        """grades.csv, with what kept.csv says of its students."""
+        """grades.csv, with what kept.csv adds about its students."""
         return read_totals(self.path, self.kept)
 
     @cached_property
     def kept(self) -> Mapping[str, KeptTotal]:
-        """Whose earlier total stands; empty where there is no kept.csv."""
+        """The students whose earlier total stands; empty where there is no kept.csv."""
         path = self.path / KEPT.name
         records = read_records_if_any(self.path, KEPT)
         return {cells[0]: _kept_total(cells, path, line) for line, cells in records}
 
     @cached_property
     def put(self) -> Put:
-        """Whose line of the key answers were marked by, where questions came from a pool; empty
-        where everybody's own.
+        """Whose line of the key each answer was marked by, where questions came from a pool; empty
+        where all students were marked by their own.
         """
         found: dict[str, dict[str, str]] = {}
         for _, (student, question, ask, source) in read_records_if_any(self.path, PUT):
@@ -83,7 +83,7 @@ class MarksFolder:
 
     @cached_property
     def printed(self) -> Orders:
-        """The orders of questions on paper that differ from that of grades.csv."""
+        """The orders of questions on paper, where they differ from grades.csv."""
         found: dict[str, tuple[str, ...]] = {}
         for line, (student, listed) in read_records_if_any(self.path, PRINTED):
             found[student] = tuple(listed.split(QUESTIONS_BETWEEN))
@@ -94,7 +94,7 @@ class MarksFolder:
         return found
 
     def answers(self) -> Iterator[MarkedAnswer]:
-        """The lines of marks.csv one by one."""
+        """The lines of marks.csv, one by one."""
         path = self.path / ANSWERS.name
         for line, cells in read_records(self.path, ANSWERS):
             student, question, ask, typed, read_as, unit, verdict, points, out_of, reason = cells
@@ -112,14 +112,14 @@ class MarksFolder:
             )
 
     def answers_by_student(self) -> Iterator[tuple[str, tuple[MarkedAnswer, ...]]]:
-        """The answers of each student, in the order of the roster and of the asks; one student at
-        a time.
+        """The answers of each student, one student at a time, in the order of the roster and of the
+        asks.
         """
         for student, answers in groupby(self.answers(), attrgetter("student")):
             yield student, tuple(answers)
 
     def sums(self) -> Iterator[StudentSums]:
-        """What marks.csv adds up to, one student at a time."""
+        """The sums of marks.csv, one student at a time."""
         return read_sums(self.path)
 
     def complaints(self) -> tuple[Complaint, ...]:
@@ -136,14 +136,14 @@ class MarksFolder:
         return tuple(found)
 
     def tables(self) -> Iterator[tuple[str, Table]]:
-        """The tables that people look at, as they stand, each with its name."""
+        """The tables meant for people, as they stand, each with its name."""
         for file in FOR_PEOPLE:
             yield Path(file.name).stem, read_whole(self.path, file)
 
 
 def open_marks(path: Path) -> MarksFolder:
-    """The marks folder there. Raises TableError where its totals are not what its marks add up to,
-    or where it is none.
+    """The marks folder at a path. Raises TableError where its totals contradict its marks, or where
+    it is not a marks folder.
     """
     folder = MarksFolder(path)
     refuse_changed_totals(path, folder.totals, folder.sums())
@@ -160,9 +160,7 @@ def _kept_total(cells: Record, path: Path, line: int) -> KeptTotal:
 
 
 def _number(text: str, path: Path, line: int) -> str:
-    """What an answer was read as, as it stands there, if it is a number of bounded size or
-    empty.
-    """
+    """What an answer was read as, unchanged, if it is empty or a number of bounded size."""
     if not text or _PLAIN.fullmatch(text):
         return text
     try:

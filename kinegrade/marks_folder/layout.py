@@ -1,7 +1,7 @@
-"""What stands in a marks folder: the names of its files and of their columns, once for what writes
-them and what reads them.
+"""The layout of a marks folder: the names of its files and columns, in one place for writing and
+reading.
 
-Columns are found by their names, so that columns which a later version adds do no harm.
+Columns are found by name, so columns added by a later version do no harm.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from typing import Final, Literal, NamedTuple
 
 
 class TableFile(NamedTuple):
-    """A file of the folder that is a table: its columns in the order in which they are written,
-    and those that may be missing.
+    """A file of the folder that is a table: its columns in the order in which they are written, and
+    those that may be missing.
     """
 
     name: str
@@ -21,8 +21,8 @@ class TableFile(NamedTuple):
 
 
 class AnswerCells(NamedTuple):
-    """Lines of marks.csv, column by column: cells as they stand in a CSV file, each column as long
-    as the others. A class is written faster so than line by line.
+    """Lines of marks.csv, column by column: cells as they stand in the CSV file, all columns of one
+    length. A class is written faster this way than line by line.
     """
 
     student: Sequence[str]
@@ -37,7 +37,7 @@ class AnswerCells(NamedTuple):
     reason: Sequence[str]
 
 
-# In grades.csv a column for each question stands between these
+# grades.csv has a column for each question between these
 _BEFORE_QUESTIONS = ("student", "name")
 _AFTER_QUESTIONS = ("total", "out_of", "percent", "status")
 _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands")
@@ -50,22 +50,22 @@ GRADES: Final = TableFile(
 COMPLAINTS: Final = TableFile(
     "complaints.csv", ("file", "line", "column", "content", "problem", "done")
 )
-# Only where --never-lower was given
+# Only with --never-lower
 KEPT: Final = TableFile("kept.csv", ("student", "name", *_KEPT_AMOUNTS, "reason"))
 # Only where questions came from a pool: whose line of the key each answer was marked by
 PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
-# Only where questions stood in another order than the bank's
+# Only where questions stood in a different order from the bank's
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
-QUESTIONS_BETWEEN: Final = " "  # no identifier of a question holds one
+QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
 POLICY: Final = "policy.toml"
 _TABLES = (ANSWERS, GRADES, COMPLAINTS, KEPT, PUT, PRINTED)
 FILES: Final = (*(file.name for file in _TABLES), POLICY)
-MARKER: Final = COMPLAINTS.name  # by which kinegrade knows a folder as one of marks
+MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 
-Status = Literal["marked", "absent"]  # who is absent answered nothing at all
+Status = Literal["marked", "absent"]  # absent: answered nothing at all
 STATUSES: Final[tuple[Status, ...]] = ("marked", "absent")
 FOR_PEOPLE: Final = (GRADES, ANSWERS, COMPLAINTS)
-_OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # and the columns of questions
+_OF_NUMBERS = {"points", "total", "out_of", "percent", "line"}  # besides the questions
 TEXT_COLUMNS: Final = frozenset(name for file in FOR_PEOPLE for name in file.columns) - _OF_NUMBERS
 
 

@@ -1,5 +1,5 @@
-"""The rows of a marks folder's files, typed: cells are given as they were before they were made
-safe for spreadsheets, amounts as exact numbers.
+"""The rows of a marks folder's files, typed: texts as they were before they were made safe for
+spreadsheets, amounts as exact numbers.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ from functools import cached_property
 
 from kinegrade.amounts import added
 
-Put = Mapping[str, Mapping[str, str]]  # by student and answer column, whose line of the key
-Orders = Mapping[str, tuple[str, ...]]  # by student, the questions as they were printed
+Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
+Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
 
 
 @dataclass(frozen=True, slots=True)
 class MarkedAnswer:
-    """One line of marks.csv; `read_as` is in plain digits and in `unit`, both empty where nothing
-    was read.
+    """One line of marks.csv; `read_as` is in plain digits and in `unit`. Both are empty where
+    nothing was read.
     """
 
     student: str
@@ -39,13 +39,13 @@ class MarkedAnswer:
 
     @property
     def worth(self) -> tuple[Fraction, Fraction]:
-        """The points, and out of how many."""
+        """The points, and the maximum."""
         return self.points, self.out_of
 
 
 @dataclass(frozen=True, slots=True)
 class KeptTotal:
-    """One line of kept.csv: a student whose earlier total stands, and the one by the new marking
+    """One line of kept.csv: a student whose earlier total stands, and the total by the new marking
     alone.
     """
 
@@ -62,10 +62,10 @@ class KeptTotal:
 @dataclass(frozen=True, slots=True)
 class Grade:
     """One line of grades.csv as it is written: a student's points for each question, in the order
-    of the paper, and in all.
+    of the paper, and the total.
 
     `kept` is the total that stands instead of the sum, where an earlier one was higher and no total
-    is to fall. Who is `absent` answered nothing at all.
+    may fall. A student who is `absent` answered nothing at all.
     """
 
     student: str
@@ -77,21 +77,21 @@ class Grade:
 
     @property
     def total(self) -> Fraction:
-        """All points, or what was kept."""
+        """The sum of the points, or the total that was kept."""
         return added(self.points) if self.kept is None else self.kept
 
     @property
     def percent(self) -> Fraction:
-        """Of the points there are; 0 where there are none."""
+        """The total as a percentage of the maximum; 0 where there are no points to get."""
         return 100 * self.total / self.out_of if self.out_of else Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
 class StudentTotal:
-    """One line of grades.csv as it is read; `kept` is what kept.csv says of the student.
+    """One line of grades.csv as it is read; `kept` is the student's line of kept.csv.
 
-    `line` is where it stands. `percent` is None where the column was left out, `status` in
-    folders of earlier versions.
+    `line` is its line number. `percent` is None where the column was left out, `status` in folders
+    of earlier versions.
     """
 
     line: int
@@ -106,34 +106,34 @@ class StudentTotal:
 
     @property
     def worth(self) -> tuple[Fraction, Fraction]:
-        """The points, and out of how many."""
+        """The points, and the maximum."""
         return self.total, self.out_of
 
     @property
     def share(self) -> Fraction:
-        """Of the points there are; 0 where there are none."""
+        """The total as a share of the maximum; 0 where there are no points to get."""
         return self.total / self.out_of if self.out_of else Fraction(0)
 
 
 @dataclass(frozen=True)
 class ClassTotals:
-    """All of grades.csv, in its order."""
+    """All of grades.csv, in the order of the file."""
 
     questions: tuple[str, ...]
     students: tuple[StudentTotal, ...]
 
     @cached_property
     def by_student(self) -> Mapping[str, StudentTotal]:
-        """Everybody's total, in the order of the file."""
+        """Every student's total, in the order of the file."""
         return {each.student: each for each in self.students}
 
 
 @dataclass(frozen=True, slots=True)
 class StudentSums:
-    """What one student's lines of marks.csv add up to, by question; `lines` counts them, and the
-    last stands at `line`.
+    """The sums of one student's lines in marks.csv, by question; `lines` counts them, and `line` is
+    the line number of the last.
 
-    `answered` is whether anything besides blanks and dashes was typed.
+    `answered` is whether anything other than blanks and dashes was typed.
     """
 
     line: int
@@ -145,10 +145,10 @@ class StudentSums:
 
     @property
     def total(self) -> Fraction:
-        """All points."""
+        """The sum of the points."""
         return added(self.points.values())
 
     @property
     def total_out_of(self) -> Fraction:
-        """All points there are."""
+        """The maximum."""
         return added(self.out_of.values())

@@ -1,4 +1,4 @@
-"""What the lines of marks.csv add up to, one student after the other."""
+"""The sums of marks.csv, one student after the other."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ _Line = tuple[int, Record]
 
 
 def read_sums(folder: Path) -> Iterator[StudentSums]:
-    """The sums of each student, in the order of marks.csv. Raises TableError, at the line where
-    that is found.
+    """The sums of each student, in the order of marks.csv. Raises TableError at the line of the
+    fault.
     """
     path = folder / ANSWERS.name
     seen: set[str] = set()

@@ -1,4 +1,4 @@
-"""grades.csv, read with what kept.csv says of its students."""
+"""grades.csv, read together with kept.csv."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from kinegrade.tables import Row, Table
 
 
 def read_totals(folder: Path, kept: Mapping[str, KeptTotal]) -> ClassTotals:
-    """Everybody's line of grades.csv. Raises TableError with all cells that are no amounts."""
+    """Every student's line of grades.csv. Raises TableError naming all cells that hold no
+    amount.
+    """
     table = read_whole(folder, GRADES)
     questions = tuple(name for name in table.header if name not in GRADES.columns)
     reader = _Reader(folder / GRADES.name, table, questions, kept)
@@ -28,7 +30,7 @@ def read_totals(folder: Path, kept: Mapping[str, KeptTotal]) -> ClassTotals:
 
 @dataclass
 class _Reader:
-    """Rows by the columns of their table; `faults` are those found so far."""
+    """Reads rows by the columns of their table; `faults` are those found so far."""
 
     path: Path
     table: Table

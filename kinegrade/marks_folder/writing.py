@@ -1,4 +1,5 @@
-"""Writing the files of a marks folder: marks.csv while the class is marked, the others after it.
+"""Writing the files of a marks folder: marks.csv while the class is being marked, the others
+afterwards.
 
 Typed text and names are written `neutralised`, so that no cell runs as a formula in a spreadsheet;
 ids and numbers are written as they are.
@@ -35,13 +36,13 @@ _NO_POLICY = "# No policy: marked as the papers say.\n"
 
 @dataclass(frozen=True, slots=True)
 class MarksWriter:
-    """Writes into a folder that is there."""
+    """Writes into a folder that exists."""
 
     path: Path
 
     @contextmanager
     def answers(self) -> Iterator[Callable[[AnswerCells], None]]:
-        """Gives what writes some lines of marks.csv after the others."""
+        """Gives a function that appends lines to marks.csv."""
         with (self.path / ANSWERS.name).open("wb") as stream:
             stream.write(encoded(csv_text(ANSWERS.columns, [])))
 
@@ -51,14 +52,14 @@ class MarksWriter:
             yield write
 
     def put(self, rows: Sequence[tuple[str, str, str, str]]) -> None:
-        """Whose line of the key answers were marked by, where it is not always the student's own:
-        student, question, ask, and whose.
+        """Whose line of the key each answer was marked by, where it is not always the student's
+        own: student, question, ask, and whose line.
         """
         if rows:
             write_csv(self.path / PUT.name, PUT.columns, rows)
 
     def grades(self, questions: tuple[str, ...], grades: Iterable[Grade]) -> None:
-        """Everybody's points."""
+        """Every student's points."""
         rows = _grade_rows(grades)
         write_for_people(self.path / GRADES.name, grades_header(questions), rows)
 
@@ -68,24 +69,24 @@ class MarksWriter:
         write_for_people(self.path / COMPLAINTS.name, COMPLAINTS.columns, rows)
 
     def policy(self, text: str) -> None:
-        """The policy by which the class was marked; empty where the papers alone say how."""
+        """The policy by which the class was marked; empty where the papers alone decide."""
         (self.path / POLICY).write_bytes((text or _NO_POLICY).encode("utf-8"))
 
     def kept(self, kept: Iterable[KeptTotal]) -> None:
-        """Whose earlier total stands."""
+        """The students whose earlier total stands."""
         write_for_people(self.path / KEPT.name, KEPT.columns, map(_kept_row, kept))
 
     def printed(self, orders: Orders) -> None:
-        """By student the order of the questions on paper, where it is not that of the bank."""
+        """The order of the questions on paper, by student, where it differs from the bank's."""
         if orders:
             rows = [(student, QUESTIONS_BETWEEN.join(order)) for student, order in orders.items()]
             write_csv(self.path / PRINTED.name, PRINTED.columns, rows)
 
 
 def _answer_lines(cells: AnswerCells) -> str:
-    """The columns as lines: each cell at its place, and a comma or the end of the line after it.
+    """The columns as lines: each cell in its place, followed by a comma or the end of the line.
 
-    To join line by line takes half as long again.
+    Joining line by line takes half as long again.
     """
     width = 2 * len(cells)
     parts = [","] * (width * len(cells.student))
@@ -96,9 +97,7 @@ def _answer_lines(cells: AnswerCells) -> str:
 
 
 def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
-    """Most students share their points, as one and the same tuple, with others: such amounts are
-    written once.
-    """
+    """Most students share one tuple of points with others: such amounts are formatted once."""
     known: dict[tuple[int, int, Fraction | None], tuple[str, ...]] = {}
     for grade in grades:
         which = id(grade.points), id(grade.out_of), grade.kept
@@ -109,7 +108,7 @@ def _grade_rows(grades: Iterable[Grade]) -> Iterator[tuple[str, ...]]:
 
 
 def _amounts(grade: Grade) -> tuple[str, ...]:
-    """Points by question, in all, out of, and in per cent."""
+    """Points by question, the total, the maximum, and the percentage."""
     amounts = map(amount_text, (*grade.points, grade.total, grade.out_of))
     return (*amounts, amount_text(grade.percent, places=2))
 
