@@ -1,8 +1,8 @@
 """Answers that a policy accepts beside the key, worked out for every paper.
 
-`alternatives` is called by `grade`. Values are expressions of the grammar of templates: exact where
-a small field holds them, else known to 38 digits. A name in them is a parameter of the question or
-one of its right answers, in SI.
+`alternatives` is called by `grade`. Values are expressions in the grammar of templates: exact where
+a small field holds them, otherwise known to 38 digits. A name in them is a parameter of the
+question or one of its right answers, in SI units.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ _PURE = WrittenUnit(Fraction(1), 0, 0, 0, 0)
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
-    """An accepted answer on one paper, in the ask's unit; `error` is how far an irrational value
-    may be off.
+    """An accepted answer on one paper, in the ask's unit; `error` bounds how far an irrational
+    value may be off.
     """
 
     accepted: Accepted
@@ -40,8 +40,9 @@ class Alternative:
     error: Fraction
 
 
-Number = tuple[str | Fraction, str]  # a given's text or a right answer, and its unit
-Which = tuple[str, str, str]  # student, on whose line of the key the ask stands, answer column
+Number = tuple[str | Fraction, str]  # the text of a given or a right answer, and its unit
+# Student, the student whose line of the key holds the ask, answer column
+Which = tuple[str, str, str]
 Alternatives = Mapping[Which, tuple[Alternative, ...]]
 _NO_SOURCES: Mapping[str, Paper] = MappingProxyType({})
 
@@ -53,12 +54,13 @@ def alternatives(
     pooled: Iterable[Paper] = (),
     sources: Mapping[str, Paper] = _NO_SOURCES,
 ) -> Alternatives:
-    """All accepted answers of all papers, and of those put together from a pool.
+    """All accepted answers for all papers, including those put together from a pool.
 
-    `sources` are the papers from which these were put together. The names in a value stand for the
-    numbers of the paper that the ask comes from, wherever the other asks of its question come from.
+    `sources` are the papers from which pool papers were put together. The names in a value stand
+    for the numbers of the paper that the ask comes from, wherever the other asks of its question
+    come from.
 
-    Raises PolicyError where one has no value.
+    Raises PolicyError where an accepted answer has no value.
     """
     wanted = [
         (ask, accepted) for ask in exam.asks for accepted in policy.ruling(ask.column).accepted
@@ -93,8 +95,8 @@ def _places(
     papers: Iterable[Paper],
     sources: Mapping[str, Paper],
 ) -> Iterator[tuple[Ask, Accepted, Paper, Which]]:
-    """Where something is accepted, each with the whole paper that the ask comes from; not what
-    nobody was put.
+    """Where an answer is accepted, each with the whole paper that the ask comes from; asks that
+    were put to no student are left out.
     """
     numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
     for paper in papers:
@@ -108,18 +110,20 @@ def _places(
 
 
 def _used(accepted: Accepted) -> set[str]:
-    """The names of the paper's numbers in it; without any it is the same for everybody."""
+    """The names of the paper's numbers that it uses; without any, it has one value for the whole
+    class.
+    """
     return set(names(accepted.tree)) - {"pi"}
 
 
 def _fault(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, Exception]]) -> str:
-    """One line however many papers it is: a fault in an expression shows on most."""
+    """One line however many papers are affected: a fault in an expression shows on most of them."""
     student, fault = failing[0]
     others = f" and {len(failing) - 1} more" if len(failing) > 1 else ""
     return (
         f'policy: {ask.column}: accepted answer {accepted.number}, "{accepted.text}", has no value '
         "for student "
-        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - mend '
+        f'"{student}"{others} ({str(fault).partition(": check")[0]}) - expected one number - fix '
         "it"
     )
 
@@ -133,9 +137,7 @@ def _on_paper(
 def _numbers(
     exam: Sitting, ask: Ask, paper: Paper, folder: ExamFolder, used: set[str]
 ) -> Mapping[str, Number]:
-    """What the names stand for, each with its unit: a text for a parameter, a number for a right
-    answer.
-    """
+    """What the names stand for, with units: a text for a parameter, a number for a right answer."""
     found: dict[str, Number] = {}
     for number, other in enumerate(exam.asks):
         if other.question == ask.question and other.ask in used:
@@ -164,14 +166,12 @@ def _amount(accepted: Accepted, numbers: Mapping[str, Number], arithmetic: Any) 
     if not isinstance(value, Angle):
         return Amount(value)
     if value.parts:
-        raise Inexact("an angle that is no rational part of a turn")
+        raise Inexact("an angle that is not a rational part of a turn")
     return Amount(value.half_turns, 1)
 
 
 def _in_si(number: Number, arithmetic: Any) -> Any:
-    """A number with its unit in SI; angles are angles, which an exact field holds as parts of a
-    turn only.
-    """
+    """A number with its unit, in SI; an exact field holds angles only as fractions of a turn."""
     amount, unit = number
     written = written_unit(unit) if unit != "1" else _PURE
     if written is None:
@@ -193,5 +193,5 @@ def _angle(size: Any, pi: int, arithmetic: Any) -> Any:
     if pi == 1:
         return arithmetic.turns(size)
     if arithmetic.exact:
-        raise Inexact("an angle in radians that is no part of a turn")
+        raise Inexact("an angle in radians that is not a part of a turn")
     return size

@@ -1,6 +1,6 @@
 """The answers that a policy accepts besides the key's: `{ value = "2*sqrt(3)", unit = "m/s" }`.
 
-`policy_reading` reads them with the rest of a policy's file; `accepted` works them out.
+`policy_reading` reads them along with the rest of a policy file; `accepted` works them out.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class AcceptedReader:
     students: frozenset[str]
 
     def read(self, table: Table, ask: Ask) -> Iterator[Accepted]:
-        """Those under `accept` in the table of an ask; one at fault is left out."""
+        """The answers under `accept` in an ask's table; faulty ones are left out."""
         for number, entry in enumerate(table.tables("accept", _EXAMPLE), 1):
             known = entry.only("value", "unit", "credit", "student")
             credit = known.with_default("credit", share, FULL_CREDIT)
@@ -62,9 +62,9 @@ class AcceptedReader:
         return value
 
     def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
-        """What the value is to be multiplied by: as its unit says.
+        """The factor for the value, as given by its unit.
 
-        A value of givens, or of angles, is in SI.
+        A value made of givens, or of angles, is in SI units.
         """
         used = [name for name in names(tree) if name != "pi"]
         units = self._units(ask, used)
@@ -79,8 +79,8 @@ class AcceptedReader:
         return Conversion()
 
     def _units(self, ask: Ask, used: list[str]) -> Mapping[str, str]:
-        """The units of what a value may use: the question's asks, and its givens where one is
-        used.
+        """The units of the names a value may use: the question's asks, and its givens where it uses
+        one.
         """
         units = {each.ask: each.unit for each in self.exam.asks if each.question == ask.question}
         if set(used) <= units.keys():
@@ -90,14 +90,14 @@ class AcceptedReader:
 
 
 def _tree(value: object) -> Expression:
-    """The number or expression that a value is."""
+    """The number or expression of a value."""
     if isinstance(value, bool) or not isinstance(value, str | int):
         raise FieldError(found(value), 'a number or an expression like "2*sqrt(3)"')
     return read(str(value))
 
 
 def _conversion(ask: Ask, unit: object) -> Conversion:
-    """What leads from a unit that is written to the ask's."""
+    """The conversion from a stated unit to the ask's."""
     if not isinstance(unit, str) or isinstance(unit, Digits):
         raise FieldError(found(unit), f'a unit like "{ask.unit}"')
     try:
@@ -107,6 +107,6 @@ def _conversion(ask: Ask, unit: object) -> Conversion:
 
 
 def _likely(student: str, students: frozenset[str]) -> str:
-    """A hint that does not list a whole class."""
+    """A hint that does not list the whole class."""
     near = nearest(student, students)
     return f"did you mean {either(near)}?" if near else "check the id against the roster"

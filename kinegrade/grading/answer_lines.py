@@ -1,4 +1,4 @@
-"""The marks of a class as the lines of marks.csv, block by block while it is marked.
+"""The marks of a class as lines of marks.csv, block by block while the class is being marked.
 
 Called by `grade`. A response longer than a thousand characters is cut.
 """
@@ -20,9 +20,9 @@ from kinegrade.tables import shortened
 
 
 def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-    """Writes the answers block by block, and hands each block on when it is written.
+    """Writes the answers block by block, and passes each block on once it is written.
 
-    Whose lines of the key were used is written where they were not the students' own.
+    Also writes whose lines of the key were used, where they were not the student's own.
     """
     put: list[tuple[str, str, str, str]] = []
     with folder.answers() as write:
@@ -35,7 +35,7 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
 
 
 def _answer_cells(block: MarkedBlock) -> AnswerCells:
-    """A line for each answer, put together by columns."""
+    """A line for each answer, assembled column by column."""
     judged, asks, count = block.judged, block.asks, len(block.judged.rows)
     points = [[amount_text(share * ask.points) for share in judged.credits] for ask in asks]
     students = ([csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows)
@@ -59,7 +59,7 @@ def _shown_response(reading: Reading) -> str:
 
 
 def _reason_cell(reason: str) -> str:
-    """Most reasons compare with the key, and are quickly seen to be harmless."""
+    """Most reasons are comparisons with the key, which are quickly recognised as harmless."""
     if reason[:4] == "key " and '"' not in reason:
         return f'"{reason}"'
     return csv_cell(neutralised(reason))
@@ -68,10 +68,10 @@ def _reason_cell(reason: str) -> str:
 def _with_odd(
     texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
 ) -> list[str]:
-    """A column of cells fit for a file; those of plain numbers, which are most, are so as they
-    stand.
+    """A column of cells made safe for a CSV file; plain numbers, which most cells are, are safe as
+    they stand.
     """
     column = list(texts)
-    for place, reading in cells.odd.items():
+    for place, reading in cells.readings.items():
         column[place] = csv_cell(text_of(reading))
     return column

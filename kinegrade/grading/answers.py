@@ -1,11 +1,11 @@
-"""What a student typed into one cell, read digit by digit: number or formula, unit, and sense in
-words.
+"""What a student typed into one cell, read digit by digit: a number or formula, its unit, and its
+sense in words.
 
-`read` is called for every cell of an answer sheet; `judge` is the next storey up. Values are exact
-fractions, or known to 38 digits where they are irrational; nothing is rounded, nothing evaluated
-but the small grammar of `typed_value`. What can be understood in two ways is unreadable and says
-both. `number_text` reads digits, `decimal_style` decides about `1,234`, `unit_spelling` converts
-units, `sense` turns clockwise into a sign.
+`read` is called for every cell of an answer sheet; `judge` is the next level up. Values are exact
+fractions, or known to 38 digits where they are irrational. Nothing is rounded, and nothing is
+evaluated but the small grammar of `typed_value`. Text that can be understood in two ways is
+unreadable, and the reason names both. `number_text` reads digits, `decimal_style` decides about
+`1,234`, `unit_spelling` converts units, `sense` turns clockwise into a sign.
 """
 
 from __future__ import annotations
@@ -60,12 +60,12 @@ _SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One cell read: `typed` as it came, `read_as` in plain digits with a point, `value` in the
-    ask's unit.
+    """One cell as read: `typed` is the original text, `read_as` plain digits with a point, `value`
+    in the ask's unit.
 
-    `error` is how far an irrational value may be off, zero where `value` is exact. `reason` says
-    why a cell is unreadable or its unit wrong; `remark` is for a person to look at although the
-    cell was read.
+    `error` bounds how far an irrational value may be off; it is zero where `value` is exact.
+    `reason` says why a cell is unreadable or its unit wrong; `remark` is a note for the instructor
+    on a cell that was read.
     """
 
     kind: Literal["number", "blank", "unreadable", "wrong unit"]
@@ -78,7 +78,7 @@ class Reading:
 
 
 def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: str = "") -> Reading:
-    """Reads an answer in `unit`, which is meant where none is typed; dashes alone count as blank.
+    """Reads an answer in `unit`, which is assumed where none is typed; dashes alone count as blank.
     Never raises.
 
     `style` decides about 1,234; `convention` is the ask's sign convention, for answers with a sense
@@ -111,14 +111,14 @@ def read(typed: str, unit: str, style: DecimalStyle = PAPERS_RULE, convention: s
 
 
 def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: str) -> Reading:
-    bare, sense = without_sense(_TAIL.sub("", _undressed(text)))
-    bare = _TAIL.sub("", _undressed(bare))
-    sign = _SIGN.match(bare)
+    answer, sense = without_sense(_TAIL.sub("", _undressed(text)))
+    answer = _TAIL.sub("", _undressed(answer))
+    sign = _SIGN.match(answer)
     place = sign.end() if sign else 0
-    found = scan_value(bare, place, style)
+    found = scan_value(answer, place, style)
     if found is None:
         raise Unreadable(f'"{shown(typed.strip(BLANKS))}" is not a number')
-    rest = bare[found.end :]
+    rest = answer[found.end :]
     factor = _conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
         raise Unreadable(
@@ -134,8 +134,8 @@ def _reading(typed: str, text: str, unit: str, style: DecimalStyle, convention: 
 
 
 def _doubt(found: TypedNumber | Formula, minus: bool) -> str:
-    """What a person should know of how a number was read, with the sign that was typed or said in
-    words.
+    """What the instructor should know about how a number was read, with the sign that was typed or
+    given in words.
     """
     match found:
         case TypedNumber():
@@ -152,15 +152,15 @@ def _signed(found: TypedNumber, minus: bool) -> str:
 
 
 def _undressed(text: str) -> str:
-    """Without a label before the number (v_B =) and without a word for "about"."""
+    """The text without a label before the number (v_B =) and without a word for "about"."""
     label = _LABEL.match(text)
-    bare = text[label.end() :] if label else text
-    about = _ABOUT.match(bare)
-    return (bare[about.end() :] if about else bare).strip()
+    unlabelled = text[label.end() :] if label else text
+    about = _ABOUT.match(unlabelled)
+    return (unlabelled[about.end() :] if about else unlabelled).strip()
 
 
 def _conversion(rest: str, unit: str, typed: str) -> Conversion:
-    """What the text after the number makes of it. Raises Unreadable or WrongUnit."""
+    """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
     if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
         raise Unreadable(
             f'"{shown(typed.strip(BLANKS))}" is more than one number; one number was expected'
@@ -192,7 +192,7 @@ def _amount(found: TypedNumber | Formula) -> Amount:
 
 
 def decimal_text(value: Fraction) -> str:
-    """A fraction in digits: all of them where they end soon, else the first twelve.
+    """A fraction in digits: all of them where there are few, otherwise the first twelve.
 
     >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
     ('0.75', '0.666666666667')

@@ -1,9 +1,9 @@
-"""Thousands of answers held against their keys at once: what `decide` says of each, in a fraction
-of the time.
+"""Thousands of answers compared with their keys at once: the same verdicts as `decide`, in a
+fraction of the time.
 
-`marks` uses it. Plain numbers are compared in double precision by `bulk_comparison`; `decide` is
-asked about all that this leaves open: a number near a bound, several mistakes that lead to one
-answer, accepted answers, a wrong unit.
+`marks` uses it. Plain numbers are compared in double precision by `bulk_comparison`. `decide`
+settles whatever this leaves open: a number near a bound, several mistakes that lead to one answer,
+accepted answers, a wrong unit.
 """
 
 from __future__ import annotations
@@ -33,21 +33,20 @@ from kinegrade.grading.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed_cells import CellReader
 
 Places = NDArray[np.intp]
-# Places to be decided one by one: the mistakes that come in question, or all
+# Places to be decided one by one: the mistakes to consider there, or all
 Open = dict[int, Collection[str] | None]
-_LED_ON: tuple[Kind, ...] = (
-    "wrong",
-    "mistake",
-    "accepted",
-)  # numbers from which somebody may have gone on
-_TOO_NEAR = 1e-9  # relative: of two mistakes that are nearer together either may be the nearer one
+# Numbers that a later answer may build on
+_LED_ON: tuple[Kind, ...] = ("wrong", "mistake", "accepted")
+_TOO_NEAR = 1e-9  # relative: of two mistakes this near to each other, either may be the nearer one
 _NO_RULE = rule(Fraction(0), Fraction(0))
 _NO_KEY = Key(Fraction(0), Fraction(0))
 _OWNER = itemgetter(0)
 
 
 class _Way(NamedTuple):
-    """A mistake that may lead to the answer at a place: how far from the answer, and in words."""
+    """A mistake that may lead to the answer at a place: its distance from the answer, and the
+    reason in words.
+    """
 
     place: int
     name: str
@@ -59,8 +58,8 @@ class _Way(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class BlockJudge:
-    """What it takes to judge the rows of a class; `follows` is asked where somebody may have gone
-    on from an error.
+    """Everything needed to judge the rows of a class; `follows` is asked where a student may have
+    carried an error forward.
     """
 
     asks: tuple[Ask, ...]
@@ -71,12 +70,12 @@ class BlockJudge:
 
     @property
     def questions(self) -> list[range]:
-        """Where the asks of each question stand among all asks."""
+        """The positions of each question's asks among all asks."""
         groups = groupby(range(len(self.asks)), lambda number: self.asks[number].question)
         return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]
 
     def judged(self, rows: Sequence[Row]) -> JudgedBlock:
-        """Judges every answer of these rows."""
+        """Judges every answer in these rows."""
         cells = CellReader(self.asks, self.styles).cells([entry.responses for _, entry in rows])
         count = len(cells.typed)
         block = JudgedBlock(rows, cells, ["blank"] * count, [""] * count, [NO_SHARE] * count)
@@ -93,7 +92,7 @@ class BlockJudge:
         return self.policy.ruling(self.asks[place % len(self.asks)].column)
 
     def _compared(self, block: JudgedBlock) -> Open:
-        """Puts down all that is certain, and gives what is not."""
+        """Records every certain verdict, and gives the places still open."""
         papers = [paper for paper, _ in block.rows]
         rules, centres = (
             self._rules_now(papers),
@@ -105,7 +104,7 @@ class BlockJudge:
         return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, rules)
 
     def _rules_now(self, papers: Sequence[Paper]) -> Rules:
-        """The rule of each answer by the policy."""
+        """The rule for each answer under the policy."""
         rulings = [self.policy.ruling(ask.column) for ask in self.asks]
         stated = [_rules(paper) for paper in papers]
         if all(ruling.room == NO_ROOM for ruling in rulings):
@@ -136,10 +135,10 @@ class BlockJudge:
         return ["" if ruling.room == NO_ROOM else BY_POLICY for ruling in rulings]
 
     def _uncertain(self, block: JudgedBlock, certain: Flags) -> Open:
-        """What was typed and could not be compared; puts down what is no number at all."""
+        """What was typed but could not be compared; records whatever is not a number at all."""
         found: Open = {}
         for place in np.flatnonzero(~certain).tolist():
-            reading = block.cells.odd.get(place)
+            reading = block.cells.readings.get(place)
             if (
                 reading is not None
                 and reading.kind != "number"
@@ -151,8 +150,8 @@ class BlockJudge:
         return found
 
     def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> Open:
-        """Puts down the wrong answers to which just one mistake leads; gives those with several, or
-        other ways out.
+        """Records the wrong answers that exactly one mistake leads to; gives those with several, or
+        with other ways to credit.
         """
         listed, none = wrong.tolist(), block.credits[NO_SHARE]
         credit = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
@@ -177,7 +176,9 @@ class BlockJudge:
         return found
 
     def _ways(self, block: JudgedBlock, wrong: Sequence[int], rules: Rules) -> Iterator[_Way]:
-        """The mistakes that may lead to the wrong answers at these places, in their order."""
+        """The mistakes that may lead to the wrong answers at these places, in the order of the
+        places.
+        """
         mistakes = _mistakes(
             [(block.rows[place // len(self.asks)][0], place % len(self.asks)) for place in wrong]
         )
@@ -208,7 +209,9 @@ class BlockJudge:
         return self.alternatives.get(which, ())
 
     def _decided(self, block: JudgedBlock, place: int, names: Collection[str] | None) -> Decision:
-        """One answer, decided exactly; of the mistakes by those of these names, or by all."""
+        """One answer, decided exactly; only the mistakes with these names are considered, or
+        all.
+        """
         row, number = divmod(place, len(self.asks))
         key, reread = block.rows[row][0].key(number, names), partial(block.cells.reread, place)
         return decide(
@@ -216,7 +219,7 @@ class BlockJudge:
         )
 
     def _led_on(self, block: JudgedBlock) -> Iterator[tuple[int, range]]:
-        """Rows and questions with a number that is not right after another one."""
+        """Rows and questions in which a number that is not right comes after another number."""
         for row in range(len(block.rows)):
             kinds = block.kinds[row * len(self.asks) : (row + 1) * len(self.asks)]
             for question in self.questions:
@@ -228,7 +231,7 @@ class BlockJudge:
     ) -> None:
         paper, first = block.rows[row][0], row * len(self.asks)
         sources = {paper.source(number) for number in question}
-        if len(sources) > 1:  # drawn apart: nothing follows from one mechanism for another
+        if len(sources) > 1:  # drawn separately: nothing follows for one mechanism from another
             return
         answers = [
             Decided(
@@ -246,7 +249,7 @@ class BlockJudge:
                 block.put(first + number, better[self.asks[number].ask])
 
     def _void(self, block: JudgedBlock, number: int, ruling: Ruling) -> None:
-        """Says of all answers to an ask that they are void, where they are."""
+        """Marks all answers to an ask as void, if it is void."""
         if ruling.void:
             for row, (_, entry) in enumerate(block.rows):
                 place = row * len(self.asks) + number
@@ -256,10 +259,10 @@ class BlockJudge:
 
 
 def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
-    """Of the mistakes that lead to an answer the one with the best credit, of equal ones the
-    nearest, then by name.
+    """The mistake with the best credit among those that lead to an answer; of equals the nearest,
+    then the first by name.
 
-    None where double precision cannot tell.
+    None where double precision cannot decide.
     """
     if len(ways) == 1 and ways[0].certain:
         return ways[0]
@@ -274,7 +277,7 @@ def _best(ways: Sequence[_Way], shares: Mapping[str, Fraction]) -> _Way | None:
 
 
 def _centres(paper: Paper) -> Sequence[float]:
-    """The right answers in double precision; NaN where that is not all there is to compare with."""
+    """The right answers in double precision; NaN where there is more to compare with than that."""
     if isinstance(paper.keys, StatedKeys):
         return paper.keys.centres
     keys = map(paper.key, range(len(paper.keys)))
@@ -292,7 +295,7 @@ def _by_policy(ruling: Ruling, stated: Rule) -> Rule:
 
 
 def _mistakes(wrong: Sequence[tuple[Paper, int]]) -> Sequence[Mapping[str, float | Fraction]]:
-    """What mistakes lead to in these asks."""
+    """The wrong values that mistakes lead to in these asks."""
     stated = [(paper.keys, ask) for paper, ask in wrong if isinstance(paper.keys, StatedKeys)]
     return (
         stated_mistakes(stated)

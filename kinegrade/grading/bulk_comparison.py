@@ -1,9 +1,9 @@
-"""Thousands of numbers held against thousands of keys at once, in double precision, and what is
-certain of it.
+"""Thousands of numbers compared with thousands of keys at once, in double precision, and which
+results are certain.
 
-`block_judge` uses it; what is not certain is decided exactly by `judge`. Certain is a comparison
-whose verdict, and every digit of whose reason, would be the same for all numbers within the errors
-of double precision: so the outcome is always the exact one.
+`block_judge` uses it; whatever is not certain is decided exactly by `judge`. A comparison is
+certain if its verdict, and every digit of its reason, would be the same for all numbers within the
+error of double precision. So the outcome is always the exact one.
 """
 
 from __future__ import annotations
@@ -19,17 +19,19 @@ from kinegrade.exam.folder.keys import Rule
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-DIGITS = 6  # significant, in a reason
-_ROUNDING = 1e-15  # relative, of a few operations in double precision; also of reading a number
-_GUARD = 1e-9  # of the numbers compared: a bound that is nearer than this decides nothing
-_ALIKE = 1e-5  # difference and tolerance that agree to so much may be written with the same digits
+DIGITS = 6  # significant digits in a reason
+_ROUNDING = 1e-15  # relative error of a few operations in double precision, or of reading a number
+_GUARD = 1e-9  # of the numbers compared: a bound nearer than this decides nothing
+_ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
 _ALLOWED = "key %.6g, difference %.6g, allowed %.6g\n"
-_HALF = 1e-6  # of the last digit written: what is so near to a half may be rounded either way
+_HALF = 1e-6  # of the last digit written: anything this close to a half may be rounded either way
 
 
 @dataclass(frozen=True, slots=True)
 class Rules:
-    """The rule of each comparison, as numbers; `figures` is 0 where none are asked for."""
+    """The rule of each comparison, as numbers; `figures` is 0 where no significant figures are
+    asked for.
+    """
 
     relative: Numbers
     absolute: Numbers
@@ -41,7 +43,7 @@ class Rules:
 
 
 def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
-    """The numbers of the rules of these papers; most have the same, and those are one object."""
+    """The rules of these papers as numbers; most papers share one rule, kept as one object."""
     known = {id(rules): rules for rules in papers}
     numbers = {
         name: np.array(
@@ -59,8 +61,8 @@ def rules_of(papers: Sequence[tuple[Rule, ...]]) -> Rules:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """What came of comparing: `right` holds where `decided` does, and `reasons` holds where
-    `certain` does.
+    """The outcome of comparing: `right` is valid where `decided` holds, and `reasons` where
+    `certain` holds.
     """
 
     right: Flags
@@ -74,7 +76,7 @@ class Comparison:
     figures: Numbers
 
     def reasons(self, places: NDArray[np.intp]) -> list[str]:
-        """The comparisons at these places in words, as `judge` words them."""
+        """The comparisons at these places in words, exactly as `judge` words them."""
         numbers = [each[places] for each in (self.centres, self.difference, self.tolerance)]
         if not self.figures.any():
             listed: list[float] = np.column_stack(numbers).ravel().tolist()
@@ -95,9 +97,7 @@ class Comparison:
 
 
 def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
-    """False only where `compare` would certainly find no agreement; it costs a fraction of
-    comparing.
-    """
+    """False only where `compare` would certainly find no agreement, at a fraction of its cost."""
     with np.errstate(all="ignore"):
         size = np.abs(centres)
         room = np.maximum(rules.relative * size, rules.absolute)
@@ -108,10 +108,10 @@ def may_agree(values: Numbers, centres: Numbers, rules: Rules) -> Flags:
 
 
 def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
-    """Holds each value against the right one beside it; a value that is not a number gives nothing
-    certain.
+    """Compares each value with the right one beside it; nothing is certain of a value that is not a
+    number.
     """
-    with np.errstate(all="ignore"):  # what overflows or is no number is not certain
+    with np.errstate(all="ignore"):  # overflow and NaN are simply not certain
         difference, size = np.abs(values - centres), np.abs(centres)
         tolerance = np.maximum(rules.relative * size, rules.absolute)
         scale = size + np.abs(values)
@@ -155,8 +155,8 @@ def _to_figures(
 
 
 def _written_alike(numbers: Numbers, error: Numbers) -> Flags:
-    """Whether all that lies within the error of a number is written with the same six digits; zero
-    only if exact.
+    """Whether everything within the error of a number is written with the same six digits; for
+    zero, only if it is exact.
     """
     power = DIGITS - 1 - np.floor(np.log10(numbers))
     last = numbers * 10.0**power

@@ -1,7 +1,7 @@
-"""The class report: one HTML page that stands by itself, in English or Chinese.
+"""The class report: one self-contained HTML page, in English or Chinese.
 
-`class_report` is called by the command line. The page has no scripts and no links; every text in it
-is escaped by the layout engine. Same marks, same bytes.
+`class_report` is called by the command line. The page has no scripts and no links, and the layout
+engine escapes every text in it. The same marks give the same bytes.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import COMPLAINTS
 from kinegrade.question_numbers import bank_number
 
-Page = dict[str, Any]  # what a layout reads
+Page = dict[str, Any]  # the values a layout reads
 HARD, EASY, FLAT = 0.3, 0.9, 0.1
 SIGNIFICANT = 0.05
 MOST_COMPLAINTS, MOST_TRENDS = 200, 8
@@ -54,13 +54,13 @@ VERDICTS = (
     "wrong unit",
     "unreadable",
     "blank",
-)  # as a bar shows them
-LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the reasons that say least stand last
+)  # in the order of the segments of a bar
+LAST = ("unexplained", "wrong unit", "unreadable", "blank")  # the least informative reasons
 SHADES = {verdict: f"shade{place}" for place, verdict in enumerate(VERDICTS)}
 
 
 def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language) -> str:
-    """The page of a marks folder, by the exam folder it was made from. Raises TableError,
+    """The page for a marks folder, with the exam folder it was made from. Raises TableError,
     ExamError.
     """
     counts, words = tally(marks, exam), report_words_of(language)
@@ -89,7 +89,7 @@ def class_report(marks: MarksFolder, exam: ExamFolder, wording: Wording, languag
 
 
 def totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> Page:
-    """Distribution of the totals: figures and plot."""
+    """The distribution of the totals: figures and a plot."""
     out_of = max(each.out_of for each in counts.answered)
     alpha = reliability(counts.points)
     cards = [
@@ -111,7 +111,7 @@ def totals_part(counts: ClassTally, figures: Summary, words: ReportWords) -> Pag
 
 
 def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
-    """For each ask its line of the table."""
+    """One table line for each ask."""
     shares, correlations = facilities(counts.points, counts.out_of), discriminations(counts.points)
     for place, column in enumerate(counts.columns):
         facility, discrimination, verdicts = (
@@ -137,13 +137,13 @@ def ask_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterat
 
 
 def symbol_of(column: str, wording: Wording) -> Markup:
-    """The symbol of an ask, or its name where none is known."""
+    """The symbol of an ask, or its name where no symbol is known."""
     known = wording.symbols.get(column)
     return Markup.escape(column.split(".", 1)[1]) if known is None else symbol_html(known)
 
 
 def verdict_bar(verdicts: Counter[str], words: ReportWords) -> Markup:
-    """All answers to an ask as one bar."""
+    """All answers to an ask as a single bar."""
     whole = verdicts.total()
     parts = [
         (SHADES.get(verdict, "shade5"), count / whole) for verdict, count in in_order(verdicts)
@@ -160,7 +160,7 @@ def verdict_text(verdicts: Counter[str], words: ReportWords) -> str:
 
 
 def in_order(verdicts: Counter[str]) -> list[tuple[str, int]]:
-    """Verdicts with their counts, right ones first; unknown ones at the end."""
+    """Verdicts with their counts, right answers first, unknown verdicts last."""
     known = [verdict for verdict in VERDICTS if verdicts[verdict]]
     return [
         (verdict, verdicts[verdict]) for verdict in (*known, *sorted(set(verdicts) - set(VERDICTS)))
@@ -193,7 +193,7 @@ def note(
 
 
 def loss_rows(counts: ClassTally, wording: Wording, words: ReportWords) -> Iterator[Page]:
-    """For each question the reasons for which points were lost, the most frequent first."""
+    """For each question the reasons why points were lost, the most frequent first."""
     most = max(
         (reasons.most_common(1)[0][1] for reasons in by_question(counts).values() if reasons),
         default=1,
@@ -232,15 +232,15 @@ def by_question(counts: ClassTally) -> Mapping[str, Counter[str]]:
 
 
 def reason_text(reason: str, wording: Wording, words: ReportWords) -> str:
-    """A reason in words: the sentence of a known mistake, or what a hint or a verdict says."""
+    """A reason in words: the sentence for a known mistake, or the words for a hint or a verdict."""
     return wording.mistakes.get(reason) or words.reasons.get(reason) or reason
 
 
 def hardness_part(
     counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords
 ) -> Page:
-    """Whether papers were equally hard: versions against each other, or drawn numbers against
-    points.
+    """Whether papers were equally hard: versions compared with each other, or drawn numbers
+    compared with points.
     """
     enough = len(counts.answered) >= ENOUGH
     part: Page = {"enough_students": enough, "versions": (), "trends": (), "verdict_on_papers": ""}
@@ -264,7 +264,7 @@ def hardness_part(
 def versions_part(
     counts: ClassTally, exam: ExamFolder, wording: Wording, words: ReportWords, enough: bool
 ) -> Page:
-    """The versions of an exam held against each other."""
+    """The versions of an exam compared with each other."""
     letters = sorted(set(counts.versions))
     percents = {
         letter: [
@@ -310,7 +310,7 @@ def version_share(counts: ClassTally, letter: str, question: str) -> str:
 
 
 def trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> Page:
-    """One drawn number and how points go with it."""
+    """One drawn number, and how points vary with it."""
     known = wording.parameters.get((trend.question, trend.parameter))
     thirds = [(share_text(third.share), span_text(third), third.count) for third in trend.thirds]
     return {
@@ -324,24 +324,24 @@ def trend_row(trend: ParameterTrend, wording: Wording, words: ReportWords) -> Pa
 
 
 def span_text(third: Third) -> str:
-    """From which number to which."""
+    """The range of a third, from its lowest to its highest number."""
     return " … ".join(
         dict.fromkeys(f"{bound:g}".replace("-", "−") for bound in (third.lowest, third.highest))
     )
 
 
 def percent(value: float) -> str:
-    """Per cent of the points with one decimal."""
+    """A percentage with one decimal."""
     return f"{value:.1f} %"
 
 
 def share_text(share: float | None) -> str:
-    """A share as whole per cent; a dash for none."""
+    """A share as a whole percentage; a dash for None."""
     return "–" if share is None else f"{100 * share:.0f} %"
 
 
 def decimal(value: float | None) -> str:
-    """Two decimals with a minus sign; a dash for what cannot be told."""
+    """Two decimals with a minus sign; a dash for None."""
     return "–" if value is None else f"{value:.2f}".replace("-0.00", "0.00").replace("-", "−")
 
 

@@ -1,9 +1,8 @@
-"""One answer sheet of one file or several: versions' quizzes, or parts of the exam that several
-assistants typed.
+"""One answer sheet from one file or several: versions' quizzes, or parts of the exam typed by
+different assistants.
 
-`class_sheet` is called by `grade`. Cells of one student that stand in different files are put
-together; where two files give different answers for one cell, the first file counts and a complaint
-names both.
+`class_sheet` is called by `grade`. Cells of one student in different files are merged. Where two
+files give different answers for one cell, the first file counts and a complaint names both.
 """
 
 from __future__ import annotations
@@ -27,9 +26,9 @@ def read_sheet(table: Table, exam: Sitting) -> Sheet:
 
 
 def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
-    """Finds everybody's responses in these files, which are one class.
+    """Finds every student's responses in these files, which together are one class.
 
-    Raises TableError if one has no student column, no answer column, or is the sheet of another
+    Raises TableError if a file has no student column, no answer column, or is the sheet of another
     exam.
     """
     parts = [read_part(answers, exam) for answers in files]
@@ -86,10 +85,10 @@ def _together(parts: Sequence[Part]) -> tuple[Entries, list[Complaint]]:
 
 
 def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
-    """The attempts of one student in all files, in their order.
+    """A student's attempts from all files, in order.
 
-    Where one file has the attempts at some answers and the others hold other answers, each attempt
-    has those too.
+    Where one file has the attempts for some answers and the other files hold other answers, each
+    attempt gets those too.
     """
     repeated_in = [entries for entries in several if len(entries) > 1]
     if len(repeated_in) > 1 or not _answers_differ(several):
@@ -100,7 +99,7 @@ def _attempts(several: Sequence[tuple[Entry, ...]]) -> tuple[Entry, ...]:
 
 
 def _answers_differ(several: Sequence[tuple[Entry, ...]]) -> bool:
-    """Whether no answer has been given in two of the files."""
+    """Whether no answer is given in two of the files."""
     seen: set[int] = set()
     for entries in several:
         here = {
@@ -116,7 +115,7 @@ def _answers_differ(several: Sequence[tuple[Entry, ...]]) -> bool:
 
 
 def _united(first: Entry, other: Entry) -> Entry:
-    """The cells of both; where both have something, those of the first."""
+    """The cells of both entries; where both have something, the first counts."""
     chosen = [
         first if is_answered(mine) or not is_answered(others) else other
         for mine, others in zip(first.responses, other.responses, strict=True)
@@ -163,8 +162,8 @@ def _missing_columns(names: str, columns: Sequence[str], exam: Sitting) -> Itera
 
 
 def _left_out(left_out: Sequence[LeftOut], entries: Entries) -> Iterator[Complaint]:
-    """Why rows are not marked; of somebody without an attempt once, and only where no other file
-    has one.
+    """Why rows are not marked; for a student without an attempt only once, and only if no other
+    file has one.
     """
     absent: set[str] = set()
     for each in left_out:

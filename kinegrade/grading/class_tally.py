@@ -1,6 +1,7 @@
-"""A marked class as arrays: who got how many points where, and for what reasons points were lost.
+"""A marked class as arrays: how many points each student got for each ask, and why points were
+lost.
 
-One pass over marks.csv and the key; the class report is made of this.
+One pass over marks.csv and the key; the class report is built from it.
 """
 
 from __future__ import annotations
@@ -34,12 +35,12 @@ _BESIDES = re.compile(rf"; so do(?:es)? ({_NAME}(?:, {_NAME})*)$")
 
 @dataclass(frozen=True)
 class ClassTally:
-    """The students who answered anything: a row each in `points`, and in the order of `columns`
-    their asks.
+    """The students who answered anything; `points` has a row for each, and a column for each of
+    `columns`.
 
-    `answered` are these students, `silent` those who answered nothing. `verdicts` counts by ask,
-    `losses` counts by ask why points were lost: an identifier of a mistake, a kind of hint, a
-    verdict, or `UNEXPLAINED`.
+    `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
+    by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
+    hint, a verdict, or `UNEXPLAINED`.
     """
 
     columns: tuple[str, ...]
@@ -53,7 +54,9 @@ class ClassTally:
     parameters: Mapping[tuple[str, str], Points]
 
     def share(self, question: str) -> Points:
-        """Each student's share of the points of a question; NaN where it has none."""
+        """Each student's share of the points of a question; NaN where the question has no points
+        for that student.
+        """
         places = [
             place for place, column in enumerate(self.columns) if column.split(".")[0] == question
         ]
@@ -63,13 +66,13 @@ class ClassTally:
 
     @property
     def percents(self) -> list[float]:
-        """The totals in per cent, as grades.csv has them; of nothing, 0."""
+        """The totals as percentages, as in grades.csv; 0 where there are no points to get."""
         return [float(100 * each.share) for each in self.answered]
 
 
 @dataclass
 class _Count:
-    """What grows while the class goes by."""
+    """Accumulates the class student by student."""
 
     answered: list[StudentTotal] = field(default_factory=list)
     silent: list[StudentTotal] = field(default_factory=list)
@@ -80,12 +83,12 @@ class _Count:
     losses: dict[str, Counter[str]] = field(default_factory=dict)
     versions: list[str] = field(default_factory=list)
     parameters: list[array[float]] = field(default_factory=list)
-    names: tuple[tuple[str, str], ...] = ()  # of the parameters, as the first paper has them
+    names: tuple[tuple[str, str], ...] = ()  # parameter names, as on the first paper
 
     def include(
         self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str
     ) -> None:
-        """One more student who answered something."""
+        """Adds a student who answered something."""
         self.answered.append(total)
         self.points.append(array("d", (float(answer.points) for answer in answers)))
         self.versions.append(version)
@@ -98,7 +101,9 @@ class _Count:
 
 
 def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
-    """Counts a marks folder by the exam folder it was made from. Raises TableError, ExamError."""
+    """Counts a marks folder, with the exam folder it was made from. Raises TableError,
+    ExamError.
+    """
     papers, totals, count = PaperRecords(exam, marks.put), marks.totals.by_student, _Count()
     for student, answers in marks.answers_by_student():
         columns = tuple(answer.column for answer in answers)
@@ -122,7 +127,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
 
 
 def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
-    """The asks are those of the first student."""
+    """Takes the asks from the first student."""
     if not count.columns:
         count.columns, count.out_of = columns, out_of
         count.verdicts = {column: Counter() for column in columns}
@@ -169,7 +174,7 @@ def mistakes_of(answer: MarkedAnswer) -> tuple[str, ...]:
 
 
 def named_mistakes(reason: str) -> tuple[str, ...]:
-    """The identifiers in the reason of a mistake, as `kinegrade.grading.decision` puts it.
+    """The identifiers in the reason for a mistake, as `kinegrade.grading.decision` writes it.
 
     >>> named_mistakes("coriolis-dropped: leads to 3, allowed 0.03; so does sense-reversed")
     ('coriolis-dropped', 'sense-reversed')
@@ -179,7 +184,7 @@ def named_mistakes(reason: str) -> tuple[str, ...]:
 
 
 def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
-    """What the number of a wrong answer tells."""
+    """The hint that the number of a wrong answer gives."""
     right = paper.answers.get(answer.column)
     if right is None or not answer.read_as:
         return None

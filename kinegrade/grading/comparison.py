@@ -1,8 +1,8 @@
-"""Two folders of marks held against each other: who changes, by how much, and why.
+"""Two marks folders compared: which students change, by how much, and why.
 
-`compare` is called by `kinegrade diff`; `comparison_csv` gives its file, `comparison_text` what it
-tells a person. A student goes up or down by the share of the points, which is by the points where
-both markings are out of the same.
+`compare` is called by `kinegrade diff`. `comparison_csv` gives its file, `comparison_text` its
+output for people. A student goes up or down by share of the points, which means by points where
+both markings have the same maximum.
 """
 
 from __future__ import annotations
@@ -26,12 +26,14 @@ HEADER = (
 _WIDEST_NAME = 24
 _NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
 _Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
-_Worth = tuple[Fraction, Fraction]  # points, and out of how many
+_Worth = tuple[Fraction, Fraction]  # points, and the maximum
 
 
 @dataclass(frozen=True, slots=True)
 class AskChange:
-    """One answer that is judged otherwise; a side is None where that marking has no such ask."""
+    """One answer that is judged differently; a side is None where that marking does not have the
+    ask.
+    """
 
     column: str
     before: MarkedAnswer | None
@@ -39,12 +41,12 @@ class AskChange:
 
     @property
     def change(self) -> Fraction:
-        """Points gained; negative where they are lost."""
+        """Points gained; negative where points are lost."""
         return (self.after or _NOTHING).points - (self.before or _NOTHING).points
 
     @property
     def why(self) -> str:
-        """In words: what the answer was and is, and the reason of the new verdict."""
+        """In words: the answer before and after, and the reason for the new verdict."""
         before, after = self.before or _NOTHING, self.after or _NOTHING
         parts = []
         if before.typed != after.typed:
@@ -61,9 +63,7 @@ class AskChange:
 
 @dataclass(frozen=True, slots=True)
 class StudentChange:
-    """One student of whom something changes; a side is None where that marking has no such
-    student.
-    """
+    """One student with any change; a side is None where that marking does not have the student."""
 
     student: str
     before: StudentTotal | None
@@ -72,18 +72,18 @@ class StudentChange:
 
     @property
     def name(self) -> str:
-        """As in the newer marking, if there."""
+        """The name in the newer marking, if it has the student."""
         total = self.after or self.before
         return total.name if total else ""
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Everybody of whom something changes, in the order of the markings, and how many students both
-    have.
+    """Every student with any change, in the order of the markings, and the number of students in
+    both.
 
-    `up` and `down` count shares of the points; the means are over the students of both, in points
-    and in percentage points.
+    `up` and `down` count students by share of the points; the means are over the students in both,
+    in points and in percentage points.
     """
 
     changes: tuple[StudentChange, ...]
@@ -95,7 +95,7 @@ class Comparison:
 
 
 def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
-    """Holds two folders of marks against each other. Raises TableError."""
+    """Compares two marks folders. Raises TableError."""
     before, after = first.totals.by_student, second.totals.by_student
     asks = _ask_changes(_answers(first), _answers(second))
     found = (
@@ -120,8 +120,8 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
 
 
 def comparison_csv(comparison: Comparison) -> bytes:
-    """A CSV file: for each student the total, and under it the answers that are judged
-    otherwise.
+    """A CSV file: for each student the total, followed by the answers that are judged
+    differently.
     """
     return for_people(csv_text(HEADER, _rows(comparison)))
 
@@ -154,7 +154,7 @@ def _rows(comparison: Comparison) -> Iterator[tuple[str, ...]]:
 
 
 def comparison_text(comparison: Comparison) -> str:
-    """The same for a person: an aligned table, and a line that sums it up."""
+    """The same for a person: an aligned table, and a summary line."""
     rows: list[tuple[str, ...]] = []
     for each in comparison.changes:
         person = one_line(each.student), cut(one_line(each.name), _WIDEST_NAME)
@@ -182,7 +182,7 @@ def _ask_changes(before: _Answers, after: _Answers) -> Mapping[str, list[AskChan
 
 
 def _said(answer: MarkedAnswer | None) -> tuple[object, ...] | None:
-    """What matters of a verdict; the wording of its reason does not."""
+    """The part of a verdict that matters; the wording of its reason does not."""
     return (answer.verdict, answer.points, answer.out_of) if answer else None
 
 
@@ -200,8 +200,8 @@ def _mean(amounts: Sequence[Fraction]) -> Fraction:
 
 
 def _amounts(before: _Worth | None, after: _Worth | None) -> tuple[str, ...]:
-    """Points before, after and their change, then what they are out of before and after; blank on a
-    side that is not.
+    """Points before, after and their change, then the maximum before and after; blank for a side
+    that is missing.
     """
     points = [amount_text(side[0]) if side else "" for side in (before, after)]
     out_of = [amount_text(side[1]) if side else "" for side in (before, after)]

@@ -1,12 +1,12 @@
-"""What a lone comma or point before three digits means in a file: declared, detected, or by the
-paper's rule.
+"""What a single comma or point before three digits means in a file: declared, detected, or by the
+rule on the papers.
 
-Papers say that 0.5 and 0,5 are read alike and that thousands are not separated: so `1,234` is 1.234
-and `1.234` too. That holds unless the decimal mark is declared; unless the student's own answers
-group digits (`1,234.5`); or unless all answers that leave no doubt have a decimal point, those of
-this student or of most others among them: then a comma groups. A majority of others never decides
-against anybody who writes decimal commas. Every such reading is remarked; `marks` says once what
-was declared, or decided for the whole file.
+Papers say that 0.5 and 0,5 are read alike and that thousands are not separated, so `1,234` is
+1.234, and so is `1.234`. There are three exceptions: the decimal mark is declared; the student's
+other answers group digits (`1,234.5`); or every unambiguous answer, of this student or of most
+others, has a decimal point, so that a comma groups. A majority of other students never overrules a
+student who writes decimal commas. Every such reading is remarked; `marks` says once what was
+declared, or decided for the whole file.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ _AGAINST_OWN_POINTS = (
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """Which marks certainly stand before decimals in some answers, and which certainly group
-    digits.
+    """The marks that certainly stand before decimals in some answers, and those that certainly
+    group digits.
     """
 
     decimal: frozenset[str] = frozenset()
@@ -52,10 +52,10 @@ _NOTHING, _POINT = Evidence(), Evidence(decimal=frozenset("."))
 
 @dataclass(frozen=True, slots=True)
 class FileStyle:
-    """The style of a whole file, for rows that say nothing themselves; `declared` overrules every
+    """The style of a whole file, for rows that are ambiguous themselves; `declared` overrules every
     row.
 
-    `commas` tells whether anybody writes a decimal comma.
+    `commas` is whether any student writes a decimal comma.
     """
 
     style: DecimalStyle
@@ -64,38 +64,36 @@ class FileStyle:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """What was declared or decided for the whole file, or holds of many students alike, as
-        remarks say it.
+        """What was declared or decided for the whole file, or holds for many students alike, in the
+        words of remarks.
         """
         return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
-        """The style of one student's answers: as declared, else as they show themselves, else the
-        file's.
-        """
+        """The style of one student's answers: as declared, else as they show, else the file's."""
         if self.declared:
             return self.style
-        own = evidence(cells)
-        if not own.decimal and not own.groups:
+        row = evidence(cells)
+        if not row.decimal and not row.groups:
             return self.style
-        comma, comma_reason = self._comma(own)
-        if "." in own.groups and "." not in own.decimal:
+        comma, comma_reason = self._comma(row)
+        if "." in row.groups and "." not in row.decimal:
             return DecimalStyle(
                 comma, "groups", comma_reason, "this student groups digits by points elsewhere"
             )
         return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
 
-    def _comma(self, own: Evidence) -> tuple[MarkUse, str]:
-        if "," in own.decimal and "," in own.groups:
+    def _comma(self, row: Evidence) -> tuple[MarkUse, str]:
+        if "," in row.decimal and "," in row.groups:
             return (
                 "unknown",
                 "this student uses commas in both ways; ask, or declare the decimal mark",
             )
-        if "," in own.decimal:
+        if "," in row.decimal:
             return "decimal", _OWN_COMMAS
-        if "," in own.groups:
+        if "," in row.groups:
             return "groups", "this student groups digits by commas elsewhere"
-        if "." in own.decimal:
+        if "." in row.decimal:
             if self.commas:
                 return self.style.comma, _AGAINST_OWN_POINTS
             return "groups", "the point is the decimal mark in this student's other answers"
@@ -103,7 +101,7 @@ class FileStyle:
 
 
 def evidence(cells: Sequence[str]) -> Evidence:
-    """What the numbers that leave no doubt show; `1,234` and `1.234` show nothing.
+    """What the unambiguous numbers show; `1,234` and `1.234` show nothing.
 
     >>> evidence(["1,234", "0.5"]).decimal
     frozenset({'.'})
@@ -120,9 +118,7 @@ def evidence(cells: Sequence[str]) -> Evidence:
 
 
 def _marks(cell: str) -> tuple[str | None, str | None]:
-    """The decimal and the grouping mark of the first number in a cell, where they are beyond
-    doubt.
-    """
+    """The decimal and the grouping mark of the first number in a cell, where they are certain."""
     if len(cell) > LONGEST_EVIDENCE:
         return None, None
     usual = _USUAL.fullmatch(cell)  # most cells of most files
@@ -137,7 +133,7 @@ def _marks(cell: str) -> tuple[str | None, str | None]:
 
 
 def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> FileStyle:
-    """The style of a file from all its rows of answers, or as declared: the name of its decimal
+    """The style of a file from all its rows of answers, or as declared by the name of its decimal
     mark.
     """
     if declared is not None:
@@ -168,8 +164,8 @@ def _declared_style(mark: Mark, reason: str) -> DecimalStyle:
 
 
 def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
-    """What a comma means where a row says nothing: it groups if most rows show a decimal point and
-    none a comma.
+    """What a comma means where a row does not show it: it groups if most rows show a decimal point
+    and none shows a decimal comma.
     """
     if not commas and 2 * points > rows:
         return (

@@ -1,9 +1,9 @@
-"""What one answer is worth: held against the key, and against all else that a policy gives credit
+"""What one answer is worth: compared with the key, and with everything else a policy gives credit
 for.
 
-`decide` is pure and is called by `judged_block` for every answer that a plain comparison leaves
-open; `judge` compares, this chooses. The best credit counts; of equal ones the first of: the key,
-the accepted answers in their order, the mistakes, the right number in a wrong unit.
+`decide` is pure and is called by `block_judge` for every answer that a plain comparison leaves
+open; `judge` compares, this module chooses. The best credit counts; among equals the first of: the
+key, the accepted answers in their order, the mistakes, the right number in a wrong unit.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from kinegrade.grading.answers import Reading
 from kinegrade.grading.judge import Verdict, judge
 from kinegrade.grading.policy import NO_ROOM, Ruling
 
-Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the ask's points
-BY_POLICY = " by the policy"  # ends the reason where the rule is not the one printed on the paper
+Decision = tuple[Verdict, Fraction]  # what the answer is, and its share of the points
+BY_POLICY = " by the policy"  # ends the reason where the rule differs from the paper's
 _FULL, _NONE = Fraction(1), Fraction(0)
 
 
@@ -31,9 +31,9 @@ def decide(
     others: Sequence[Alternative],
     reread: Callable[[str], Reading],
 ) -> Decision:
-    """The verdict and the share of the points, as if nothing was void. Never raises.
+    """The verdict and the share of the points, before any voiding. Never raises.
 
-    `reread` reads a part of what was typed, in the same way as the whole was read.
+    `reread` reads a part of the typed text in the same way as the whole was read.
     """
     now = ruling.key(key)
     verdict = judge(reading, now)
@@ -52,8 +52,8 @@ def decide(
 
 
 def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
-    """What becomes of a decision where the ask is void: full points to whoever handed in, or
-    nothing of nothing.
+    """The decision once the ask is void: full points for every student who handed in, or no points
+    out of none.
     """
     verdict, _ = decision
     by_key = f"; by the key: {verdict.kind}" + (f" ({verdict.reason})" if verdict.reason else "")
@@ -70,7 +70,7 @@ def voided(decision: Decision, ruling: Ruling, *, handed_in: bool) -> Decision:
 
 
 def _said(verdict: Verdict, ruling: Ruling) -> Verdict:
-    """With a word on the rule where it is not the one printed on the paper."""
+    """Adds a note on the rule where it is not the one printed on the paper."""
     if ruling.room == NO_ROOM or verdict.kind not in ("right", "wrong"):
         return verdict
     return replace(verdict, reason=f"{verdict.reason}{BY_POLICY}")
@@ -92,7 +92,7 @@ def _accepted(
 
 
 def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
-    """The mistakes that lead to this answer, the nearest first; each tells of the others."""
+    """The mistakes that lead to this answer, the nearest first; each one names the others."""
     value = reading.value or Fraction(0)
     likely = [
         (abs(wrong - value), name)
@@ -113,7 +113,7 @@ def _mistaken(reading: Reading, key: Key, ruling: Ruling) -> Iterable[Decision]:
 
 
 def besides(others: Collection[str]) -> str:
-    """The end of a reason that names a mistake: the others that lead there too.
+    """The end of a reason that names a mistake: the other mistakes that lead to the same value.
 
     >>> besides(["sense-reversed"])
     '; so does sense-reversed'
@@ -124,9 +124,7 @@ def besides(others: Collection[str]) -> str:
 
 
 def _may_agree(value: Fraction, wrong: Fraction, key: Key) -> bool:
-    """False only where `judge` would certainly find no agreement; it costs a twentieth of
-    asking.
-    """
+    """False only where `judge` would certainly find no agreement, at a twentieth of its cost."""
     if key.period:
         return True
     size, stated = abs(float(wrong)), key.rule or Rule(absolute=key.tolerance)
@@ -141,13 +139,13 @@ def _bare_number(
     reading: Reading, key: Key, ruling: Ruling, reread: Callable[[str], Reading]
 ) -> Iterable[Decision]:
     """The number alone, where its unit is wrong and a policy gives credit for it: the longest
-    beginning that is one.
+    leading part that is a number.
     """
     if reading.kind != "wrong unit" or not ruling.wrong_unit:
         return
     ends = range(len(reading.typed) - 1, 0, -1)
-    bare = (reread(reading.typed[:end]) for end in ends)
-    number = next((each for each in bare if each.kind == "number"), None)
+    numbers = (reread(reading.typed[:end]) for end in ends)
+    number = next((each for each in numbers if each.kind == "number"), None)
     if number is not None and judge(number, key).kind == "right":
         yield (
             Verdict("wrong unit", f"{reading.reason}; the number is right, credit by the policy"),

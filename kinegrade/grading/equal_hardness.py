@@ -1,9 +1,9 @@
-"""Whether papers were equally hard: versions held against each other, drawn numbers held against
+"""Whether papers were equally hard: versions compared with each other, drawn numbers compared with
 points.
 
-Two rank tests, their p-values by permutations that are always the same: no assumption on the
-distribution, and the same marks give the same report. `PCG64` promises its stream; a permutation is
-the order of its numbers.
+Two rank tests, with p-values from permutations that are always the same. They assume nothing about
+the distribution, and the same marks give the same report. `PCG64` promises a stable stream; a
+permutation is the sorting order of its numbers.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ import numpy.typing as npt
 from kinegrade.grading.item_statistics import Points, correlation
 
 MOST_PERMUTATIONS, FEWEST_PERMUTATIONS = 9999, 199
-# Numbers shuffled at most: a class of 60 gets 9,999 permutations, one of 100,000 only 199
+# Most numbers to shuffle: a class of 60 gets 9,999 permutations, one of 100,000 only 199
 WORK = 10_000_000
 ENOUGH = 30  # students: with fewer, nothing can be said
 AT_ONCE = 1_000_000  # numbers in memory
 SEED = 20_260_501
 
-Orders = npt.NDArray[np.intp]  # a permutation in each row
+Orders = npt.NDArray[np.intp]  # one permutation per row
 
 
 @dataclass(frozen=True)
 class Test:
-    """`p` is how often chance alone does at least as much, in `permutations` shuffles of the
-    students.
+    """`p` is the share of `permutations` shuffles of the students in which chance alone does at
+    least as much.
     """
 
     statistic: float
@@ -40,8 +40,8 @@ class Test:
 
 @dataclass(frozen=True)
 class Third:
-    """The students with the lowest, middle or highest numbers: the range of these and the mean
-    share of points.
+    """The students with the lowest, middle or highest numbers: the range of their numbers and their
+    mean share of points.
     """
 
     lowest: float
@@ -52,7 +52,7 @@ class Third:
 
 @dataclass(frozen=True)
 class ParameterTrend:
-    """How the share of a question's points goes with a number drawn for it; `adjusted` is p by
+    """How the share of a question's points varies with a number drawn for it; `adjusted` is p by
     Holm's method.
     """
 
@@ -77,8 +77,8 @@ def ranks(values: Points) -> Points:
 
 
 def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
-    """Whether groups differ in location: H with its correction for ties. None for one group, or
-    where all are equal.
+    """Whether groups differ in location: H with its correction for ties. None for a single group,
+    or if all values are equal.
     """
     names, place = np.unique(np.asarray(groups), return_inverse=True)
     count = len(values)
@@ -101,7 +101,7 @@ def kruskal_wallis(values: Points, groups: Sequence[str]) -> Test | None:
 
 
 def spearman(first: Points, second: Points) -> Test | None:
-    """Rank correlation, tested on both sides; None where one of the two does not vary."""
+    """Rank correlation, tested two-sided; None if either of the two does not vary."""
     one, other = ranks(first), ranks(second)
     observed = correlation(one, other)
     if observed is None:
@@ -114,8 +114,8 @@ def spearman(first: Points, second: Points) -> Test | None:
 def parameter_trends(
     parameters: Mapping[tuple[str, str], Points], shares: Mapping[str, Points]
 ) -> tuple[ParameterTrend, ...]:
-    """For each drawn number that varies its trend, the clearest first; NaN stands for a student
-    without one.
+    """The trend of each drawn number that varies, the clearest first; NaN stands for a student
+    without that number.
     """
     found = []
     for (question, name), numbers in parameters.items():
@@ -132,7 +132,7 @@ def parameter_trends(
 
 
 def thirds(numbers: Points, shares: Points) -> tuple[Third, ...]:
-    """Students in up to three groups by a drawn number, equal numbers together; the shares are
+    """Students in up to three groups by a drawn number, equal numbers in one group; shares are
     means.
     """
     lower, upper = np.quantile(numbers, (1 / 3, 2 / 3))
@@ -163,8 +163,8 @@ def holm(ascending: Sequence[float]) -> tuple[float, ...]:
 
 
 def _tested(observed: float, count: int, reaches: Callable[[Orders], Any]) -> Test:
-    """The test of a statistic of `count` students; `reaches` tells of each order whether it gives
-    as much.
+    """The test of a statistic for `count` students; `reaches` says for each order whether it gives
+    at least as much.
     """
     permutations = min(MOST_PERMUTATIONS, max(FEWEST_PERMUTATIONS, WORK // count))
     generator = np.random.PCG64(SEED)

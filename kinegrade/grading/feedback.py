@@ -1,5 +1,5 @@
-"""What one student gets to read: own answers, right answers, what probably went wrong, and the
-points.
+"""What one student gets to read: their answers, the right answers, what probably went wrong, and
+the points.
 
 `feedback_sheets` makes the sheets of a class one by one; `feedback_html`, `feedback_markdown` and
 `kinegrade.exam.feedback_pages` (PDF) print them. Three kinds of text, as in an exam: plain, prose
@@ -34,16 +34,16 @@ from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.question_numbers import other_number
 
-LONGEST_TYPED = 80  # characters: more of a cell says nothing more
+LONGEST_TYPED = 80  # characters: the rest of a longer cell adds nothing
 LONGEST_EXACT = 32
-POLICY = "policy"  # named in the reason of a verdict by another tolerance than the paper's
+POLICY = "policy"  # in the reason of a verdict by a tolerance other than the paper's
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt|pi)+")
 
 
 @dataclass(frozen=True)
 class FeedbackRow:
-    """One ask. `remark` is prose for the student, `guess` whether it is one; `reason` is what the
-    reading said.
+    """One ask. `remark` is prose for the student, `guess` is whether the remark is a guess;
+    `reason` is the note made on reading the cell.
     """
 
     symbol: str  # math
@@ -60,7 +60,7 @@ class FeedbackRow:
 
 @dataclass(frozen=True)
 class FeedbackQuestion:
-    """One question, in the place where it stood on the paper."""
+    """One question, in its place on the paper."""
 
     heading: str  # plain
     title: str  # prose
@@ -70,8 +70,8 @@ class FeedbackQuestion:
 
 @dataclass(frozen=True)
 class FeedbackSheet:
-    """One student's sheet, plain but for its questions; `solution` names a file beside it, or is
-    "".
+    """One student's sheet, plain text except for its questions; `solution` is the name of a file
+    beside it, or "".
     """
 
     words: FeedbackWords
@@ -95,7 +95,7 @@ class FeedbackSheet:
 def feedback_sheets(
     marks: MarksFolder, exam: ExamFolder, wording: Wording, language: Language
 ) -> Iterator[tuple[Candidate, FeedbackSheet]]:
-    """The sheets in the order of the roster, each with whose it is. Raises TableError,
+    """The sheets in the order of the roster, each with its student. Raises TableError,
     ExamError.
     """
     head, totals = exam.head, marks.totals.by_student
@@ -133,22 +133,22 @@ def feedback_sheets(
 def _questions(
     answers: Sequence[MarkedAnswer], paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> Iterator[FeedbackQuestion]:
-    """The questions as they followed on the paper."""
+    """The questions in the order of the paper."""
     by_question = {
         question: tuple(group)
         for question, group in groupby(answers, lambda answer: answer.question)
     }
     for number, question in enumerate(paper.printed, start=1):
-        own = by_question.get(question, ())
+        asked = by_question.get(question, ())
         other = other_number(question, number)
         heading = (
             words.question.format(number)
             if other is None
             else words.question_known.format(number, other)
         )
-        points = sum((answer.points for answer in own), Fraction(0))
-        out_of = sum((answer.out_of for answer in own), Fraction(0))
-        rows = tuple(feedback_row(answer, paper, wording, words) for answer in own)
+        points = sum((answer.points for answer in asked), Fraction(0))
+        out_of = sum((answer.out_of for answer in asked), Fraction(0))
+        rows = tuple(feedback_row(answer, paper, wording, words) for answer in asked)
         yield FeedbackQuestion(
             heading, wording.titles.get(question, ""), share_of(points, out_of), rows
         )
@@ -157,7 +157,7 @@ def _questions(
 def feedback_row(
     answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> FeedbackRow:
-    """What is said of one answer."""
+    """The row for one answer."""
     right = paper.answers.get(answer.column)
     typed = (
         answer.typed if len(answer.typed) <= LONGEST_TYPED else f"{answer.typed[:LONGEST_TYPED]}…"
@@ -185,7 +185,7 @@ def feedback_row(
 def _remark(
     answer: MarkedAnswer, paper: PaperRecord, wording: Wording, words: FeedbackWords
 ) -> tuple[str, str]:
-    """(prose, plain): what is said of why, and what the reading said of the cell."""
+    """(prose, plain): the explanation of the verdict, and the note made on reading the cell."""
     if answer.verdict == "mistake":
         return words.or_else.join(filter(None, map(wording.mistakes.get, mistakes_of(answer)))), ""
     if answer.verdict == "wrong":
@@ -196,15 +196,15 @@ def _remark(
     if answer.verdict == "void" and answer.out_of:
         return words.explained[FULL], ""
     if answer.verdict in words.explained:
-        told = words.reasons_are_told and answer.verdict in ("wrong unit", "unreadable")
-        return words.explained[answer.verdict], answer.reason if told else ""
+        shown = words.reasons_are_shown and answer.verdict in ("wrong unit", "unreadable")
+        return words.explained[answer.verdict], answer.reason if shown else ""
     return "", answer.reason
 
 
 def hint_text(
     found: Hint, answer: MarkedAnswer, right: RightAnswer, wording: Wording, words: FeedbackWords
 ) -> str:
-    """A hint in a student's words, as prose."""
+    """A hint in words for a student, as prose."""
     match found.kind:
         case "power of ten":
             factor = f"{10 ** abs(found.power):,}"
@@ -236,7 +236,7 @@ def hint_text(
 
 
 def percent_text(share: Fraction) -> str:
-    """Two significant figures, and more where these would say 1 %.
+    """Two significant figures, or more where two would read 1 %.
 
     >>> percent_text(Fraction("0.0134")), percent_text(Fraction("0.01004"))
     ('1.3 %', '1.004 %')
@@ -248,7 +248,8 @@ def percent_text(share: Fraction) -> str:
 
 
 def right_text(right: RightAnswer) -> str:
-    """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is rounded.
+    """`exact = decimal unit`: the exact value where it is short, "≈" where the decimal is
+    rounded.
 
     >>> right_text(RightAnswer(Fraction("1.154700538379"), "2*sqrt(3)/3", "m/s", Fraction(0)))
     '2√3/3 ≈ 1.1547\u202fm/s'
@@ -268,7 +269,7 @@ def right_text(right: RightAnswer) -> str:
 
 
 def exact_text(expression: str) -> str:
-    """A closed form as it is written by hand; "" for a long one.
+    """A closed form as it is written by hand; "" if it is long.
 
     >>> exact_text("-3*sqrt(2)/40 + 2*pi"), exact_text("sqrt(2 - sqrt(3))")
     ('−3√2/40 + 2π', '√(2 − √3)')
@@ -290,5 +291,5 @@ def with_unit(number: str, unit: str) -> str:
 
 
 def share_of(points: Fraction, out_of: Fraction) -> str:
-    """Points out of points."""
+    """Points out of the maximum."""
     return f"{amount_text(points)} / {amount_text(out_of)}"

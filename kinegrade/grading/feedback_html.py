@@ -1,4 +1,4 @@
-"""A feedback sheet as one HTML page that stands by itself."""
+"""A feedback sheet as one self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from kinegrade.grading.html_layout import layout
 
 
 def feedback_html(sheet: FeedbackSheet) -> str:
-    """The page; every text of it is escaped, so that nothing a student typed becomes a tag."""
+    """The page; all text in it is escaped, so that nothing a student typed becomes a tag."""
     return str(layout("feedback.html").render(sheet=sheet, words=sheet.words))

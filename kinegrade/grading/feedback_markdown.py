@@ -17,7 +17,7 @@ _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 
 
 def feedback_markdown(sheet: FeedbackSheet) -> str:
-    """The sheet as text; nothing a student typed is taken for Markdown or HTML."""
+    """The sheet as text; nothing a student typed is interpreted as Markdown or HTML."""
     words = sheet.words
     fields = ((words.name, sheet.name), (words.student, sheet.student), (words.paper, sheet.code))
     course = f"{sheet.course} · {sheet.date}" if sheet.date else sheet.course
@@ -43,7 +43,7 @@ def feedback_markdown(sheet: FeedbackSheet) -> str:
 
 
 def plain(text: str) -> str:
-    r"""Text that Markdown prints as it is, in one line.
+    r"""Text that Markdown prints as it is, on one line.
 
     >>> print(plain("<b>|_x_$"))
     \<b\>\|\_x\_\$

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-FULL = "void, full points"  # in `explained`: of an ask that is void and still gives its points
+FULL = "void, full points"  # in `explained`: for a void ask that still gives its points
 
 
 @dataclass(frozen=True)
 class FeedbackWords:
-    """What a feedback sheet says to a student besides the exam's own texts; hints are prose with
+    """What a feedback sheet tells a student besides the exam's own texts; hints are prose with
     `$...$` math.
     """
 
@@ -20,7 +20,7 @@ class FeedbackWords:
     student: str
     paper: str
     question: str  # takes the number on the paper
-    question_known: str  # takes the number, and that in the answer sheet where it is another
+    question_known: str  # takes the number, and that in the answer sheet if different
     asked: str
     yours: str
     read_as: str  # takes the number that was read
@@ -29,21 +29,20 @@ class FeedbackWords:
     points: str
     total: str
     kept: str
-    none: str  # in the place of an answer
+    none: str  # in place of an answer
     about_hints: str
     solution: str
     page: str  # takes the page's number and the number of pages
     verdicts: Mapping[str, str]
-    explained: Mapping[str, str]  # by verdict, where that alone says what is to be said
-    reasons_are_told: (
-        bool  # whether what the reading says of a cell, in English, is fit for this language
-    )
-    or_else: str  # between sentences on mistakes of which any may have been made
+    explained: Mapping[str, str]  # by verdict, where the verdict alone needs explaining
+    # Whether the note made on reading a cell, which is English, suits this language
+    reasons_are_shown: bool
+    or_else: str  # between sentences on mistakes, any of which may have been made
     hints: Mapping[str, str]
-    turned: str  # after a hint where the sign is opposite besides
+    turned: str  # after a hint, where the sign is opposite as well
     too_large: str  # takes the factor, 10 or 1,000
     too_small: str
-    close: str  # takes the difference and what is allowed, in per cent or in the words of the next
+    close: str  # takes the difference and the tolerance, in per cent or in the words of the next
     by_policy: str
     other_ask: str  # takes the symbol
 
@@ -88,7 +87,7 @@ ENGLISH = FeedbackWords(
         "void": "This was taken out of the marking.",
         FULL: "This was not marked: everybody who handed in gets the points.",
     },
-    reasons_are_told=True,
+    reasons_are_shown=True,
     or_else=" Or: ",
     hints={
         "opposite": "The size is right, the sign is opposite: perhaps the sense was reversed, or "
@@ -160,7 +159,7 @@ CHINESE = FeedbackWords(
         "void": "该小问不参与评分。",
         FULL: "该小问不评分，凡交卷者均得满分。",
     },
-    reasons_are_told=False,
+    reasons_are_shown=False,
     or_else="或者：",
     hints={
         "opposite": "数值大小正确，符号相反：可能把转向（方向）弄反了，或没有注意正负号的约定。",

@@ -1,11 +1,11 @@
-"""Follow-through: the answers of one student that follow from the student's own wrong answers to
+"""Follow-through: the answers of one student that follow from the student's wrong answers to
 earlier asks.
 
-`follow_through` is pure and is called with the answers to one question as they were decided by the
-key, the policy and the known mistakes. What follows is worked out by whoever is given as `follows`
-(`kinegrade.exam.follow_through`); here stands what counts: the key is tried first, an error is
-charged once, and no credit comes from an earlier answer that is right, missing, zero, beyond any
-sense, or such that it makes the rest trivial (`kinegrade.grading.trivial_answers`).
+`follow_through` is pure. It takes the answers to one question as decided by the key, the policy and
+the known mistakes. The argument `follows` works out what follows (`kinegrade.exam.follow_through`);
+this module holds the rules. The key is tried first, and an error is charged once. No credit comes
+from an earlier answer that is right, missing, zero, absurd, or so chosen that it makes the rest
+trivial (`kinegrade.grading.trivial_answers`).
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from kinegrade.grading.trivial_answers import Later, is_trivial
 FARTHEST = (
     1000  # times the right answer, or below its thousandth part: no follow-through from there
 )
-SAME = Fraction(1, 10**9)  # relative: what is closer is the same but for rounding
-Own = Mapping[str, Fraction]  # a student's own answers by ask, each in its unit
+SAME = Fraction(1, 10**9)  # relative: closer values differ only by rounding
+Own = Mapping[str, Fraction]  # a student's answers by ask, each in its unit
 
 
 class Consequence(Protocol):
-    """What follows for an ask from a student's own answers to other asks of the question, put in
-    all at once.
+    """What follows for an ask from a student's answers to other asks of the question, all
+    substituted at once.
     """
 
-    def __call__(self, student: str, question: str, own: Own, later: str) -> Fraction | None:
+    def __call__(self, student: str, question: str, answers: Own, later: str, /) -> Fraction | None:
         """The value in the unit of `later`; None where it does not depend on those answers, or
         nothing follows.
         """
@@ -47,16 +47,16 @@ def as_asked(question: str, asks: Sequence[str]) -> Sequence[str]:
 
 @dataclass(frozen=True, slots=True)
 class Follows:
-    """Who knows what follows; `order` sorts the asks of a question so that nothing depends on what
-    comes after it.
+    """What follows, and `order`, which sorts the asks of a question so that none depends on a later
+    one.
     """
 
     consequence: Consequence
     order: Callable[[str, Sequence[str]], Sequence[str]] = as_asked
 
-    def __call__(self, student: str, question: str, own: Own, later: str) -> Fraction | None:
-        """The consequence."""
-        return self.consequence(student, question, own, later)
+    def __call__(self, student: str, question: str, answers: Own, later: str) -> Fraction | None:
+        """The value that follows."""
+        return self.consequence(student, question, answers, later)
 
     def sorted(self, answers: Sequence[Decided]) -> list[Decided]:
         """The answers to a question in that order."""
@@ -70,9 +70,7 @@ class Follows:
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """An answer of one student as it is decided so far; `key` is the paper's, `ruling` what a
-    policy says.
-    """
+    """A student's answer as decided so far; `key` is the paper's, `ruling` the policy's."""
 
     ask: Ask
     reading: Reading
@@ -82,7 +80,7 @@ class Decided:
 
     @property
     def own_value(self) -> Fraction | None:
-        """What may be followed: a number of the right one's size, give or take a thousand times."""
+        """The number to follow from, if it is within a factor of a thousand of the right answer."""
         value, right = self.reading.value, self.key.value
         sensible = value and right and 1 <= FARTHEST * abs(value / right) <= FARTHEST**2
         return value if sensible else None
@@ -94,7 +92,7 @@ class Decided:
 
     @property
     def may_follow(self) -> bool:
-        """Whether following from earlier answers could be to the student's good."""
+        """Whether following from earlier answers could benefit the student."""
         verdict, share = self.decision
         open_still = self.reading.kind == "number" and verdict.kind not in ("right", "void")
         return open_still and self.ruling.follow_through > share
@@ -103,10 +101,10 @@ class Decided:
 def follow_through(
     student: str, answers: Sequence[Decided], follows: Follows
 ) -> dict[str, Decision]:
-    """The decisions that follow-through makes better, by ask; `answers` are those to one question.
+    """The decisions that follow-through improves, by ask; `answers` are those to one question.
 
-    An answer that got follow-through is an own one for those after it, so that an error is charged
-    once however far it goes.
+    An answer that earned follow-through counts as a student's answer for later asks, so an error is
+    charged once however far it carries.
     """
     found: dict[str, Decision] = {}
     wrong: dict[str, Fraction] = {}
@@ -125,9 +123,7 @@ def follow_through(
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """The student's own answers so far, the wrong ones and the right ones, and what would be
-    right.
-    """
+    """The student's answers so far, wrong and right, and the right values."""
 
     wrong: Own
     right: Own
@@ -137,20 +133,20 @@ class _Earlier:
 def _verdicts(
     student: str, answer: Decided, earlier: _Earlier, follows: Follows
 ) -> Iterator[Verdict]:
-    """Agreements with what follows from own answers, of which one at least is wrong and none makes
-    the rest trivial.
+    """Agreements with what follows from the student's answers, at least one of them wrong and none
+    of them making the rest trivial.
     """
 
-    def what_follows(own: Own) -> Fraction | None:
-        return follows(student, answer.ask.question, own, answer.ask.ask)
+    def what_follows(answers: Own) -> Fraction | None:
+        return follows(student, answer.ask.question, answers, answer.ask.ask)
 
     def compared(value: Fraction) -> Verdict:
         return judge(answer.reading, answer.ruling.beside(answer.key, value))
 
     later = Later(what_follows, lambda value: compared(value).kind == "right")
-    for own, value in _followed(student, answer.ask, earlier.wrong, earlier.right, follows):
+    for answers, value in _followed(student, answer.ask, earlier.wrong, earlier.right, follows):
         if later.agrees(value):
-            used = _used(student, answer.ask, own, value, follows)
+            used = _used(student, answer.ask, answers, value, follows)
             wrong = used.keys() & earlier.wrong.keys()
             if not any(is_trivial(name, used, earlier.keys[name], later) for name in wrong):
                 yield Verdict("follow-through", _reason(answer.ask.question, used, compared(value)))
@@ -159,24 +155,24 @@ def _verdicts(
 def _followed(
     student: str, later: Ask, wrong: Own, right: Own, follows: Follows
 ) -> Iterator[tuple[Own, Fraction]]:
-    """What follows from all wrong answers, from single ones, and from the wrong and the right ones
-    together: somebody may have gone on from one and not from another, and what would follow for a
-    third may be right all the same.
+    """What follows from all wrong answers, from single ones, and from wrong and right ones
+    together. A student may have carried on from one answer and not from another, and what would
+    follow for a third may still be right.
     """
     singles = ({name: wrong[name]} for name in reversed(tuple(wrong)) if len(wrong) > 1)
-    for own in (wrong, *singles):
-        value = follows(student, later.question, own, later.ask)
+    for answers in (wrong, *singles):
+        value = follows(student, later.question, answers, later.ask)
         if value is not None:
-            yield own, value
+            yield answers, value
     value = follows(student, later.question, {**wrong, **right}, later.ask) if right else None
     if value is not None and not _alike(value, follows(student, later.question, right, later.ask)):
         yield {**wrong, **right}, value
 
 
-def _used(student: str, later: Ask, own: Own, value: Fraction, follows: Follows) -> Own:
-    """Those of the own answers without which something else would follow."""
-    used = dict(own)
-    for name in own:
+def _used(student: str, later: Ask, answers: Own, value: Fraction, follows: Follows) -> Own:
+    """The answers without which a different value would follow."""
+    used = dict(answers)
+    for name in answers:
         rest = {each: number for each, number in used.items() if each != name}
         if rest and _alike(value, follows(student, later.question, rest, later.ask)):
             used = rest
@@ -184,11 +180,13 @@ def _used(student: str, later: Ask, own: Own, value: Fraction, follows: Follows)
 
 
 def _alike(value: Fraction, other: Fraction | None) -> bool:
-    """Whether both are the same but for rounding."""
+    """Whether the two differ only by rounding."""
     return other is not None and abs(other - value) <= SAME * abs(value)
 
 
-def _reason(question: str, own: Own, verdict: Verdict) -> str:
-    """In words: from which answers, what follows, and how far from it the answer is."""
-    answers = " and ".join(f"{question}.{name} = {float(value):.6g}" for name, value in own.items())
-    return f"follows from the own {answers}: {verdict.reason.removeprefix('key ')}"
+def _reason(question: str, used: Own, verdict: Verdict) -> str:
+    """In words: the answers used, what follows from them, and how far the answer is from that."""
+    answers = " and ".join(
+        f"{question}.{name} = {float(value):.6g}" for name, value in used.items()
+    )
+    return f"follows from the student's {answers}: {verdict.reason.removeprefix('key ')}"

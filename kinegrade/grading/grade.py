@@ -1,4 +1,6 @@
-"""From an exam folder and an answer sheet to a folder of marks: the whole of `kinegrade grade`."""
+"""From an exam folder and an answer sheet to a marks folder: everything behind `kinegrade
+grade`.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,7 @@ from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.tables import Table, read_table
 
-Export = Callable[[MarksFolder], str]  # a marks folder -> the text of one more file in it
+Export = Callable[[MarksFolder], str]  # a marks folder -> the text of another file in it
 _NO_EXPORTS: Mapping[str, Export] = MappingProxyType({})
 
 
@@ -47,12 +49,13 @@ def grade(
     """Writes the folder `output`, whole or not at all, and gives all grades and complaints.
 
     `answers` is an answer sheet, as a file or a table, or the files of one class as
-    `kinegrade.lms.responses` reads them. `exports` names the files for other systems that go into
-    the folder too, such as `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the
-    decimal mark of the sheet. `policy` is a file, of which the folder gets a copy; `never_lower` an
-    earlier marking below whose totals nobody falls; `follows` works out what follows from wrong
-    answers. A marking in which most answers fit other papers is refused, unless they are said to be
-    to `own_papers`. Raises ExamError, PolicyError, TableError, OutputError.
+    `kinegrade.lms.responses` reads them. `exports` names the files for other systems that also go
+    into the folder, such as `{"moodle.csv": kinegrade.lms.moodle.export}`. `decimal` declares the
+    decimal mark of the sheet. `policy` is a file, copied into the folder; `never_lower` is an
+    earlier marking whose totals are kept where they are higher; `follows` works out what follows
+    from wrong answers. A marking in which most answers fit other papers is refused, unless
+    `own_papers` confirms that they belong to the students' own. Raises ExamError, PolicyError,
+    TableError, OutputError.
     """
     written = output_folder(output, marker=MARKER, contents=(*FILES, *exports), force=force)
     with bulk_work(), written as path:
@@ -74,7 +77,7 @@ def grade(
 def _write_totals(
     folder: MarksWriter, grades: ClassGrades, never_lower: MarksFolder | None
 ) -> ClassGrades:
-    """Writes the totals and complaints, and gives them: with the earlier totals that stand."""
+    """Writes the totals and complaints, and gives them with the earlier totals that stand."""
     if never_lower is not None:
         grades, kept = with_kept_totals(grades, never_lower.totals.by_student)
         folder.kept(kept)
@@ -84,7 +87,7 @@ def _write_totals(
 
 
 def _write_exports(path: Path, exports: Mapping[str, Export]) -> None:
-    """Files for other systems, made of what stands in the folder."""
+    """Files for other systems, made from the contents of the folder."""
     folder = MarksFolder(path)
     for name, export in exports.items():
         (path / name).write_text(export(folder), encoding="utf-8", newline="")
@@ -103,5 +106,7 @@ def _files(answers: Path | Table | Sequence[AnswerFile]) -> Sequence[AnswerFile]
 
 
 def _policy_for(exam: ExamFolder, policy: Path | None) -> Policy:
-    """The policy of that file, or what the bank states where there is none. Raises PolicyError."""
+    """The policy in that file, or the one stated in the bank where there is none. Raises
+    PolicyError.
+    """
     return stated_policy(exam) if policy is None else read_policy(policy, exam)

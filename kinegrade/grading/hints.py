@@ -1,8 +1,8 @@
-"""What probably went wrong with a number, seen from the number alone: a sign, a power of ten,
+"""What probably went wrong with a number, judging by the number alone: a sign, a power of ten,
 degrees for radians.
 
-Only ratios that hardly come about by chance are named, and feedback words them as a "perhaps".
-Mistakes that follow from the mechanism are told by the marks; this is for all other wrong answers.
+Only ratios that rarely arise by chance are named, and feedback words them as a "perhaps". The marks
+already report mistakes that follow from the mechanism; this is for all other wrong answers.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ _DOUBLED: tuple[tuple[Kind, float], ...] = (("twice", 2.0), ("half", 0.5))
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """`reversed_sign` where the sign is opposite besides; `power` of ten; `column` of the ask whose
-    answer it is.
+    """`reversed_sign` is whether the sign is opposite as well; `power` is the power of ten;
+    `column` is the ask whose answer it is.
     """
 
     kind: Kind
@@ -47,11 +47,10 @@ class Hint:
 def hint(
     value: Fraction, right: Fraction, allowed: Fraction, unit: str, others: Mapping[str, Fraction]
 ) -> Hint | None:
-    """What a wrong value tells, or None; `others` are the right answers of the question's other
-    asks by column.
+    """What a wrong value suggests, or None; `others` are the right answers of the question's other
+    asks, by column.
 
-    A value fits where it lies within the tolerance, and within 2 %, of a multiple of the right
-    answer.
+    A value fits if it lies within the tolerance, and within 2 %, of a multiple of the right answer.
 
     >>> hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
     Hint(kind='opposite', reversed_sign=False, power=0, column='')
@@ -86,7 +85,7 @@ def _candidates(unit: str) -> tuple[tuple[Hint, float], ...]:
 
 
 def _angular(unit: str) -> Sequence[tuple[Kind, float]]:
-    """Factors between measures of angles; none for lengths and speeds."""
+    """Factors between measures of angle; none for lengths and speeds."""
     forgotten: list[tuple[Kind, float]] = [
         ("degrees for radians", 180 / pi),
         ("radians for degrees", pi / 180),

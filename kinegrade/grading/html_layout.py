@@ -1,4 +1,4 @@
-"""The layouts of HTML pages: every text is escaped, and a text that is missing is an error."""
+"""The layouts of HTML pages: all text is escaped, and a missing text is an error."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinegrade.grading.math_html import prose_html, symbol_html
 
 @cache
 def layout(name: str) -> Template:
-    """A layout of this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
+    """A layout from this package; it may call `css(FILE)` and the filters `prose` and `symbol`."""
     folder = files("kinegrade.grading") / "layouts"
     environment = Environment(
         loader=FileSystemLoader(str(folder)),

@@ -1,8 +1,8 @@
-"""What a class's points tell about the asks: how hard each was, and whether it parts good papers
+"""What a class's points say about the asks: how hard each was, and whether it separates good papers
 from weak ones.
 
-Arrays have a row for each student and a column for each ask. Whatever too few students cannot tell
-is None.
+Arrays have a row for each student and a column for each ask. A figure for which there are too few
+students is None.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ import numpy.typing as npt
 
 Points = npt.NDArray[np.float64]
 FEWEST = 3  # students: a correlation of two is always 1 or -1
-FINE, COARSE = 10, 20  # per cent: the width of a class of the histogram
-FEW = 25  # students: fewer are shown in coarse classes
+FINE, COARSE = 10, 20  # per cent: the width of a bin of the histogram
+FEW = 25  # students: smaller classes get coarse bins
 
 
 @dataclass(frozen=True)
 class Summary:
-    """A distribution in figures; `sd` divides by n - 1 and is None for one value. Quartiles
+    """A distribution in figures; `sd` divides by n - 1 and is None for a single value. Quartiles
     interpolate linearly.
     """
 
@@ -37,8 +37,8 @@ class Summary:
 
 @dataclass(frozen=True)
 class Histogram:
-    """Counts between edges; a value on an edge counts to the right, the last edge to the last
-    class.
+    """Counts between edges; a value on an edge counts to the right, on the last edge in the last
+    bin.
     """
 
     edges: tuple[float, ...]
@@ -46,7 +46,7 @@ class Histogram:
 
 
 def summary(values: Sequence[float] | Points) -> Summary | None:
-    """Of one value or more.
+    """The summary of at least one value.
 
     >>> summary([1, 2, 4]).median
     2.0
@@ -69,7 +69,7 @@ def summary(values: Sequence[float] | Points) -> Summary | None:
 
 
 def histogram(percents: Sequence[float] | Points) -> Histogram:
-    """Per cents from 0 to 100 in classes of ten, of twenty where there are few; what lies above
+    """Percentages from 0 to 100 in bins of ten, or of twenty for few values; anything above 100
     counts as 100.
 
     >>> histogram([0, 20, 39.9, 100]).counts
@@ -82,7 +82,7 @@ def histogram(percents: Sequence[float] | Points) -> Histogram:
 
 
 def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
-    """For each ask the mean share of its points; None where nobody or nothing counts."""
+    """For each ask the mean share of its points; None where no student or no point counts."""
     if not len(points):
         return (None,) * len(out_of)
     means = points.mean(axis=0).tolist()
@@ -94,7 +94,7 @@ def facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
 def discriminations(points: Points) -> tuple[float | None, ...]:
     """For each ask the correlation (Pearson) of its points with the total of all other asks.
 
-    None for fewer than three students, and where all have the same points in the ask or in the
+    None for fewer than three students, or if all have the same points for the ask or for the
     others.
     """
     students, asks = len(points), range(points.shape[1])
@@ -105,7 +105,7 @@ def discriminations(points: Points) -> tuple[float | None, ...]:
 
 
 def correlation(first: Points, second: Points) -> float | None:
-    """Pearson's coefficient; None where one of the two does not vary."""
+    """Pearson's coefficient; None if either of the two does not vary."""
     one, other = first - first.mean(), second - second.mean()
     scale = float(np.sqrt((one**2).sum() * (other**2).sum()))
     smallest = (

@@ -1,9 +1,9 @@
-"""Right or wrong: one reading held against one key.
+"""Right or wrong: one reading compared with one key.
 
-`judge` is pure; `bulk_comparison` says the same of thousands of answers wherever double precision
-can. The rule is the one printed on the paper: right is what differs from the key by at most the
-tolerance, exactly the tolerance included, and what agrees with it to the significant figures that
-are asked for.
+`judge` is pure; `bulk_comparison` gives the same verdicts for thousands of answers wherever double
+precision suffices. The rule is the one printed on the paper: an answer is right if it differs from
+the key by at most the tolerance, exactly the tolerance included, and agrees with it to the
+significant figures that are asked for.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ class Verdict:
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
-    """Decides by exact fractions; an irrational answer that cannot be told from the bound is on it.
-    Never raises.
+    """Decides by exact fractions; an irrational answer that cannot be distinguished from the bound
+    counts as on it. Never raises.
 
     >>> from kinegrade.grading.answers import read
     >>> judge(read("1.01", "m/s"), Key(Fraction(1), Fraction(1, 100))).reason
@@ -57,7 +57,7 @@ def judge(reading: Reading, key: Key) -> Verdict:
 
 
 def _compared(reading: Reading, key: Key) -> Verdict:
-    """Right or wrong; a number without a value, of which the reason tells, is unreadable."""
+    """Right or wrong; a number without a value is unreadable, and the reason says why."""
     if reading.value is None:
         return Verdict("unreadable", reading.reason)
     difference = reading.value - key.value

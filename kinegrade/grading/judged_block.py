@@ -1,7 +1,7 @@
-"""The answers of many students, judged: what has become of each.
+"""The answers of many students, judged: the verdict and the share of the points for each.
 
-`block_judge` makes such blocks and `marks` works with them. They are lists rather than an object
-for every answer, because a large class gives a million answers.
+`block_judge` makes such blocks and `marks` works with them. They hold lists rather than an object
+for each answer, because a large class gives a million answers.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from kinegrade.grading.sheet import Entry
 from kinegrade.grading.typed_cells import TypedCells
 
 Row = tuple[Paper, Entry]
-NO_SHARE, FULL_SHARE = 0, 1  # places in `JudgedBlock.credits`
-USUAL_CREDITS = 2  # as many there are where every answer has all or nothing
+NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
+USUAL_CREDITS = 2  # the length of `credits` if every answer has all or nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class JudgedBlock:
     """All answers of some rows, row after row: the kinds and reasons of the verdicts, and the
     shares of the points.
 
-    Each of `shares` is a place in `credits`, which holds the few that there are.
+    Each of `shares` is an index into `credits`, which holds the few distinct values.
     """
 
     rows: Sequence[Row]
@@ -37,12 +37,12 @@ class JudgedBlock:
     credits: list[Fraction] = field(default_factory=lambda: [Fraction(0), Fraction(1)])
 
     def put(self, place: int, decision: Decision) -> None:
-        """Sets what became of an answer."""
+        """Sets the decision on an answer."""
         verdict, share = decision
         self.set(place, verdict.kind, verdict.reason, share)
 
     def set(self, place: int, kind: Kind, reason: str, share: Fraction) -> None:
-        """The same without a verdict made for it."""
+        """The same without creating a verdict."""
         self.kinds[place], self.reasons[place] = kind, reason
         if not share:
             self.shares[place] = NO_SHARE
@@ -52,5 +52,5 @@ class JudgedBlock:
         self.shares[place] = self.credits.index(share)
 
     def decision(self, place: int) -> Decision:
-        """What became of an answer."""
+        """The decision on an answer."""
         return Verdict(self.kinds[place], self.reasons[place]), self.credits[self.shares[place]]

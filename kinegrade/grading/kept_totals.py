@@ -1,9 +1,8 @@
-"""Nobody loses by a new marking: the total that was announced stands where the new one would be
-lower.
+"""A new marking lowers no total: an announced total stands where the new one would be lower.
 
-Totals are compared, not single answers: who loses two points in one question and gains three in
-another has gained. A total counts by its share of what there was to get, so that leaving out a void
-question takes nothing from anybody.
+Totals are compared, not single answers: a student who loses two points on one question and gains
+three on another has gained. A total counts by its share of the maximum, so that leaving out a void
+question costs no student anything.
 """
 
 from __future__ import annotations
@@ -26,8 +25,8 @@ Grades = TypeVar("Grades", bound=ClassGrades)
 def never_lower(
     marks: Grades, before: Mapping[str, StudentTotal]
 ) -> tuple[Grades, tuple[KeptTotal, ...]]:
-    """The marks in which nobody's share of the points is below the earlier one, and whose total
-    that changes.
+    """The marks in which no student's share of the points is below the earlier one, and the totals
+    this changes.
 
     Works on `Marks`, or on `ClassGrades` alone.
     """
@@ -44,8 +43,8 @@ def never_lower(
 
 
 def _kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[KeptTotal]:
-    """Compared as both are written, or the rounding of a third of a point would look like a
-    loss.
+    """Totals are compared as they are written; otherwise rounding a third of a point would look
+    like a loss.
     """
     for grade in marks.grades:
         earlier = before.get(grade.student)
@@ -56,13 +55,13 @@ def _kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[Ke
 
 
 def _kept_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
-    """With why the total is not the sum of the questions."""
+    """With the reason why the total is not the sum of the questions."""
     before = f"{amount_text(earlier.total)} of {amount_text(earlier.out_of)}"
     now = f"{amount_text(grade.total)} of {amount_text(grade.out_of)}"
     return KeptTotal(
         grade.student,
         grade.name,
-        f"nobody is lowered: {before} before, {now} by this marking",
+        f"earlier total kept: {before} before, {now} by this marking",
         earlier.total,
         earlier.out_of,
         grade.total,
@@ -72,10 +71,10 @@ def _kept_total(grade: Grade, earlier: StudentTotal) -> KeptTotal:
 
 
 def _rounded_up(amount: Fraction) -> Fraction:
-    """To as many places as are written, so that the share does not fall either."""
+    """Rounded to as many places as are written, upwards, so that the share does not fall either."""
     return Fraction(ceil(amount * 10**PLACES), 10**PLACES)
 
 
 def _stranger(student: str) -> Complaint:
-    problem = f'student "{student}" has marks before, and is not in the exam'
-    return Complaint(GRADES.name, None, "student", "", problem, "nothing to be kept")
+    problem = f'student "{student}" has earlier marks but is not in the exam'
+    return Complaint(GRADES.name, None, "student", "", problem, "nothing kept")

@@ -1,7 +1,7 @@
 """The marks of a class: a verdict for every student and ask, and the totals.
 
-`marked_blocks` is called by `grade` and gives the class in blocks, so that its size costs little
-memory; `mark` gives all at once. `answer_lines` writes what they give.
+`marked_blocks` is called by `grade` and gives the class in blocks, so that memory hardly grows with
+the class; `mark` gives everything at once. `answer_lines` writes the result.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ from kinegrade.grading.sheet import Entry, Sheet, repeated
 from kinegrade.marks_folder.rows import Grade
 from kinegrade.tables import Complaint, shortened, trimmed
 
-BLOCK = 250  # papers that are marked together
+BLOCK = 250  # papers marked together
 _NO_ALTERNATIVES: Alternatives = MappingProxyType({})
 _NO_POOL = Pool()
 
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """One answer of one student, judged; the points of `ask` are those it has by the policy."""
+    """One answer of one student, judged; `ask` has the points it has under the policy."""
 
     student: str
     ask: Ask
@@ -58,7 +58,7 @@ class ClassGrades:
 
 @dataclass(frozen=True, slots=True)
 class Marks(ClassGrades):
-    """The grades and complaints of a class, and every mark: in the order of the roster, and of the
+    """The grades and complaints of a class, and every mark, in the order of the roster and of the
     asks.
     """
 
@@ -67,11 +67,11 @@ class Marks(ClassGrades):
 
 @dataclass(frozen=True, slots=True)
 class MarkedBlock:
-    """The marks of some students; `asks` have the points they have by the policy, `judged` is a row
-    for each grade.
+    """The marks of some students; `asks` have their points under the policy, `judged` has a row for
+    each grade.
 
-    `general` are complaints about cells that were read as was declared or decided for the whole
-    file, by the reason.
+    `general` holds, by reason, complaints about cells that were read as declared or decided for the
+    whole file.
     """
 
     asks: tuple[Ask, ...]
@@ -104,12 +104,11 @@ def mark(
     follows: Follows | None = None,
     pool: Pool = _NO_POOL,
 ) -> Marks:
-    """Marks a class. Raises nothing of its own: what cannot be read gets no points, and a
-    complaint.
+    """Marks a class. Raises nothing itself: what cannot be read gets no points and a complaint.
 
-    `decimal` declares the decimal mark of the sheet; without it, cells that leave no doubt tell
-    what 1,234 means. `alternatives` are the policy's accepted answers, worked out; `follows` works
-    out what follows from own answers; `pool` has the papers whose questions were put to others.
+    `decimal` declares the decimal mark of the sheet; without it, unambiguous cells decide what
+    1,234 means. `alternatives` are the policy's accepted answers, worked out; `follows` works out
+    what follows from a student's answers; `pool` has the papers whose questions were put to others.
     """
     blocks = list(
         marked_blocks(exam, sheet, decimal, policy, alternatives, follows=follows, pool=pool)
@@ -131,8 +130,8 @@ def marked_blocks(
     follows: Follows | None = None,
     pool: Pool = _NO_POOL,
 ) -> Iterator[MarkedBlock]:
-    """The same in blocks, in the order of the roster. Raises what reading the papers raises:
-    ExamError.
+    """The same in blocks, in the order of the roster. Raises ExamError where the papers cannot be
+    read.
     """
     styles = file_style((entries[-1].responses for entries in sheet.entries.values()), decimal)
     judge = BlockJudge(exam.asks, policy, alternatives, styles, follows)
@@ -144,8 +143,8 @@ def marked_blocks(
 
 
 def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:
-    """What remains of the blocks: everybody's points, and the complaints with those about the
-    sheet.
+    """What remains of the blocks: every student's points, and the complaints together with those
+    about the sheet.
     """
     grades: list[Grade] = []
     complaints = list(sheet.complaints)
@@ -161,7 +160,7 @@ def class_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> 
 
 
 def _place(complaint: Complaint) -> tuple[str, int]:
-    """Where to list it: first what is about no single line, then file by file."""
+    """The sort key of a complaint: first those about no single line, then file by file."""
     return ("", 0) if complaint.line is None else (complaint.file, complaint.line)
 
 
@@ -177,9 +176,9 @@ def _said_once(alike: Sequence[Complaint]) -> Complaint:
 
 @dataclass(frozen=True, slots=True)
 class _Marker:
-    """What it takes to mark a class; `asks` have the points they have by the policy.
+    """Everything needed to mark a class; `asks` have their points under the policy.
 
-    `known` are the points of rows in which every answer has all or nothing, by their places in
+    `known` are the points of rows in which every answer gets all or nothing, by their indices into
     `JudgedBlock.credits`.
     """
 
@@ -219,7 +218,7 @@ class _Marker:
         return self.pool.paper(paper, entry), entry
 
     def _counted(self, papers: Sequence[Paper]) -> list[Row]:
-        """The row of each student that counts, as a whole; of the best ones the last."""
+        """The row that counts for each student, as a whole; among equally good rows the last."""
         match self.judge.policy.attempts:
             case "first":
                 return [self._row(paper, self._entries(paper)[0]) for paper in papers]
@@ -246,7 +245,7 @@ class _Marker:
         return [best[row[0].student][1] if row[0].student in best else row for row in rows]
 
     def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
-        """The points of each row by question; there are few ways to get them, and each is added up
+        """The points of each row by question; there are few combinations, and each is added up
         once.
         """
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
@@ -274,11 +273,11 @@ class _Marker:
     def _doubts(
         self, judged: JudgedBlock, general: dict[str, list[Complaint]]
     ) -> Iterator[Complaint]:
-        """The complaints about single cells; those whose reason is that of the whole file go to
+        """The complaints about single cells; those whose reason applies to the whole file go to
         `general`.
         """
         reasons = self.judge.styles.reasons
-        for place, reading in judged.cells.odd.items():
+        for place, reading in judged.cells.readings.items():
             row, number = divmod(place, len(self.asks))
             file, line = judged.rows[row][1].place(number)
             column = self.sheet.columns[number]

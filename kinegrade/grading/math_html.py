@@ -1,7 +1,7 @@
-"""Symbols and short prose as HTML: Greek letters, italics, subscripts, primes; what else LaTeX has
-is left in letters.
+"""Symbols and short prose as HTML: Greek letters, italics, subscripts, primes; any other LaTeX is
+left as text.
 
-Every character that comes in is escaped; the only tags are those made here.
+Every incoming character is escaped; the only tags are those made here.
 """
 
 from __future__ import annotations
@@ -78,12 +78,12 @@ def symbol_html(latex: str) -> Markup:
     >>> print(symbol_html(r"\omega_{AB}"), symbol_html("B'"))
     <span class="math"><i>ω</i><sub><i>AB</i></sub></span> <span class="math"><i>B</i>′</span>
     """
-    # Made of escaped letters and own tags
+    # Made from escaped letters and our own tags
     return Markup(f'<span class="math">{_Reader(latex).whole()}</span>')
 
 
 def prose_html(prose: str) -> Markup:
-    """A line of Markdown with `$...$` math: its math and its text, with no other marks.
+    """A line of Markdown with `$...$` math: only math and text, no other markup.
 
     >>> print(prose_html("speed of $B$ < $c$"))
     speed of <span class="math"><i>B</i></span> &lt; <span class="math"><i>c</i></span>
@@ -114,14 +114,14 @@ class _Reader:
         self._place = 0
 
     def whole(self) -> str:
-        """All of it, whether or not its braces match."""
+        """The whole formula, whether or not its braces match."""
         rows = []
         while self._place < len(self._tokens):
             rows.append(self.row())
         return "".join(rows)
 
     def row(self, *, upright: bool = False) -> str:
-        """What stands up to a closing brace or the end."""
+        """Everything up to a closing brace or the end."""
         pieces = []
         while self._place < len(self._tokens):
             if self._tokens[self._place] == "}":

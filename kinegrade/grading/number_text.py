@@ -1,9 +1,9 @@
-"""Decimal numbers as they are typed: folding of keyboards, grouping in threes, decimal point or
-comma, powers of ten.
+"""Decimal numbers as they are typed: normalising keyboard characters, grouping in threes, decimal
+point or comma, powers of ten.
 
-`folded` makes one alphabet of what English and Chinese keyboards give; `scan` takes one number off
-the front of a folded text. Digits are kept exactly. What a lone mark before three digits means is
-decided by a `DecimalStyle`.
+`folded` maps what English and Chinese keyboards produce to one alphabet; `scan` takes one number
+off the front of a folded text. Digits are kept exactly. A `DecimalStyle` decides what a single mark
+before three digits means.
 """
 
 from __future__ import annotations
@@ -39,11 +39,11 @@ _SIGNS = {
     **{ord(sign): "'" for sign in "\u2019\u2018\u02bc"},
     **{ord(sign): bracket for sign, bracket in zip("【】〔〕", "[]()", strict=True)},
 }
-# Made for grouping
+# Separators made for grouping
 _SINGLE_GROUP_BLANKS = str.maketrans(dict.fromkeys("\u00a0\u2007\u2009\u202f", "\u2009"))
 _BODY = (
     r"(?:(?P<body>[0-9]+(?:[.,'\u2009][0-9]+|\ [0-9]{3}(?![0-9]))*)(?P<last>[.,](?![0-9√π(½-¾]))?"
-    r"|(?P<bare>[.,][0-9]+))"
+    r"|(?P<decimals>[.,][0-9]+))"
 )
 _DIGITS = re.compile(_BODY + "(?P<power>(?!))?(?P<ten>(?!))?")
 _RUN = re.compile(
@@ -62,10 +62,10 @@ class Unreadable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class DecimalStyle:
-    """What a lone comma or point before exactly three digits means, and why: `1,234` is 1.234 or
+    """What a single comma or point before exactly three digits means, and why: `1,234` is 1.234 or
     1234.
 
-    The reasons end the sentence "read as 1.234: ...". The default is the rule that papers print.
+    The reasons end the sentence "read as 1.234: ...". The default is the rule printed on papers.
     """
 
     comma: MarkUse = "decimal"
@@ -79,8 +79,8 @@ class TypedNumber:
     """A number without its sign, exactly as typed: `digits` in plain form with a point, and where
     it ends.
 
-    `reason` says why it was read so where there are several ways, "" where there is but one.
-    Whoever tells it to a person says first as what the whole answer was read, with its sign.
+    `reason` says why it was read this way where there are several ways, "" where there is only one.
+    A message that uses it first says how the whole answer was read, with its sign.
     """
 
     value: Fraction
@@ -91,7 +91,7 @@ class TypedNumber:
 
 @dataclass(frozen=True, slots=True)
 class Mantissa:
-    """The pieces of a run of digits and the separators between them; `exponent` tells that a power
+    """The pieces of a run of digits and the separators between them; `exponent` is whether a power
     of ten follows.
     """
 
@@ -101,7 +101,7 @@ class Mantissa:
 
     @property
     def marks(self) -> tuple[str | None, str | None]:
-        """(the mark that is certainly decimal, the one that certainly groups), None where there is
+        """(the mark that is certainly decimal, the mark that certainly groups); None where there is
         none.
         """
         *earlier, last = self.separators or ("",)
@@ -115,7 +115,7 @@ class Mantissa:
 
     @property
     def ambiguous(self) -> bool:
-        """Whether one lone mark stands before exactly three digits, as in 1,234."""
+        """Whether a single mark stands before exactly three digits, as in 1,234."""
         return (
             len(self.separators) == 1
             and self.separators[0] in ".,"
@@ -124,7 +124,7 @@ class Mantissa:
         )
 
     def grouped(self, count: int) -> bool:
-        """Whether the first `count` pieces are right groups: one to three digits, then always
+        """Whether the first `count` pieces are proper groups: one to three digits, then always
         three.
         """
         first, *others = self.pieces[:count]
@@ -132,7 +132,7 @@ class Mantissa:
 
     @property
     def well_formed(self) -> bool:
-        """Whether the separators are used as some country uses them."""
+        """Whether the separators are used as in some country."""
         decimal, grouping = self.marks
         kinds = set(self.separators)
         if decimal is not None:
@@ -164,15 +164,15 @@ def folded(text: str) -> str:
 
 
 def mantissa(text: str, place: int = 0) -> Mantissa | None:
-    """The run of digits that begins at `place` of a folded text, None where none does."""
+    """The run of digits that begins at `place` of a folded text; None where none begins there."""
     found = _RUN.match(text, place)
     return _mantissa(found) if found else None
 
 
 def _mantissa(found: re.Match[str]) -> Mantissa:
     exponent = found["power"] is not None or found["ten"] is not None
-    if found["bare"]:
-        return Mantissa(("", found["bare"][1:]), (found["bare"][0],), exponent)
+    if found["decimals"]:
+        return Mantissa(("", found["decimals"][1:]), (found["decimals"][0],), exponent)
     pieces = re.split(r"[.,'\u2009 ]", found["body"])
     return Mantissa(tuple(pieces), tuple(re.findall(r"[.,'\u2009 ]", found["body"])), exponent)
 
@@ -180,11 +180,10 @@ def _mantissa(found: re.Match[str]) -> Mantissa:
 def scan(
     text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = True
 ) -> TypedNumber | None:
-    """The number that begins at `place` of a folded text, None where none does; without its power
-    of ten on wish.
+    """The number that begins at `place` of a folded text, None where none does; on request without
+    its power of ten.
 
-    Raises Unreadable for wrong grouping, too many digits, too large powers, and marks whose meaning
-    is open.
+    Raises Unreadable for wrong grouping, too many digits, too large powers, and ambiguous marks.
     """
     found = (_RUN if power_of_ten else _DIGITS).match(text, place)
     if found is None:
@@ -217,7 +216,9 @@ def scaled(digits: int, power_of_ten: int) -> Fraction:
 
 
 def _decimal_mark(parts: Mantissa, style: DecimalStyle) -> tuple[str | None, str]:
-    """The decimal mark of this number, None where it has none, and why where that is open."""
+    """The decimal mark of this number, None where it has none, and the reason where that is
+    ambiguous.
+    """
     if not parts.ambiguous:
         certain = parts.marks
         blank = "a blank groups the digits in threes" if " " in parts.separators else ""

@@ -1,14 +1,14 @@
-"""Whether a class answered other papers than those by which it is marked: a pool, or papers handed
-out in another order.
+"""Whether a class answered papers other than those by which it is marked: a pool, or papers handed
+out in a different order.
 
-`OtherPapers` watches a marking go by, block by block, for `grade`. It costs a count as long as most
-answers are right or explained; only where they are not are the answers of some students held
-against all papers of the exam.
+`OtherPapers` watches a marking for `grade`, block by block. This costs a count as long as most
+answers are right or explained; only if they are not, the answers of some students are compared with
+all papers of the exam.
 
-An answer is foreign where all the answers of its student to its question that are numbers are right
-on one other paper, and not all are on the own one. In a large class many a wrong number is right on
-some paper by chance: how often is seen by papers whose keys are moved by a few per cent, which
-nobody had.
+An answer is foreign if all numeric answers of its student to its question are right on one other
+paper, and not all of them are right on the student's paper. In a large class many wrong numbers are
+right on some paper by chance. How often is measured on papers that no student had, whose keys are
+moved by a few per cent.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.grading.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
 
-LOOKED_AT = 400  # students, evenly over the class: enough for a share, few enough for any class
-LEAST = 4  # answers: fewer say nothing of a class
-BY_CHANCE = 0.5  # of the foreign answers may be so by chance as well
-MOVED = (0.93, 1.07)  # keys that nobody had
-SAME = 1e-9  # relative: values that are no nearer are different
+LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class
+LEAST = 4  # answers: fewer say nothing about a class
+BY_CHANCE = 0.5  # of the foreign answers: this many may also be foreign by chance
+MOVED = (0.93, 1.07)  # factors for keys that no student had
+SAME = 1e-9  # relative: values further apart than this are different
 MOSTLY = 0.6  # of a student's answers
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -39,8 +39,8 @@ _EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 @dataclass
 class OtherPapers:
-    """What has gone by: how many answers are numbers, how many of them nothing explains, and each
-    student's.
+    """What has been counted so far: numeric answers, those of them that nothing explains, and each
+    student's numbers.
     """
 
     asks: tuple[Ask, ...]
@@ -50,7 +50,7 @@ class OtherPapers:
     right: list[Flags] = field(default_factory=list)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-        """The same blocks; what they hold is counted."""
+        """The same blocks, counted on their way."""
         for block in blocks:
             judged, width = block.judged, len(self.asks)
             is_number = ~np.isnan(judged.cells.values)
@@ -63,14 +63,14 @@ class OtherPapers:
             yield block
 
     def refuse(self, exam: ExamFolder, file: str) -> None:
-        """Raises ExamError where most answers fit other papers than those by which they are
+        """Raises ExamError where most answers fit papers other than those by which they are
         marked.
         """
         if self.numbers < LEAST or 2 * self.strange <= self.numbers:
             return
         step = max(1, len(self.rows) // LOOKED_AT)
-        own = np.arange(0, len(self.rows), step)
-        answers = _Answers(np.array(self.rows)[own], np.array(self.right)[own], own)
+        places = np.arange(0, len(self.rows), step)
+        answers = _Answers(np.array(self.rows)[places], np.array(self.right)[places], places)
         papers = [*exam.papers(), *exam.variants()]
         bounds = [_Bounds.of(papers, number) for number in range(len(self.asks))]
         found = answers.foreign(bounds, self._questions())
@@ -84,10 +84,10 @@ class OtherPapers:
             raise ExamError(
                 f"{file}: {self.strange} of {self.numbers} answers are wrong on the papers by "
                 "which they are marked, and most are right on other papers of this exam - "
-                "expected answers to everybody's own paper - check that ids and rows belong "
-                "together; answers to a pool are graded from the system's download with question "
-                "texts and right answers (--from moodle); if all is as it should be, add "
-                "--own-papers"
+                "expected each student's answers to that student's paper - check that ids "
+                "and rows belong together; answers to a pool are graded from the system's download "
+                "with question texts and right answers (--from moodle); if all is as it should "
+                "be, add --own-papers"
             )
 
     def _questions(self) -> list[list[int]]:
@@ -97,8 +97,8 @@ class OtherPapers:
 
 @dataclass(frozen=True, slots=True)
 class _Bounds:
-    """From where to where an answer to one ask is right on each paper; `period` is a full turn, or
-    0.
+    """The interval in which an answer to one ask is right, for each paper; `period` is a full turn,
+    or 0.
     """
 
     value: Numbers
@@ -108,7 +108,7 @@ class _Bounds:
 
     @classmethod
     def of(cls, papers: Sequence[Paper], number: int) -> _Bounds:
-        """Those of one ask."""
+        """The bounds for one ask."""
         keys = [paper.key(number, ()) for paper in papers]
         value = np.array([float(key.value) for key in keys])
         low, high = (np.array([float(key.interval[end]) for key in keys]) for end in (0, 1))
@@ -116,7 +116,7 @@ class _Bounds:
         return cls(value, low, high, period)
 
     def moved(self, factor: float) -> _Bounds:
-        """The same about other values."""
+        """The same bounds around other values."""
         return _Bounds(self.value * factor, self.low * factor, self.high * factor, self.period)
 
     def fit(self, answers: Numbers) -> Flags:
@@ -131,59 +131,59 @@ class _Bounds:
 
 @dataclass(frozen=True, slots=True)
 class _Answers:
-    """The numbers of some students, NaN where there is none, and which of them are right on the own
-    papers.
+    """The numbers of some students, NaN where there is none, and which of them are right on the
+    students' papers.
 
-    `own` are the places of these papers among all.
+    `places` are the positions of these papers among all.
     """
 
     numbers: Numbers
     right: Flags
-    own: NDArray[np.intp]
+    places: NDArray[np.intp]
 
     @property
     def students(self) -> int:
-        """Who gave enough numbers to say anything."""
+        """The number of students who gave enough numbers to say anything."""
         return int(((~np.isnan(self.numbers)).sum(axis=1) >= LEAST).sum())
 
     @property
     def count(self) -> int:
-        """How many numbers there are."""
+        """The number of numeric answers."""
         return int((~np.isnan(self.numbers)).sum())
 
     def foreign(self, bounds: Sequence[_Bounds], questions: Sequence[Sequence[int]]) -> int:
-        """How many answers are foreign."""
+        """The number of foreign answers."""
         found = 0
         for places in questions:
             given = ~np.isnan(self.numbers[:, places])
-            own = (self.right[:, places] | ~given).all(axis=1)
+            all_right = (self.right[:, places] | ~given).all(axis=1)
             fits = self._others([bounds[place] for place in places])
             for place in places:
                 blank = np.isnan(self.numbers[:, place])
                 fits &= bounds[place].fit(self.numbers[:, place]) | blank[:, None]
-            found += int(given[fits.any(axis=1) & ~own].sum())
+            found += int(given[fits.any(axis=1) & ~all_right].sum())
         return found
 
     def swapped(self, bounds: Sequence[_Bounds]) -> int:
-        """How many students gave mostly the right answers of one other paper."""
+        """The number of students who mostly gave the right answers of one other paper."""
         given = (~np.isnan(self.numbers)).sum(axis=1)
         counts = np.zeros((len(self.numbers), len(bounds[0].value)), dtype=np.uint16)
         for place, each in enumerate(bounds):
             counts += each.fit(self.numbers[:, place])
         counts[~self._others(bounds)] = 0
         most = counts.max(axis=1, initial=0)
-        own = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
-        return int(((most >= MOSTLY * given) & (most > own) & (given >= LEAST)).sum())
+        right = (self.right & ~np.isnan(self.numbers)).sum(axis=1)
+        return int(((most >= MOSTLY * given) & (most > right) & (given >= LEAST)).sum())
 
     def _others(self, bounds: Sequence[_Bounds]) -> Flags:
-        """For each student which papers differ from the own one in these asks."""
-        differ = np.zeros((len(self.own), len(bounds[0].value)), dtype=np.bool_)
+        """For each student the papers that differ from the student's in these asks."""
+        differ = np.zeros((len(self.places), len(bounds[0].value)), dtype=np.bool_)
         for each in bounds:
-            away = np.abs(each.value - each.value[self.own][:, None])
+            away = np.abs(each.value - each.value[self.places][:, None])
             differ |= away > SAME * np.abs(each.value)
         return differ
 
 
 def _by_chance(count: Callable[[Sequence[_Bounds]], int], bounds: Sequence[_Bounds]) -> float:
-    """How many there are on papers that nobody had."""
+    """How many there are on papers that no student had."""
     return sum(count([each.moved(factor) for each in bounds]) for factor in MOVED) / len(MOVED)

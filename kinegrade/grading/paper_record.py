@@ -1,7 +1,7 @@
-"""What was right on a marked paper, for reports and feedback: of a student's line of the key, or of
-those of a pool whose questions were put to the student.
+"""What was right on a marked paper, for reports and feedback: from the student's line of the key,
+or from those of a pool whose questions the student was given.
 
-Marks are not decided here: that is `judge`.
+No marks are decided here: `judge` does that.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from kinegrade.marks_folder.rows import Put
 
 @dataclass(frozen=True, slots=True)
 class RightAnswer:
-    """What was right: `exact` as an expression where it has one; `allowed` is how far off was right
-    by the paper.
+    """A right answer: `exact` is an expression where there is one; `allowed` is the tolerance on
+    the paper.
     """
 
     value: Fraction
@@ -37,7 +37,7 @@ class PaperRecord:
     """One paper: the questions as printed, right answers by column, drawn numbers by question and
     parameter.
 
-    A number is NaN where the question's asks were put with different ones.
+    A number is NaN where the question's asks were put with different values.
     """
 
     printed: tuple[str, ...]
@@ -47,9 +47,9 @@ class PaperRecord:
 
 @dataclass(frozen=True)
 class PaperRecords:
-    """The papers of an exam, each read when it is wanted.
+    """The papers of an exam, each read when it is needed.
 
-    `put` says which answers were marked by other lines than the student's own, where questions came
+    `put` says which answers were marked by lines other than the student's, where questions came
     from a pool.
     """
 
@@ -57,7 +57,7 @@ class PaperRecords:
     put: Put = field(default_factory=dict)
 
     def paper(self, student: str) -> PaperRecord:
-        """The paper of a student. Raises ExamError where the exam has none of that student's."""
+        """The paper of a student. Raises ExamError where the exam has no paper for that student."""
         line = self.exam.line_of(student)
         with decoding(self.exam.key, f'the paper of student "{student}"'):
             return PaperRecord(line.order, dict(_answers(line)), dict(_parameters(line)))
@@ -76,14 +76,14 @@ class PaperRecords:
             )
         return paper
 
-    def _as_put(self, own: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
-        """The paper with those answers, and the numbers of their questions, that were put to the
-        student.
+    def _as_put(self, paper: PaperRecord, put: Mapping[str, str]) -> PaperRecord:
+        """The paper with the answers that were put to the student, and the numbers of their
+        questions.
 
-        A question whose asks come from several variants has several numbers for each parameter, so
-        it has none.
+        A question whose asks come from several variants has several values for each parameter, so
+        it gets none.
         """
-        answers, parameters = dict(own.answers), dict(own.parameters)
+        answers, parameters = dict(paper.answers), dict(paper.parameters)
         sources: dict[str, set[str]] = {}
         for column, source in put.items():
             other = self.paper(source)
@@ -96,11 +96,11 @@ class PaperRecords:
                 for place, number in other.parameters.items()
                 if place[0] == question
             }
-        return PaperRecord(own.printed, answers, parameters)
+        return PaperRecord(paper.printed, answers, parameters)
 
 
 def _answers(line: KeyLine) -> Iterator[tuple[str, RightAnswer]]:
-    """What is right, by column. Raises FieldError."""
+    """The right answers, by column. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.asks.items():
             column = f"{question.question}.{name}"
@@ -117,7 +117,7 @@ def _right_answer(stated: StatedAnswer) -> RightAnswer:
 
 
 def _parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:
-    """The numbers drawn, by question and parameter. Raises FieldError."""
+    """The drawn numbers, by question and parameter. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.parameters.items():
             yield (question.question, name), float(number(name, stated.value))

@@ -1,7 +1,6 @@
-"""Plots as SVG to stand inside an HTML page: no scripts, no fonts of their own; the page's CSS
-gives the shades.
+"""Plots as SVG for an HTML page: no scripts, no embedded fonts; the page's CSS gives the shades.
 
-Lengths are pixels at the plot's natural width. Every text is escaped.
+Lengths are pixels at the plot's natural width. All text is escaped.
 """
 
 from __future__ import annotations
@@ -20,20 +19,20 @@ LEFT, RIGHT = 44.0, 12.0
 
 @dataclass(frozen=True)
 class Axis:
-    """From per cent to pixels."""
+    """Maps percentages to pixels."""
 
     left: float = LEFT
     width: float = WIDTH - LEFT - RIGHT
 
     def at(self, percent: float) -> float:
-        """Where a value from 0 to 100 stands."""
+        """The position of a value from 0 to 100."""
         return self.left + self.width * min(max(percent, 0.0), 100.0) / 100
 
 
 def histogram_plot(
     distribution: Histogram, figures: Summary, across: str, upward: str, marks: str
 ) -> Markup:
-    """Columns of students over per cent of the points; a triangle at the median, a circle at the
+    """Columns of students over percentages of the points; a triangle marks the median, a circle the
     mean (`marks`).
     """
     top, height, axis = 22.0, 150.0, Axis()
@@ -72,7 +71,7 @@ def box_plot(groups: Sequence[tuple[str, Summary]], across: str, label: str) -> 
 
 
 def stacked_bar(parts: Sequence[tuple[str, float]], label: str) -> Markup:
-    """One bar of shares that add up to 1 at most, each in the CSS class given with it."""
+    """One bar of shares that add up to at most 1, each in its CSS class."""
     width, start, bars = 170.0, 0.0, []
     for shade, share in parts:
         bars.append(
@@ -86,7 +85,7 @@ def stacked_bar(parts: Sequence[tuple[str, float]], label: str) -> Markup:
 def bar(
     share: float, shade: str, label: str, width: float = 260.0, *, track: bool = False
 ) -> Markup:
-    """One bar of a share from 0 to 1; a track shows how long 1 is."""
+    """One bar for a share from 0 to 1; a track shows the length of 1."""
     length = max(1.0 if share else 0.0, min(share, 1.0) * width)
     whole = [f'<rect class="track" x="0" y="0" width="{width:g}" height="12"/>'] if track else []
     part = f'<rect class="{escape(shade)}" x="0" y="0" width="{length:.1f}" height="12"/>'
@@ -107,7 +106,7 @@ def _columns(distribution: Histogram, axis: Axis, base: float, scale: float) -> 
 
 
 def _levels(most: int, axis: Axis, base: float, height: float) -> Iterator[str]:
-    """Counts at the left, at round steps."""
+    """Counts along the left edge, at round steps."""
     step = next(
         step
         for power in range(8)

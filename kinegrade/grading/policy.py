@@ -1,7 +1,7 @@
-"""A policy: how a class is marked in another way than the papers say, after the exam is over.
+"""A policy: how a class is marked differently from what the papers say, after the exam.
 
-`policy_reading` makes one from a file, where its grammar stands; `marks` marks by it, `decision`
-applies the ruling for one answer box. Without a policy everything is as the exam folder has it.
+`policy_reading` makes one from a file and documents its grammar; `marks` marks by it, and
+`decision` applies the ruling for one answer box. Without a policy the exam folder alone decides.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ FULL_CREDIT = Fraction(1)  # share of the points
 
 @dataclass(frozen=True, slots=True)
 class Accepted:
-    """An answer that counts too: `credit` is its share of the points; `students` is None where it
+    """Another answer that counts: `credit` is its share of the points; `students` is None where it
     counts for all.
 
-    `scale` brings the value of `tree` into the ask's unit. `number` is its place in the policy,
-    from 1; `text` is as it stands there.
+    `scale` converts the value of `tree` to the ask's unit. `number` is its position in the policy,
+    from 1; `text` is the value as written there.
     """
 
     number: int
@@ -43,10 +43,9 @@ class Accepted:
 
 @dataclass(frozen=True, slots=True)
 class Ruling:
-    """What a policy says about one ask; as it stands here, nothing. Credits are shares of its
-    points.
+    """What a policy says about one ask; by default, nothing. Credits are shares of its points.
 
-    `follow_through` is that of an answer that follows from the student's own wrong answer to an
+    `follow_through` is the credit for an answer that follows from the student's wrong answer to an
     earlier ask.
     """
 
@@ -59,7 +58,7 @@ class Ruling:
     follow_through: Fraction = FULL_CREDIT
 
     def ask(self, ask: Ask) -> Ask:
-        """The ask with the points it has now; a dropped one has none."""
+        """The ask with its points under the policy; a dropped ask has none."""
         match self.void:
             case "drop":
                 return replace(ask, points=Fraction(0))
@@ -69,11 +68,11 @@ class Ruling:
                 assert_never(self.void)
 
     def key(self, key: Key) -> Key:
-        """A key with the tolerance it has now."""
+        """A key with its tolerance under the policy."""
         return key if self.room == NO_ROOM else self.beside(key, key.value)
 
     def beside(self, key: Key, value: Fraction) -> Key:
-        """A key for another value, by the same rule as `key` has now."""
+        """A key for another value, by the rule that `key` has under the policy."""
         stated = key.rule or rule(Fraction(0), key.tolerance)
         room = self.room.over(StatedTolerance(stated.relative, stated.absolute, stated.figures))
         now = rule(room.relative or Fraction(0), room.absolute or Fraction(0), room.figures)
@@ -83,7 +82,7 @@ class Ruling:
 @dataclass(frozen=True, slots=True)
 class Policy:
     """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is
-    the file's.
+    the content of the file.
     """
 
     attempts: Attempts = "last"

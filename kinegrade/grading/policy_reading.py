@@ -1,4 +1,4 @@
-"""A policy's file: how to mark a class again, in another way than the papers say.
+"""A policy file: how to mark a class again, differently from what the papers say.
 
     attempts = "best"     # which of a student's rows counts: "last" (as without a policy), "first"
                           # or "best"
@@ -22,10 +22,10 @@
       { value = "-v_B", student = ["007", "0012"] },   # for some students only
     ]
 
-What stands nearer to the ask goes before what stands further out, number by number. Of all that
-applies to an answer, the best credit counts. What the exam's bank says about credit
-(`kinegrade.stated_marking`) stands further out than all of it. `read_policy` and `stated_policy`
-are called by `grade`.
+A setting nearer to the ask overrides one further out, number by number. Of everything that applies
+to an answer, the best credit counts. What the exam's bank says about credit
+(`kinegrade.stated_marking`) is furthest out of all. `read_policy` and `stated_policy` are called by
+`grade`.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ _FIGURES = whole(1, 15)
 
 @dataclass(frozen=True, slots=True)
 class _Level:
-    """What the exam, a question or an ask says for the answer boxes in it."""
+    """What the exam, a question or an ask says about the answer boxes in it."""
 
     room: StatedTolerance = NO_ROOM
     void: Void | None = None
@@ -81,13 +81,13 @@ def read_policy(path: Path, exam: ExamFolder) -> Policy:
 
 
 def stated_policy(exam: ExamFolder) -> Policy:
-    """What holds without a policy, by the credit table of the exam's bank. Raises PolicyError."""
+    """What applies without a policy: the credit table of the exam's bank. Raises PolicyError."""
     nothing = parsed_table("no policy", {}, _POLICY_FILE)
     return _Reader(exam).policy(nothing, "", _stated(exam))
 
 
 def _stated(exam: ExamFolder) -> _Level:
-    """What the exam's bank states, as exam.json keeps it."""
+    """What the exam's bank states, as kept in exam.json."""
     content = {} if exam.head.credit is None else {"credit": exam.head.credit}
     head = parsed_table(str(exam.head_file), content, _HEAD_FILE)
     level = _Level(credit=read_credit(head, lambda: head.table("credit").table("mistakes")))
@@ -104,16 +104,16 @@ class _Reader:
 
     @cached_property
     def mistakes(self) -> frozenset[str]:
-        """All that lead to a wrong answer on some paper.
+        """All mistakes that lead to a wrong answer on some paper.
 
-        The papers are read for them only where a policy names one.
+        The papers are read for these only where a policy names one.
         """
         return frozenset(
             name for paper in self.exam.papers() for key in paper.keys for name in key.mistakes
         )
 
     def policy(self, content: Table, text: str, stated: _Level) -> Policy:
-        """The whole of a file; raises PolicyError when anything is at fault."""
+        """A whole file; raises PolicyError when anything is at fault."""
         table = content.only("attempts", "tolerance", "credit", "questions")
         attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
         level = self._level(table).over(stated)
@@ -136,7 +136,7 @@ class _Reader:
         return rulings
 
     def _ruling(self, content: Table, ask: Ask, wider: _Level) -> Ruling:
-        """What holds for one ask."""
+        """What applies to one ask."""
         table = content.only("tolerance", "credit", "void", "points", "accept")
         level = self._level(table).over(wider)
         credit = level.credit
@@ -151,7 +151,7 @@ class _Reader:
         )
 
     def _level(self, table: Table) -> _Level:
-        """What a table says for all answer boxes in it."""
+        """What a table says about all answer boxes in it."""
         return _Level(
             read_tolerance(table, _FIGURES),
             table.optional("void", choice(_VOIDS)),

@@ -1,8 +1,8 @@
-"""Papers put together from a pool: questions that a learning management system drew, each from
-somebody's line of the key.
+"""Papers put together from a pool: questions that a learning management system drew, each from some
+student's line of the key.
 
-`grade` makes a `Pool` where responses came from one, and writes whose line every answer was marked
-by into the marks folder; feedback, report and sharing read it there.
+`grade` makes a `Pool` where responses came from one, and records in the marks folder whose line
+each answer was marked by; feedback, report and sharing read it there.
 """
 
 from __future__ import annotations
@@ -18,33 +18,35 @@ from kinegrade.marks_folder.rows import Put
 
 @dataclass(frozen=True)
 class Pool:
-    """The papers whose questions were put to others, by the student on whose line of the key they
-    stand.
+    """The papers whose questions were put to others, by the student whose line of the key holds
+    them.
     """
 
     papers: Mapping[str, Paper] = field(default_factory=dict)
 
-    def paper(self, own: Paper, entry: Entry) -> Paper:
+    def paper(self, paper: Paper, entry: Entry) -> Paper:
         """The paper by which an entry is marked."""
         if not entry.put:
-            return own
+            return paper
         keys = [
-            (self.papers[source] if source else own).keys[number]
+            (self.papers[source] if source else paper).keys[number]
             for number, source in enumerate(entry.put)
         ]
-        return Paper(own.student, own.name, keys, entry.put)
+        return Paper(paper.student, paper.name, keys, entry.put)
 
     def put_together(self, exam: Sitting, sheet: Sheet) -> Iterator[Paper]:
         """All papers that were put together for the entries of a sheet."""
         if self.papers:
-            for own in exam.papers():
-                for entry in sheet.entries[own.student]:
+            for paper in exam.papers():
+                for entry in sheet.entries[paper.student]:
                     if entry.put:
-                        yield self.paper(own, entry)
+                        yield self.paper(paper, entry)
 
 
 def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
-    """The papers that a sheet's entries are marked by beside everybody's own. Raises ExamError."""
+    """The papers that a sheet's entries are marked by, other than the students' own. Raises
+    ExamError.
+    """
     wanted = {
         source for entries in sheet.entries.values() for entry in entries for source in entry.put
     }
@@ -52,8 +54,8 @@ def pool_of(exam: ExamFolder, sheet: Sheet) -> Pool:
 
 
 def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str, str]]:
-    """Whose line of the key each of a student's answers is marked by; nothing for the student's
-    paper.
+    """Whose line of the key each of a student's answers is marked by; nothing if the paper is the
+    student's own.
     """
     if paper.put:
         for number, ask in enumerate(asks):
@@ -61,18 +63,18 @@ def put_rows(asks: Iterable[Ask], paper: Paper) -> Iterator[tuple[str, str, str,
 
 
 def exam_as_put(folder: ExamFolder, exam: Exam, put: Put) -> Exam:
-    """The exam with everybody's keys as the questions were put. Raises ExamError."""
+    """The exam with every student's keys as the questions were put. Raises ExamError."""
     if not put:
         return exam
     papers = folder.papers_of({source for each in put.values() for source in each.values()})
     numbers = {ask.column: number for number, ask in enumerate(exam.asks)}
 
-    def examinee(own: Examinee) -> Examinee:
+    def examinee(before: Examinee) -> Examinee:
         keys = {
             column: papers[source].key(numbers[column])
-            for column, source in put.get(own.student, {}).items()
+            for column, source in put.get(before.student, {}).items()
             if column in numbers
         }
-        return Examinee(own.student, own.name, {**own.keys, **keys})
+        return Examinee(before.student, before.name, {**before.keys, **keys})
 
     return Exam(exam.asks, tuple(map(examinee, exam.examinees)))

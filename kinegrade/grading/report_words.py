@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ReportWords:
-    """What the layout of the class report prints besides the exam's own texts."""
+    """The texts in the layout of the class report, besides the exam's own."""
 
     language: str  # as HTML names it
     report: str
-    counted: str  # takes how many answered anything, and how many are on the roster
+    counted: str  # takes how many answered anything, and the size of the roster
     silent: str  # takes how many answered nothing
     nobody: str
     few: str
@@ -23,15 +23,13 @@ class ReportWords:
     quartiles: str
     span: str
     reliability: str
-    of_points: str  # takes the points there are
+    of_points: str  # takes the maximum
     students: str
     percent_axis: str
     marks_on_axis: str
     asks: str
     question: str
-    numbered: (
-        str  # takes a question's number in the bank's order, by which the whole class is spoken of
-    )
+    numbered: str  # takes a question's number in the bank's order, which applies to the whole class
     ask: str
     points: str
     facility: str
@@ -53,8 +51,8 @@ class ReportWords:
     test_of_versions: str  # takes H, p, number of shuffles
     versions_differ: str
     versions_alike: str
-    too_few: str  # takes the number that would do
-    trends: str  # takes how many drawn numbers were looked at
+    too_few: str  # takes the number of students that would be enough
+    trends: str  # takes the number of drawn numbers examined
     trend_found: str
     no_trend: str
     parameter: str
@@ -65,7 +63,7 @@ class ReportWords:
     same_papers: str
     complaints: str
     no_complaints: str
-    more_complaints: str  # takes how many are shown, how many there are, and the file of all
+    more_complaints: str  # takes how many are shown, how many there are, and the full file's name
     line: str
     column: str
     content: str
@@ -159,7 +157,7 @@ ENGLISH = ReportWords(
     verdicts={
         "right": "right",
         "accepted": "accepted",
-        "follow-through": "follows from an own answer",
+        "follow-through": "follows from an earlier answer",
         "mistake": "known mistake",
         "wrong": "wrong",
         "wrong unit": "wrong unit",

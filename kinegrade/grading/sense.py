@@ -1,7 +1,7 @@
-"""Which way in words: clockwise, 逆时针, ↻, to the left; and what that means for the sign of an ask.
+"""A sense in words: clockwise, 逆时针, ↻, to the left; and what it means for the sign of an ask.
 
-`without_sense` takes the words off a folded answer; `direction` says which sign they give under the
-ask's convention.
+`without_sense` takes the words off a folded answer; `direction` gives their sign under the ask's
+convention.
 """
 
 from __future__ import annotations
@@ -60,11 +60,12 @@ def without_sense(text: str) -> tuple[str, Sense | None]:
 
 
 def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
-    """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or "-").
+    """(1 or -1, remark): the factor that words give to a number typed with `sign` ("", "+" or
+    "-").
 
     `convention` is the ask's, as its paper prints it in English, or its keyword. Where the ask has
-    no sign, the words change nothing and are remarked. Raises Unreadable for a sign that words
-    contradict or repeat, and for words that say nothing about this ask's sign.
+    no sign, the words change nothing and are remarked on. Raises Unreadable if words contradict or
+    repeat a sign, or do not determine this ask's sign.
     """
     positive = next((each for pattern, each in _POSITIVE if pattern.fullmatch(convention)), None)
     name = _NAMES[sense]
@@ -78,6 +79,6 @@ def direction(sense: Sense, sign: str, convention: str) -> tuple[int, str]:
     if positive is None or sense not in (positive, _OPPOSITE[positive]):
         meaning = f" ({convention})" if convention else ""
         raise Unreadable(
-            f"a sense ({name}) does not tell the sign of this answer{meaning}; write a sign"
+            f"a sense ({name}) does not determine the sign of this answer{meaning}; write a sign"
         )
     return (1 if sense == positive else -1), ""

@@ -1,18 +1,19 @@
-"""Answers that fit another student's paper and not the own one, beside the number to be expected by
+"""Answers that fit another student's paper and not the student's own, with the number expected by
 chance.
 
-`find_sharing` is called by `kinegrade sharing` and by nothing else: it is off unless an instructor
-asks. What it gives is a hint where to look, never a verdict.
+`find_sharing` is called only by `kinegrade sharing`: it is off unless an instructor asks for it.
+The result is a hint where to look, never a verdict.
 
-Counted are wrong answers that no known mistake explains. One fits another paper where it would be
-right there, or what a known mistake leads to there. By chance it fits a paper as often as it fits
-the other papers of the class: the share of them that it fits, added up over a student's wrong
-answers, is how many are expected to fit any one paper. A pair is told where the Poisson
-distribution with that mean makes so many fits rarer than the level, for the whole class: times the
-number of pairs, and times two, because right answers and right answers or mistakes are counted.
+What counts is wrong answers that no known mistake explains. Such an answer fits another paper if it
+would be right there, or is what a known mistake leads to there. By chance it fits one paper as
+often as it fits the other papers of the class. So the share of papers that it fits, added up over a
+student's wrong answers, is the number expected to fit any one paper. A pair is reported if the
+Poisson distribution with that mean makes so many fits rarer than the level, for the whole class:
+times the number of pairs, and times two, because two counts are made, of right answers and of right
+answers or mistakes.
 
-Answers to one question hang together: a misread number gives all the answers of a paper that has
-that number. So a pair is told only where answers to two questions or more fit.
+Answers to one question depend on each other: a misread number gives all the answers of a paper that
+has that number. So a pair is reported only if answers to at least two questions fit.
 """
 
 from __future__ import annotations
@@ -37,16 +38,16 @@ from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import MarkedAnswer
 
 LEVEL = 0.01
-MOST = 1000  # pairs told; the most striking ones
+MOST = 1000  # pairs reported; the most striking ones
 QUESTIONS = 2
-CELLS = 4_000_000  # pairs of students looked at together, for bounded memory
-COUNTS = 2  # of right answers, and of right answers or mistakes
+CELLS = 4_000_000  # pairs of students examined together, to bound memory
+COUNTS = 2  # right answers, and right answers or mistakes
 
 
 @dataclass(frozen=True, slots=True)
 class SharedAnswer:
-    """An answer in `column` that fits another paper: `as_key` where it would be right there, else
-    as a mistake.
+    """An answer in `column` that fits another paper; `as_key` is whether it would be right there,
+    otherwise it fits as a mistake.
     """
 
     column: str
@@ -56,8 +57,8 @@ class SharedAnswer:
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """A student whose wrong answers fit the paper of another, and how many of them are expected to
-    by chance.
+    """A student whose wrong answers fit another student's paper, and how many are expected to by
+    chance.
 
     `as_key_expected` is the same for what would be right there alone. `chance` is how often a class
     of this size has such a pair by chance, at most 1.
@@ -74,10 +75,11 @@ class Pair:
 
 @dataclass(frozen=True)
 class Sharing:
-    """The pairs worth a look, most striking first, at most MOST of `found`; out of how many `pairs`
-    in all.
+    """The pairs worth a look, the most striking first: at most MOST of `found`, out of `pairs` in
+    all.
 
-    `papers` is how many different papers the `students` had, `questions` how many they were asked.
+    `papers` is the number of different papers that the `students` had, `questions` the number of
+    questions they were asked.
     """
 
     pairs: int
@@ -90,7 +92,7 @@ class Sharing:
 
 
 def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = LEVEL) -> Sharing:
-    """Looks through a folder of marks by its exam folder; questions from a pool count as they were
+    """Searches a marks folder, with its exam folder; questions from a pool count as they were
     put.
 
     Raises ExamError, TableError.
@@ -100,8 +102,8 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = LEVEL) -> 
 
 
 def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -> Sharing:
-    """The pairs of a class whose chance is below `level`. Raises ExamError where an answer is none
-    of the exam's.
+    """The pairs of a class whose chance is below `level`. Raises ExamError where an answer does not
+    belong to the exam.
     """
     wrong = _wrong_answers(exam, answers)
     papers = [
@@ -118,7 +120,8 @@ def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -
 
 
 def tail(count: int, mean: float) -> float:
-    """How likely a Poisson variable of that mean is `count` or more; a mean of zero allows nothing.
+    """The probability that a Poisson variable with that mean is at least `count`; a mean of zero
+    allows nothing.
 
     >>> round(tail(2, 0.1), 6), tail(0, 0.1), tail(1, 0.0)
     (0.004679, 1.0, 0.0)
@@ -137,7 +140,7 @@ def tail(count: int, mean: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Found:
-    """A pair by the places of its students."""
+    """A pair, as the positions of its students."""
 
     student: int
     other: int
@@ -146,10 +149,10 @@ class _Found:
 
 @dataclass(frozen=True)
 class _Wrong:
-    """Unexplained wrong answers, an array for each ask: numbers by the students' places, NaN for
-    all other answers.
+    """Unexplained wrong answers, one array per ask: numbers by the students' positions, NaN for all
+    other answers.
 
-    `typed` has by student and ask what was typed.
+    `typed` holds what was typed, by student and ask.
     """
 
     numbers: Sequence[Numbers]
@@ -176,7 +179,7 @@ def _wrong_answers(exam: Exam, answers: Iterable[MarkedAnswer]) -> _Wrong:
 
 
 def _number(answer: MarkedAnswer) -> float | None:
-    """The number that was read, NaN where there is none; None for what is no number at all."""
+    """The number that was read, NaN where there is none; None for anything that is not a number."""
     try:
         return float(answer.read_as or "nan")
     except ValueError:
@@ -196,8 +199,8 @@ def _fault(answer: MarkedAnswer, student: int | None, ask: int | None) -> str:
 
 @dataclass(frozen=True)
 class _Search:
-    """The search through a class; `unlike` has for each student how many others have another
-    paper.
+    """The search through a class; `unlike` holds for each student the number of others with a
+    different paper.
     """
 
     exam: Exam
@@ -207,12 +210,14 @@ class _Search:
 
     @property
     def pairs(self) -> int:
-        """The ordered pairs of students, each of which might be told."""
+        """The number of ordered pairs of students, each of which might be reported."""
         return len(self.exam.examinees) * (len(self.exam.examinees) - 1)
 
     @cached_property
     def windows(self) -> tuple[tuple[Windows, Windows], ...]:
-        """For each ask what would be right on each paper, and that with what mistakes lead to."""
+        """For each ask what would be right on each paper, and the same together with what mistakes
+        lead to.
+        """
         keys = [
             [examinee.keys[ask.column] for examinee in self.exam.examinees]
             for ask in self.exam.asks
@@ -237,7 +242,7 @@ class _Search:
         return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS)
 
     def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
-        """The pairs of these students with anybody."""
+        """The pairs of these students with any other."""
         counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(COUNTS)]
         for question in self.exam.questions:
             asks = [place for place, ask in enumerate(self.exam.asks) if ask.question == question]
@@ -265,7 +270,7 @@ class _Search:
 
     def chances(self, count: _Count, expected: Numbers) -> Numbers:
         """For each pair how often a class has so many fits by chance; 1 where too few questions are
-        concerned.
+        involved.
         """
         most = int(count.fits.max(initial=0))
         tests = COUNTS * self.pairs
@@ -276,7 +281,7 @@ class _Search:
         return np.where(count.questions >= QUESTIONS, chance, 1.0)
 
     def pair(self, found: _Found) -> Pair:
-        """A pair with all that is told of it."""
+        """A pair with everything reported about it."""
         student, other = found.student, found.other
         given = {
             ask: float(numbers[student])
@@ -312,8 +317,8 @@ class _Search:
 
 @dataclass
 class _Count:
-    """For each student and paper how many answers fit, to how many questions; how many papers a
-    student's answers fit in all.
+    """For each student and paper how many answers fit, and to how many questions; for each student
+    how many papers the answers fit in all.
     """
 
     fits: NDArray[np.uint16]
@@ -322,12 +327,12 @@ class _Count:
 
     @classmethod
     def of(cls, students: int, papers: int) -> _Count:
-        """Nothing counted yet."""
+        """A count of nothing yet."""
         fits, questions = (np.zeros((students, papers), dtype=np.uint16) for _ in range(2))
         return cls(fits, questions, np.zeros(students))
 
     def add(self, fitting: Sequence[NDArray[np.bool_]]) -> None:
-        """The asks of one question."""
+        """Adds the asks of one question."""
         for fits in fitting:
             self.fits += fits
             self.expected += fits.sum(axis=1)

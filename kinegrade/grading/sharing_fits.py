@@ -1,8 +1,8 @@
-"""Whose papers an answer fits: what would be right on each paper of a class, or what a known
+"""Which papers an answer fits: what would be right on each paper of a class, or what a known
 mistake leads to there.
 
-Decided in doubles, for all answers to one ask at once: `sharing` counts what this finds, and nobody
-is marked by it. What would be zero or next to it is left out, because it fits everywhere.
+Decided in double precision, for all answers to one ask at once. `sharing` counts the results, and
+no student is marked by them. Values at or next to zero are left out, because they fit everywhere.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ Places: TypeAlias = NDArray[np.intp]
 @dataclass(frozen=True)
 class Windows:
     """What fits the papers at one ask: numbers from `low` to `high`, in the ask's unit, fit the
-    paper at place `paper`.
+    paper at position `paper`.
 
-    `period` is a full turn where turns do not matter, else 0.
+    `period` is a full turn where full turns do not matter, otherwise 0.
     """
 
     paper: Places
@@ -34,7 +34,9 @@ class Windows:
     period: float
 
     def fits(self, answers: Numbers) -> tuple[Places, Places]:
-        """Places of answers, and of the papers that each fits; a pair may come several times."""
+        """Positions of answers, and of the papers that each of them fits; a pair may occur several
+        times.
+        """
         numbers = answers % self.period if self.period else answers
         order = np.argsort(numbers)
         first = np.searchsorted(numbers[order], self.low, "left")
@@ -44,14 +46,14 @@ class Windows:
         return order[first[window] + behind], self.paper[window]
 
     def papers(self, answer: float) -> frozenset[int]:
-        """The places of the papers that one answer fits."""
+        """The positions of the papers that one answer fits."""
         number = answer % self.period if self.period else answer
         return frozenset(self.paper[(self.low <= number) & (number <= self.high)].tolist())
 
 
 def windows(keys: Sequence[Key], *, mistakes: bool) -> Windows:
-    """What is right by the keys of one ask, by the papers' places; with `mistakes` also what these
-    lead to.
+    """What is right by the keys of one ask, in the order of the papers; with `mistakes` also what
+    these lead to.
 
     Tolerances are those printed on the papers.
     """
@@ -77,7 +79,7 @@ def _room(key: Key) -> tuple[float, float, float]:
 def _bounds(
     value: Numbers, relative: Numbers, absolute: Numbers, figures: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """The smallest and the largest number that fits each value."""
+    """The smallest and the largest number that fit each value."""
     size = np.abs(value)
     room = np.maximum(relative * size, absolute)
     unit = 10.0 ** (np.floor(np.log10(np.where(size > 0, size, 1.0))) + 1 - figures)
@@ -87,8 +89,8 @@ def _bounds(
 
 
 def _turning(paper: Places, value: Numbers, low: Numbers, high: Numbers, period: float) -> Windows:
-    """The windows; of angles that turn round, those of the first turn with their copies one turn
-    down and up.
+    """The windows; for cyclic angles, those of the first turn with copies one turn below and
+    above.
     """
     if not period:
         return Windows(paper, low, high, 0.0)

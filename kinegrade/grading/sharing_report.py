@@ -1,5 +1,5 @@
-"""What is told about answers that fit other papers: a table, and a few sentences on what it means
-and does not mean.
+"""The report on answers that fit other papers: a table, and a few sentences on what it means and
+does not mean.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ NOTE = "worth a look; not evidence of anything by itself"
 
 def sharing_csv(sharing: Sharing) -> bytes:
     """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless,
-    ids stay as they are.
+    ids stay unchanged.
     """
     return for_people(csv_text(HEADER, map(_row, sharing.told)))
 
@@ -44,7 +44,7 @@ def _answers(pair: Pair) -> Iterator[str]:
 
 
 def sharing_text(sharing: Sharing) -> str:
-    """The same for a person, without names: how much there is, and how it may and may not be
+    """The same for a person, without names: how much was found, and how it may and may not be
     read.
     """
     return "\n".join(_sentences(sharing))
@@ -78,7 +78,7 @@ def _limits(sharing: Sharing) -> Iterator[str]:
     """What this exam cannot show."""
     if sharing.questions < QUESTIONS:
         yield (
-            "An exam of one question shows nothing here: whoever misreads one number gives all "
+            "An exam of one question shows nothing here: misreading one number gives all "
             "the answers of a paper that has that number."
         )
     if sharing.papers < sharing.students:

@@ -1,8 +1,7 @@
-"""The answer sheet: which cell is whose answer to what.
+"""The answer sheet: whose answer to which ask each cell is.
 
-`read_part` reads one file; `class_sheet` makes one sheet of several and is called by `grade`.
-Nothing that stands in a file is lost: what does not become an answer becomes a complaint that
-carries it.
+`read_part` reads one file; `class_sheet` makes one sheet from several and is called by `grade`.
+Nothing in a file is lost: a cell that does not become an answer becomes a complaint that quotes it.
 """
 
 from __future__ import annotations
@@ -34,11 +33,11 @@ from kinegrade.tables import (
 _NEEDLESS = {*COLUMN_NAMES["name"], *COLUMN_NAMES["email"], "paper"}
 
 
-_ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate heads the answer sheet
+_ANSWER_COLUMN = re.compile(r"q[0-9]+\.\w+")  # as generate writes the headers of the answer sheet
 
 
 class Place(NamedTuple):
-    """Where something stands; `line` is None where no line is to blame."""
+    """Where something stands; `line` is None where no particular line is at fault."""
 
     file: str
     line: int | None
@@ -48,9 +47,10 @@ class Entry(NamedTuple):
     """One row of a student: the responses in the order of the asks; `line` is None where the
     student has no row.
 
-    `whole` is the row as it came, where the student has several. `put` says for each ask whose line
-    of the key it is marked by, "" for the student's own; empty where that holds for all. `places`
-    are those of the single responses, where they come from several files.
+    `whole` is the row as it came, where the student has several. `put` holds for each ask the
+    student whose line of the key it is marked by, "" for the student's own; it is empty where all
+    are the student's own. `places` are those of the single responses, where they come from several
+    files.
     """
 
     line: int | None
@@ -67,10 +67,10 @@ class Entry(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """Each student's entries by id, one or more in the order of the files; `columns` are those of
-    the asks, as named.
+    """Each student's entries by id, one or more in the order of the files; `columns` are the
+    headers of the asks' columns.
 
-    `complaints` are those that stand before it is decided which of several entries counts: see
+    `complaints` are those made before it is decided which of several entries counts: see
     `repeated`.
     """
 
@@ -81,8 +81,8 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """What one file says: entries of those students only who have a row, columns "" where an ask
-    has none.
+    """The content of one file: entries only of students who have a row, columns "" where an ask has
+    none.
     """
 
     file: str
@@ -98,7 +98,7 @@ class _Columns:
     extra: tuple[int, ...]
 
     def responses(self) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
-        """What picks the responses from the cells of a row; what is not there is blank."""
+        """A function that picks the responses from the cells of a row; missing ones are blank."""
 
         def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
             return tuple(
@@ -115,7 +115,9 @@ class _Columns:
         return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
 
     def sources(self, answers: AnswerFile) -> Mapping[int, Sources]:
-        """By line whose line of the key each ask is marked by, in the order of the asks."""
+        """By line, the student whose line of the key each ask is marked by, in the order of the
+        asks.
+        """
         return {
             line: tuple(["" if index is None else sources[index - 1] for index in self.asks])
             for line, sources in answers.put.items()
@@ -125,7 +127,7 @@ class _Columns:
 def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     """Finds the responses in one file.
 
-    Raises TableError if there is no student column, no answer column, or the sheet is that of
+    Raises TableError if there is no student column or no answer column, or if the sheet belongs to
     another exam.
     """
     table = answers.table
@@ -174,10 +176,10 @@ def _keys(asks: Sequence[Ask]) -> set[str]:
 
 
 def _ask_columns(header: Sequence[str], asks: Sequence[Ask]) -> tuple[int | None, ...]:
-    """Exact spelling goes first, because v_A and v_a may both be asked; else case does not
+    """Exact spelling comes first, because v_A and v_a may both be asked; otherwise case does not
     matter.
     """
-    backwards = list(enumerate(header))[::-1]  # so that of two like columns the first one stays
+    backwards = list(enumerate(header))[::-1]  # so that of two equal columns the first is kept
     exact = {_exact_key(cell): index for index, cell in backwards}
     folded = {header_key(cell): index for index, cell in backwards}
     alike = Counter(header_key(ask.column) for ask in asks)
@@ -281,7 +283,7 @@ def _extra_columns(table: Table, columns: _Columns) -> Iterator[Complaint]:
 
 
 def repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
-    """A complaint for each entry of a student that does not count; it carries the row."""
+    """A complaint for each entry of a student that does not count; it quotes the row."""
     answers = list(map(trimmed, counted.responses))
     for entry in entries:
         if entry is counted:

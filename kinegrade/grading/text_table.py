@@ -1,4 +1,4 @@
-"""Tables for a terminal, in which Chinese characters are two columns wide."""
+"""Tables for a terminal, in which a Chinese character is two columns wide."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from unicodedata import combining, east_asian_width
 def aligned(
     header: Sequence[str], rows: Iterable[Sequence[str]], numbers: Collection[int] = ()
 ) -> str:
-    """Lines of columns that stand under each other; those whose index is in `numbers` are flush
-    right.
+    """Lines with aligned columns; columns whose index is in `numbers` are flush right.
 
     >>> print(aligned(("who", "points"), [("Ann", "7"), ("王伟", "12")], numbers=(1,)), end="")
     who   points
@@ -23,7 +22,7 @@ def aligned(
 
 
 def width(text: str) -> int:
-    """How many columns a text takes.
+    """The number of columns that a text takes.
 
     >>> width("a王")
     3
@@ -34,7 +33,7 @@ def width(text: str) -> int:
 
 
 def cut(text: str, columns: int) -> str:
-    """A text of at most so many columns; what is left out is shown by an ellipsis.
+    """A text cut to a number of columns; an ellipsis stands for what is left out.
 
     >>> cut("欧阳文清", 6), cut("Ann", 6)
     ('欧阳…', 'Ann')

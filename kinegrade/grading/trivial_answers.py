@@ -1,9 +1,9 @@
-"""Own answers that make the rest of a question trivial, so that nothing is earned by going on from
+"""Answers that make the rest of a question trivial, so that nothing is earned by carrying on from
 them.
 
-Whoever answers with next to nothing need not think of the terms that hang on it: they vanish, as if
-forgotten. Whoever answers with something enormous need not think of any other term. `is_trivial` is
-called by `kinegrade.grading.follow`.
+With an answer next to zero, the terms that depend on it vanish, as if the student had forgotten
+them. With an enormous answer, no other term matters. `is_trivial` is called by
+`kinegrade.grading.follow`.
 """
 
 from __future__ import annotations
@@ -12,46 +12,47 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-# Of the right answer: what is larger does not make a term vanish that is there
+# Of the right answer: no larger value makes an existing term vanish
 SMALL = Fraction(1, 2)
-TINY = Fraction(1, 900)  # of the right answer: stands for nothing
-# Times the right answer: more than degrees for radians, or a slipped decimal point, can explain
+TINY = Fraction(1, 900)  # of the right answer: stands in for zero
+# Times the right answer: more than degrees for radians, or a misplaced decimal point, can explain
 ENORMOUS = 100
-POWERS = (1, 2)  # of a velocity in velocities and in accelerations
+POWERS = (1, 2)  # of a velocity, in velocities and in accelerations
 Own = Mapping[str, Fraction]
 
 
 @dataclass(frozen=True, slots=True)
 class Later:
-    """A later answer: what follows for it from own answers to earlier asks, and whether it agrees
-    with a value.
+    """A later answer: what follows for it from the student's answers to earlier asks, and whether
+    it agrees with a value.
     """
 
     what_follows: Callable[[Own], Fraction | None]
     agrees: Callable[[Fraction], bool]
 
-    def fits(self, own: Own, factor: Fraction = Fraction(1)) -> bool:
-        """Whether it agrees with so many times what follows."""
-        value = self.what_follows(own)
+    def fits(self, answers: Own, factor: Fraction = Fraction(1)) -> bool:
+        """Whether it agrees with `factor` times what follows."""
+        value = self.what_follows(answers)
         return value is not None and self.agrees(factor * value)
 
 
-def is_trivial(name: str, own: Own, right: Fraction, later: Later) -> bool:
-    """Whether a later answer that follows from `own` cannot be told from one that leaves terms out,
-    for the value of `name` among them, where `right` (not zero) is right.
+def is_trivial(name: str, answers: Own, right: Fraction, later: Later) -> bool:
+    """Whether a later answer that follows from `answers` cannot be distinguished from one that
+    leaves terms out, because of the value of `name` among them; `right` (not zero) is the right
+    value.
     """
-    size = abs(own[name] / right)
+    size = abs(answers[name] / right)
     if size < SMALL:  # the term has vanished, and would not have with the right value
-        return later.fits({**own, name: right * TINY}) and not later.fits({**own, name: right})
-    return size > ENORMOUS and any(_drowns(name, own, right, later, power) for power in POWERS)
+        return later.fits({**answers, name: right * TINY}) and not later.fits(
+            {**answers, name: right}
+        )
+    return size > ENORMOUS and any(_drowns(name, answers, right, later, power) for power in POWERS)
 
 
-def _drowns(name: str, own: Own, right: Fraction, later: Later, power: int) -> bool:
-    """Whether everything but a power of the own value has drowned, and would not have with the
-    right value.
-    """
+def _drowns(name: str, answers: Own, right: Fraction, later: Later, power: int) -> bool:
+    """Whether a power of this value drowns everything else, and would not with the right value."""
 
     def in_proportion(value: Fraction) -> bool:
-        return later.fits({**own, name: value}, (own[name] / value) ** power)
+        return later.fits({**answers, name: value}, (answers[name] / value) ** power)
 
-    return in_proportion(own[name] / 2) and not in_proportion(right)
+    return in_proportion(answers[name] / 2) and not in_proportion(right)

@@ -1,6 +1,6 @@
-"""All cells of many rows read at once: plain numbers in bulk, every other cell by `answers.read`.
+"""All cells of many rows read at once: plain numbers in bulk, all other cells by `answers.read`.
 
-`block_judge` uses it. A cell is plain where `answers.read` would take its digits as they stand,
+`block_judge` uses it. A cell is plain if `answers.read` would take its digits as they stand,
 whatever else is in the file.
 """
 
@@ -30,20 +30,20 @@ class TypedCells:
     """Cells row after row: `values` are NaN where no number is typed, or none that is known
     exactly.
 
-    `odd` are the readings of the cells that are neither plain nor empty, by place; `styles` those
-    of the rows with such cells, by the row.
+    `readings` are those of the cells that are neither plain nor empty, by place; `styles` are those
+    of the rows with such cells, by row.
     """
 
     reader: CellReader
     typed: Sequence[str]
     values: Numbers
     read_as: Sequence[str]
-    odd: Mapping[int, Reading]
+    readings: Mapping[int, Reading]
     styles: Mapping[int, DecimalStyle]
 
     def reading(self, place: int) -> Reading:
         """The reading of a cell."""
-        return self.odd.get(place) or self.reread(place, self.typed[place])
+        return self.readings.get(place) or self.reread(place, self.typed[place])
 
     def reread(self, place: int, typed: str) -> Reading:
         """The reading of another text, as if it stood in the cell."""
@@ -60,7 +60,7 @@ class CellReader:
     styles: FileStyle
 
     def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
-        """Everything in these rows."""
+        """All cells of these rows."""
         typed = [*chain.from_iterable(rows)]
         if _takes_plain_numbers(self.styles.style) and _are_plain(typed):
             return TypedCells(self, typed, np.array(_plain_values(typed)), _unsigned(typed), {}, {})
@@ -70,7 +70,7 @@ class CellReader:
         usual = _takes_plain_numbers(self.styles.style)
         values: list[float] = []
         read_as: list[str] = []
-        odd: dict[int, Reading] = {}
+        readings: dict[int, Reading] = {}
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
             if usual and _are_plain(row):
@@ -84,8 +84,8 @@ class CellReader:
                 values.append(value)
                 read_as.append(digits)
                 if reading is not None:
-                    odd[place] = reading
-        return TypedCells(self, typed, np.array(values), read_as, odd, styles)
+                    readings[place] = reading
+        return TypedCells(self, typed, np.array(values), read_as, readings, styles)
 
     def _cell_by_cell(
         self, row: Sequence[str], style: DecimalStyle
@@ -107,7 +107,7 @@ class CellReader:
 
 
 def _are_plain(cells: Sequence[str]) -> bool:
-    """Whether all are plain or empty."""
+    """Whether all cells are plain or empty."""
     lines = "\n".join([*cells, ""])
     return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
 
@@ -117,8 +117,8 @@ def _unsigned(cells: Sequence[str]) -> Sequence[str]:
 
 
 def _plain_values(cells: Sequence[str]) -> list[float]:
-    """What plain or empty cells hold; spelled as in JSON, as most are, they are read several times
-    faster.
+    """The values of plain or empty cells; written as in JSON, as most are, they are read several
+    times faster.
     """
     try:
         return msgspec.convert(cells, list[float], strict=False)
@@ -127,5 +127,5 @@ def _plain_values(cells: Sequence[str]) -> list[float]:
 
 
 def _takes_plain_numbers(style: DecimalStyle) -> bool:
-    """Whether 1.234 is a plain number, about which nothing is to be remarked."""
+    """Whether 1.234 is a plain number that needs no remark."""
     return style.point == "decimal" and not style.point_reason

@@ -1,13 +1,13 @@
-"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. A grammar of its own,
-never `eval`.
+"""Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. Parsed by a small
+grammar, never by `eval`.
 
     sum     = product (("+" | "-") product)*          at least one of them with a root or π
-    product = power (("*" | "/") power | power)*   the bare form only before a root, π or a bracket
+    product = power (("*" | "/") power | power)*   without a sign only before a root, π or a bracket
     power   = atom ["^" whole number]
     atom    = number [½] | "√" (number | bracket) | "sqrt" bracket | "π" | "(" [sign] sum ")"
 
-`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit,
-alone. What can be understood in two ways is refused with both: `1/2√3`, `5-3`.
+`scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit.
+A formula that can be understood in two ways is refused, naming both: `1/2√3`, `5-3`.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ from kinegrade.grading.number_text import (
 MOST_ROOTS = 8
 MOST_BRACKETS = 8
 MOST_ATOMS = 24
-MOST_EXACT_ROOTS = 3  # beyond them the tower of fields costs more than a ball
+MOST_EXACT_ROOTS = 3  # with more of them, the tower of fields costs more than a ball
 PRECISION = 256
-# How far an irrational value is known, relative to its size; the key has 40 digits
+# The error of an irrational value, relative to its size; the key has 40 digits
 KNOWN = Fraction(1, 10**38)
 _SMALLEST, _LARGEST = Fraction(1, 10**LARGEST_EXPONENT), Fraction(10**LARGEST_EXPONENT)
 _VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
@@ -69,9 +69,7 @@ _OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """What was typed as a formula: its tree, where it ends, and remarks about single numbers in
-    it.
-    """
+    """What was typed as a formula: its tree, where it ends, and remarks on single numbers in it."""
 
     tree: Expression
     end: int
@@ -104,8 +102,8 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
 
 
 def _goes_on(text: str, place: int) -> bool:
-    """Whether a formula goes on after a number: an operator before a value, a power, or a root or
-    pi right there.
+    """Whether a number continues as a formula: an operator before a value, a power, or a root or pi
+    directly after it.
     """
     operator = _OPERATOR.match(text, place)
     if operator and _START.match(text, operator.end()):
@@ -154,8 +152,8 @@ class _Reader:
             )
 
     def beside(self, depth: int) -> Expression | None:
-        """A factor written without a sign of multiplication; a bracket that holds a unit is
-        none.
+        """A factor written without a multiplication sign; a bracket that holds a unit is not
+        one.
         """
         if not _IMPLICIT.match(self.text, self.place):
             return None
@@ -202,8 +200,8 @@ class _Reader:
         return self.number()
 
     def radical(self, depth: int) -> Expression:
-        """The root of a bracket or of one number; what stands beside the bare number is another
-        matter.
+        """The root of a bracket or of a single number; whatever follows that number is not part of
+        the root.
         """
         bracket = self.text.startswith("(", self.place)
         tree = self.root_of(self.bracket(depth) if bracket else self.number(power_of_ten=False))
@@ -240,7 +238,7 @@ class _Reader:
         return Operation("-", Number(rational("0")), tree) if sign == "-" else tree
 
     def number(self, *, power_of_ten: bool = True) -> Expression:
-        """A decimal number, a fraction such as ½, or a whole number and a fraction; √3×10^-2 is a
+        """A decimal number, a fraction such as ½, or a whole number with a fraction; √3×10^-2 is a
         hundredth of √3.
         """
         found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
@@ -257,8 +255,8 @@ class _Reader:
         return Operation("+", _literal(found.value), vulgar)
 
     def doubt(self, found: TypedNumber) -> str:
-        """What a person should know of a number just read, quoted as it was typed; "" where there
-        is no doubt.
+        """What the instructor should know about a number just read, quoted as it was typed; ""
+        where nothing is in doubt.
         """
         typed = shown(self.text[self.place : found.end])
         return found.reason and f'"{typed}" read as {found.digits}: {found.reason}'
@@ -281,7 +279,7 @@ def _literal(value: Fraction) -> Expression:
 
 
 def _raised(base: Expression, power: int) -> Expression:
-    """base**power; powers of ten go further than others."""
+    """base**power; powers of ten may be larger than others."""
     if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
         return Number(base.value**power)
     exponent = Number(rational(str(abs(power))))
@@ -309,7 +307,7 @@ def worked_out(formula: Formula) -> Amount:
 
 
 def _exact(formula: Formula) -> Amount | None:
-    """A rational number, a surd, or a rational multiple of pi; None for what is neither."""
+    """A rational number, a surd, or a rational multiple of pi; None for anything else."""
     field = Field()
     try:
         value = evaluate(formula.tree, {"pi": field.turns(1)}, {"sqrt": field.sqrt}, field)
@@ -318,15 +316,15 @@ def _exact(formula: Formula) -> Amount | None:
     except ExpressionError:
         if not formula.pi:
             raise
-        return None  # an angle beside a number, as in 1 + pi: a ball holds both
+        return None  # an angle added to a number, as in 1 + pi: a ball holds both
     if isinstance(value, Angle):
         return Amount(value.half_turns, 1)
     return Amount(value)
 
 
 def converted(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
-    """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational, else
-    to 38 digits.
+    """(value, error) of amount * factor * pi**pi: exact with error zero where it is rational,
+    otherwise to 38 digits.
 
     Raises Unreadable where the value is too large, too small or not finite.
     """

@@ -1,9 +1,9 @@
-"""Units as people write them: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min, 转/分; what they are
-worth.
+"""Units as people write them, and their values: m/s², m·s⁻², m s^-2, m/s/s, ㎨, 米每二次方秒; rpm, r/min,
+转/分.
 
-`conversion` is called by `answers` for what stands after a number. It holds dimensions against each
-other before anybody compares numbers, and converts exactly: a factor and a power of pi, because a
-turn is 2 pi radians.
+`conversion` is called by `answers` for the text after a number. It compares dimensions before any
+numbers are compared, and converts exactly: a factor and a power of pi, because a turn is 2 pi
+radians.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _SQUARES = (
     (re.compile(r"每|\s+per\s+"), "/"),
     (re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])"), r"\1 s"),
 )
-# The ordinal sign and the ring, next to ° on many keyboards
+# The ordinal sign and the ring, which are next to ° on many keyboards
 _DEGREE_SIGNS = str.maketrans("º˚", "°°")
 _TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
 _FACTOR = re.compile(
@@ -59,7 +59,7 @@ _KINDS = {
 
 
 class WrongUnit(Exception):
-    """A unit that is well written and measures something else than what is asked; the message says
+    """A well-written unit that measures something other than what is asked; the message says
     what.
     """
 
@@ -94,28 +94,27 @@ _SAME = Conversion()
 
 @lru_cache(maxsize=4096)
 def conversion(typed: str, unit: str) -> Conversion:
-    """How a number with the unit `typed`, as it was typed, becomes one in `unit`; no unit means the
-    ask's.
+    """How a number typed with the unit `typed` becomes one in `unit`; no unit means the ask's.
 
     Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz
-    included, and Unreadable for what is no known unit.
+    included, and Unreadable for an unknown unit.
 
     >>> conversion("r/min", "rad/s"), conversion("cm/s²", "m/s^2").factor
     (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
     """
-    bare = _unbracketed(typed)
-    if bare in ("", unit) or (unit in ("", "1") and bare == "1"):
+    written = _unbracketed(typed)
+    if written in ("", unit) or (unit in ("", "1") and written == "1"):
         return _SAME
     wanted = written_unit(unit) if unit not in ("", "1") else WrittenUnit(Fraction(1), 0, 0, 0, 0)
-    _refuse_turns_per_time(bare, unit, wanted)
-    found = written_unit(bare)
+    _refuse_turns_per_time(written, unit, wanted)
+    found = written_unit(written)
     if found is None or wanted is None:
         raise Unreadable(f'"{shown(typed.strip())}" stands after the number; {_expected(unit)}')
     lengths_and_times = (found.length, found.time) == (wanted.length, wanted.time)
     radians_left_out = found.angle == 0 and wanted.angle == 1 and wanted.time < 0 and wanted.pi == 0
     if not lengths_and_times or not (found.angle == wanted.angle or radians_left_out):
         raise WrongUnit(
-            f'"{shown(bare)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}'
+            f'"{shown(written)}" measures {found.kind}; {wanted.kind} was expected{_in(unit)}'
         )
     return Conversion(found.factor / wanted.factor, found.pi - wanted.pi)
 
@@ -128,26 +127,26 @@ def _in(unit: str) -> str:
     return "" if unit in ("", "1") else f', in "{unit}"'
 
 
-def _refuse_turns_per_time(bare: str, unit: str, wanted: WrittenUnit | None) -> None:
-    if _TURN_COUNTS.fullmatch(bare):
+def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
+    if _TURN_COUNTS.fullmatch(written):
         measured = f"{wanted.kind} was expected{_in(unit)}" if wanted else _expected(unit)
-        raise WrongUnit(f'"{shown(bare)}" counts turns or cycles, not radians; {measured}')
-    if _PER_MINUTE.fullmatch(bare.replace(" ", "")) and wanted is not None and wanted.angle:
+        raise WrongUnit(f'"{shown(written)}" counts turns or cycles, not radians; {measured}')
+    if _PER_MINUTE.fullmatch(written.replace(" ", "")) and wanted is not None and wanted.angle:
         raise Unreadable(
-            f'"{shown(bare)}" can mean turns or radians per minute; write r/min or rad/min'
+            f'"{shown(written)}" can mean turns or radians per minute; write r/min or rad/min'
         )
 
 
 def _unbracketed(typed: str) -> str:
-    bare = _TIMES.sub("", typed.strip())
-    if bare[:1] + bare[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
-        return bare[1:-1].strip()
-    return bare
+    written = _TIMES.sub("", typed.strip())
+    if written[:1] + written[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
+        return written[1:-1].strip()
+    return written
 
 
 @lru_cache(maxsize=4096)
 def written_unit(text: str) -> WrittenUnit | None:
-    """What a unit is worth, None where the text is not written as one.
+    """The value of a unit, None where the text is not written as one.
 
     >>> written_unit("m·s⁻²") == written_unit("米/秒²") == written_unit("m/s^2")
     True
@@ -170,8 +169,8 @@ def _plain(text: str) -> str:
 
 
 def _powers(text: str) -> Counter[str] | None:
-    """The power of each factor, None where the text is not written as a unit; a slash turns one
-    factor or bracket.
+    """The exponent of each factor, None where the text is not written as a unit; a slash inverts
+    one factor or bracket.
     """
     powers: Counter[str] = Counter()
     share = _SHARE.match(text)
@@ -206,7 +205,7 @@ def _bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
 
 
 def _name(written: str) -> str | None:
-    """The unit's own name; capitals do not matter, as telephones put them in."""
+    """The unit's standard name; case is ignored, because phones capitalise."""
     for spelling in (written, written.casefold()):
         if spelling in _NAMES or spelling in _SHORT or spelling in FACTORS:
             return _NAMES.get(spelling, spelling)

@@ -1,7 +1,7 @@
-"""How an exam's questions and asks are called where people read of them.
+"""What an exam's questions and asks are called in texts for people.
 
-`kinegrade.exam.exam_wording` reads it from the exam folder; where it is silent, identifiers stand
-for themselves.
+`kinegrade.exam.exam_wording` reads it from the exam folder; where a text is missing, the identifier
+is used.
 """
 
 from __future__ import annotations
@@ -31,4 +31,4 @@ class Wording(Protocol):
 
     @property
     def mistakes(self) -> Mapping[str, str]:
-        """A sentence, plain text, by identifier of a known mistake."""
+        """A plain-text sentence by identifier of a known mistake."""

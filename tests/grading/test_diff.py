@@ -198,10 +198,10 @@ def test_nobody_falls_below_an_earlier_total(answered: Path) -> None:
         "2.5",
         "6.5",
         "3.7632",
-        "nobody is lowered: 5.5 of 9.5 before, 2.5 of 6.5 by this marking",
+        "earlier total kept: 5.5 of 9.5 before, 2.5 of 6.5 by this marking",
     ]
     assert [row["name"] for row in kept] == ["王伟", "O'Neil, Zoë", "'=HYPERLINK(1)"]
-    assert "nobody is lowered: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
+    assert "earlier total kept: 3 of 9.5 before, 0 of 6.5 by this marking" in comparison_text(
         compare(MarksFolder(first), MarksFolder(second))
     )
     assert (
@@ -245,8 +245,7 @@ def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
     marks, kept = never_lower(marked("007,2,0,30\n"), {"008": total("008", Fraction(9), 9)})
     assert kept == ()
     assert str(marks.complaints[0]) == (
-        'grades.csv: student: student "008" has marks before, and is not in the exam - nothing to '
-        "be kept"
+        'grades.csv: student: student "008" has earlier marks but is not in the exam - nothing kept'
     )
 
 

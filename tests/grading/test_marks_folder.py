@@ -22,7 +22,7 @@ from tests.small_class import kinegrade
 HALF = Fraction(1, 2)
 ANNA = Grade("7", "=Anna, B.", (HALF, Fraction(2)), Fraction(4))
 KEPT_ANNA = KeptTotal(
-    *("7", "=Anna, B.", "nobody is lowered"),
+    *("7", "=Anna, B.", "earlier total kept"),
     *(Fraction(3), Fraction(4), Fraction(5, 2), Fraction(4), Fraction(3)),
 )
 COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
@@ -71,7 +71,7 @@ def test_all_cells_that_are_no_points_are_named_at_once(tmp_path: Path) -> None:
 
 
 def test_a_kept_total_that_is_no_number_is_named(tmp_path: Path) -> None:
-    row = "7,Anna,3,4,2.5,4,much,nobody is lowered"
+    row = "7,Anna,3,4,2.5,4,much,earlier total kept"
     (tmp_path / KEPT.name).write_text(f"{','.join(KEPT.columns)}\n{row}\n", encoding="utf-8")
     with pytest.raises(TableError, match=r'kept.csv:2: stands is "much" - expected a number of'):
         _ = MarksFolder(tmp_path).kept

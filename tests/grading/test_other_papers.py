@@ -38,7 +38,7 @@ def test_papers_in_another_order_stop_the_marking_though_students_err(
     answers = sheet(exam, tmp_path, ORDER, spoiled, "77.7")
     refused = kinegrade("grade", exam, answers, "-o", tmp_path / "MARKS")
     assert refused.exit_code == 2
-    assert "most are right on other papers of this exam - expected answers to everybody's own" in (
+    assert "most are right on other papers of this exam - expected each student's answers to " in (
         refused.stderr
     )
     assert not (tmp_path / "MARKS").exists()

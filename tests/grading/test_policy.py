@@ -437,7 +437,7 @@ def test_an_accepted_answer_without_a_value_is_refused(
         marked("007,1,,\n", policy)
     assert str(caught.value) == (
         f'policy: q1.v_B: accepted answer 1, "{value}", has no value for student "007" and 2 '
-        f"more ({reason}) - expected one number - mend it"
+        f"more ({reason}) - expected one number - fix it"
     )
 
 

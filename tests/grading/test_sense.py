@@ -67,7 +67,7 @@ def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negati
         with pytest.raises(Unreadable, match="together can mean either way; write one of the two"):
             direction(sense, sign, convention)
     for sense in set(get_args(Sense)) - {positive, negative}:
-        with pytest.raises(Unreadable, match="does not tell the sign of this answer"):
+        with pytest.raises(Unreadable, match="does not determine the sign of this answer"):
             direction(sense, "", convention)
 
 
@@ -81,7 +81,7 @@ def test_the_convention_makes_it_a_sign(convention: str, positive: Sense, negati
     ],
 )
 def test_words_tell_nothing_where_the_convention_is_another(convention: str) -> None:
-    with pytest.raises(Unreadable, match="does not tell the sign of this answer"):
+    with pytest.raises(Unreadable, match="does not determine the sign of this answer"):
         direction("ccw", "", convention)
 
 
