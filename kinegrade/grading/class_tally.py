@@ -111,7 +111,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
         if columns != count.columns or student not in totals:
             raise TableError(
                 f'{marks.path / ANSWERS.name}: the lines of student "{student}" do not fit '
-                f"{GRADES.name} or the others - expected the same asks for everybody - grade again"
+                f"{GRADES.name} or the others - expected the same asks throughout - grade again"
             )
         if any(answer.verdict != BLANK and answer.typed.strip() for answer in answers):
             candidate = exam.head.candidates.get(student)

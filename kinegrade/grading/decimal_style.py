@@ -144,8 +144,8 @@ def file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None) -> F
     points = sum("." in each.decimal for each in found)
     comma, reason = _file_comma(commas, points, len(found))
     doubt = (
-        "a point is a decimal point, as the papers say; all other answers that tell have a "
-        "decimal comma"
+        "a point is a decimal point, as the papers say; all other unambiguous answers "
+        "have a decimal comma"
     )
     return FileStyle(
         DecimalStyle(comma, "decimal", reason, doubt if commas and not points else ""),
@@ -171,7 +171,7 @@ def _file_comma(commas: int, points: int, rows: int) -> tuple[MarkUse, str]:
         return (
             "groups",
             f"the point is the decimal mark in the answers of {counted(points, 'student')}, and "
-            "nobody's the comma",
+            "the comma in no student's",
         )
     if not commas and not points:
         return "decimal", _PAPERS.comma_reason

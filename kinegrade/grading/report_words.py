@@ -117,9 +117,9 @@ ENGLISH = ReportWords(
     version="Version",
     test_of_versions="Kruskal-Wallis: H = {}, p = {} ({} permutations).",
     versions_differ="The versions differ by more than chance would easily explain. Look at the "
-    "questions in which their facilities lie apart before you compare students.",
-    versions_alike="The differences between the versions are of a size that chance alone often "
-    "makes.",
+    "questions whose facilities differ before you compare students.",
+    versions_alike="The differences between the versions are of a size that often arises by "
+    "chance alone.",
     too_few="Too few to say: with fewer than {} students, such figures are mostly chance.",
     trends="Every paper has its own numbers. For each of the {} numbers drawn: do students with "
     "larger ones do better or worse in that question? The clearest first.",
@@ -146,7 +146,7 @@ ENGLISH = ReportWords(
         "above 90 %.",
         "Discrimination: the corrected item-total correlation, that is Pearson's correlation "
         "between the points of the ask and the points of all other asks together. Above 0.3 is "
-        "usual for a good ask; what is below 0.1 is remarked on, and as negative below −2/√n.",
+        "usual for a good ask; values below 0.1 are noted, and values below −2/√n noted as negative.",
         "Standard deviation: with n − 1. Quartiles: by linear interpolation. Reliability: "
         "Cronbach's α of the asks.",
         "Versions are compared by the Kruskal-Wallis rank test on totals, drawn numbers by "

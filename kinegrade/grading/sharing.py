@@ -84,7 +84,7 @@ class Sharing:
 
     pairs: int
     found: int
-    told: tuple[Pair, ...]
+    reported: tuple[Pair, ...]
     students: int
     papers: int
     questions: int
@@ -113,9 +113,9 @@ def sharing(exam: Exam, answers: Iterable[MarkedAnswer], level: float = LEVEL) -
     unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)
     search = _Search(exam, wrong, unlike, level)
     found = sorted(search.found(), key=lambda each: (each.chance, each.student, each.other))
-    told = tuple(search.pair(each) for each in found[:MOST])
+    reported = tuple(search.pair(each) for each in found[:MOST])
     return Sharing(
-        search.pairs, len(found), told, len(papers), len(alike), len(exam.questions), level
+        search.pairs, len(found), reported, len(papers), len(alike), len(exam.questions), level
     )
 
 

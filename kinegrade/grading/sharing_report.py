@@ -21,7 +21,7 @@ def sharing_csv(sharing: Sharing) -> bytes:
     """A CSV file with a line for each pair; cells that a spreadsheet might run are made harmless,
     ids stay unchanged.
     """
-    return for_people(csv_text(HEADER, map(_row, sharing.told)))
+    return for_people(csv_text(HEADER, map(_row, sharing.reported)))
 
 
 def _row(pair: Pair) -> tuple[str, ...]:
@@ -61,8 +61,8 @@ def _sentences(sharing: Sharing) -> Iterator[str]:
         )
         yield (
             "This is a hint, not evidence of anything by itself: it does not say who gave and "
-            "who took, or that anybody did. Look at the scripts, and hear the students, before "
-            "you think anything of it."
+            "who took, or that any student did. Look at the scripts and hear the students before "
+            "you conclude anything."
         )
     else:
         yield (
@@ -84,6 +84,6 @@ def _limits(sharing: Sharing) -> Iterator[str]:
     if sharing.papers < sharing.students:
         yield (
             f"{sharing.students:,} students had {sharing.papers:,} different papers: answers "
-            "passed on between equal papers leave no trace, and where few papers are different "
+            "passed on between identical papers leave no trace, and where few papers differ, "
             "hardly anything stands out."
         )

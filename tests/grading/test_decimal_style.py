@@ -45,7 +45,7 @@ def reading(
     ("1,234", ["2,345.6"], [["0,5"]] * 9, None, 1234, "this student groups digits by commas "
                                                       "elsewhere"),
     ("1,234", ["12"], [["0.5"], ["2.5"]], None, 1234,
-     "the point is the decimal mark in the answers of 2 students, and nobody's the comma"),
+     "the point is the decimal mark in the answers of 2 students, and the comma in no student's"),
     # One of four tells: too little to group others' digits
     ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,
      "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, "
@@ -55,7 +55,7 @@ def reading(
      "decimal point"),
     ("1.234", ["0,5"], [["0.5"]], None, 1.234, ""),
     ("1.234", ["0,5"], [["2,5"]], None, 1.234,
-     "a point is a decimal point, as the papers say; all other answers that tell have a decimal "
+     "a point is a decimal point, as the papers say; all other unambiguous answers have a decimal "
      "comma"),
     ("1.234", ["2.345,6"], [["0.5"]] * 9, None, 1234, "this student groups digits by points "
                                                       "elsewhere"),

@@ -45,7 +45,7 @@ def planted(
                     **(sitting.copied(copies[place], *columns) if place in copies else {}),
                 }
             ),
-        ).told
+        ).reported
     )
 
 
@@ -70,7 +70,7 @@ def test_the_mistakes_of_another_paper_are_copied_too() -> None:
     doubled = {ask.column: 2 * sitting.key(9, ask.column) for ask in sitting.exam.asks}
     (pair,) = sharing(
         sitting.exam, sitting.answers(lambda place: doubled if place == 4 else {})
-    ).told
+    ).reported
     assert (pair.student.student, pair.other.student, len(pair.answers)) == (
         "s4",
         "s9",
@@ -83,7 +83,7 @@ def test_the_mistakes_of_another_paper_are_copied_too() -> None:
 def test_an_honest_class_shows_nothing(seed: int) -> None:
     sitting = sitting_class(100, seed)
     found = sharing(sitting.exam, sitting.answers(honest_slips(sitting, seed)))
-    assert (found.told, found.found, found.pairs) == ((), 0, 100 * 99)
+    assert (found.reported, found.found, found.pairs) == ((), 0, 100 * 99)
 
 
 def test_one_misread_number_is_no_hint() -> None:
@@ -94,13 +94,15 @@ def test_one_misread_number_is_no_hint() -> None:
 def test_right_blank_explained_and_zero_answers_are_never_counted() -> None:
     sitting = sitting_class(100, 3)
     answers = list(sitting.answers(lambda place: sitting.copied(8, *HALF) if place == 2 else {}))
-    assert len(sharing(sitting.exam, answers).told) == 1
+    assert len(sharing(sitting.exam, answers).reported) == 1
     for verdict in ("right", "blank", "mistake", "accepted", "unreadable", "wrong unit", "void"):
         assert not sharing(
             sitting.exam, [replace(answer, verdict=verdict) for answer in answers]
-        ).told
+        ).reported
     for text in ("", "0.000", "1e999"):
-        assert not sharing(sitting.exam, [replace(answer, read_as=text) for answer in answers]).told
+        assert not sharing(
+            sitting.exam, [replace(answer, read_as=text) for answer in answers]
+        ).reported
 
 
 def test_equal_papers_are_no_hint_and_the_report_says_so() -> None:
@@ -108,9 +110,9 @@ def test_equal_papers_are_no_hint_and_the_report_says_so() -> None:
     found = sharing(
         sitting.exam, sitting.answers(lambda place: sitting.copied(9, *HALF) if place == 4 else {})
     )
-    assert (found.told, found.papers) == ((), 4)
+    assert (found.reported, found.papers) == ((), 4)
     assert (
-        "100 students had 4 different papers: answers passed on between equal papers leave no trace"
+        "100 students had 4 different papers: answers passed on between identical papers leave no trace"
         in sharing_text(found)
     )
 
@@ -122,12 +124,12 @@ def test_the_level_is_that_of_the_whole_class() -> None:
             lambda place: sitting.copied(9, "q1.v", "q1.a", "q2.v") if place == 4 else {}
         )
     )
-    (pair,) = sharing(sitting.exam, answers, 1).told[:1]
+    (pair,) = sharing(sitting.exam, answers, 1).reported[:1]
     mean = pair.as_key_expected
     assert pair.chance == pytest.approx(
         min(1, 2 * 100 * 99 * min(tail(3, mean), tail(3, pair.expected)))
     )
-    assert sharing(sitting.exam, answers, pair.chance / 2).told == ()
+    assert sharing(sitting.exam, answers, pair.chance / 2).reported == ()
 
 
 def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -136,7 +138,7 @@ def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.Mo
     found = sharing(
         sitting.exam, sitting.answers(lambda place: sitting.copied(0, *HALF) if place else {})
     )
-    assert (found.found, len(found.told)) == (59, 5)
+    assert (found.found, len(found.reported)) == (59, 5)
     assert f"The file has the {MOST:,} most striking ones." in sharing_text(
         replace(found, found=MOST + 1)
     )
@@ -242,9 +244,9 @@ def test_an_id_is_a_key_and_stays_as_it_is() -> None:
     found = sharing(
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
-    (pair,) = found.told
+    (pair,) = found.reported
     odd = replace(pair, student=replace(pair.student, student="=2"))
-    _, row = csv.reader(io.StringIO(sharing_csv(replace(found, told=(odd,))).decode()))
+    _, row = csv.reader(io.StringIO(sharing_csv(replace(found, reported=(odd,))).decode()))
     assert (row[0], row[2]) == ("=2", "s1")
 
 
