@@ -298,7 +298,7 @@ def test_a_pool_of_an_older_version_is_marked_after_it_is_written_again(
     rows = [(student, each, perfect(each)) for student, each in drawn(exam).items()]
     status, said = grade(older, tmp_path, download(rows))
     assert status == 2
-    assert "students were put other papers than their own" in said
+    assert "students were given other papers than their own" in said
     assert "write it again by kinegrade quiz --variants" in said
     assert quiz(older, tmp_path / "again.xml", 3) in (0, 1)
     assert grade(older, tmp_path, download(rows))[0] == 0

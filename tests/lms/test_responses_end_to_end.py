@@ -210,7 +210,7 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
     assert [row.cells[0] for row in read.table.rows] == ["007"]
     (complaint,) = read.table.complaints
     assert complaint.problem.startswith(
-        'student "a/b" was put another paper: the right answer to q1.v_B is '
+        'student "a/b" was given another paper: the right answer to q1.v_B is '
     )
     assert (complaint.line, complaint.done) == (3, "not graded")
 

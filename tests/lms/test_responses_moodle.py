@@ -110,7 +110,7 @@ def test_a_download_without_responses_is_refused(
 def test_the_report_of_grades_is_told_from_that_of_responses(tmp_path: Path, language: str) -> None:
     exam = write_asks(tmp_path, SAMPLE_ASKS, SAMPLE_STUDENTS)
     with pytest.raises(
-        TableError, match="is Moodle's report of grades, without responses - expected the quiz's"
+        TableError, match="is Moodle's grades report, without responses - expected the quiz's"
     ):
         read_responses(SAMPLES / f"{language}-grades.csv", open_exam(exam))
 
@@ -150,8 +150,8 @@ def test_an_unfinished_attempt_counts_only_when_asked_for(tmp_path: Path) -> Non
         (
             2,
             "the attempt has no grade: it is not finished",
-            "not graded, unless all attempts are asked for (--unfinished): close the attempt in "
-            "Moodle first, then download again",
+            "not graded, unless unfinished attempts are included (--unfinished): close the "
+            "attempt in Moodle first, then download again",
         )
     ]
     assert "part 1: 1; part 2: 2" in read.answers.left_out[0].complaint.content
@@ -168,7 +168,7 @@ def test_an_attempt_in_progress_is_to_be_closed_in_moodle_first(tmp_path: Path) 
     assert told(read) == [
         (
             2,
-            'the attempt was not handed in ("In progress"), and Moodle gives out nothing of it',
+            'the attempt was not submitted ("In progress"), and Moodle exports nothing of it',
             "not graded: close the attempt in Moodle first where it is in progress, then download "
             "again",
         )
@@ -179,7 +179,7 @@ def test_an_abandoned_attempt_is_not_called_one_in_progress(tmp_path: Path) -> N
     abandoned = ("Wang", "Wei", "S9", "Never submitted", "1 May", "-", "-", "-", "-", "-")
     content = csv_text((*HEADER, *NAMES), abandoned, attempt("0012346", cloze("1", "2"), "3"))
     assert told(responses(tmp_path, content))[0][1].startswith(
-        'the attempt was not handed in ("Never submitted")'
+        'the attempt was not submitted ("Never submitted")'
     )
 
 
@@ -211,7 +211,7 @@ def test_parts_that_cannot_be_told_apart_are_told_and_not_guessed(tmp_path: Path
         (
             line,
             "2 parts were expected, and which is which is unclear",
-            "q1.v_B, q1.omega_AB count as blank; put them right by hand",
+            "q1.v_B, q1.omega_AB count as blank; correct them by hand",
         )
         for line in (2, 3)
     ]
@@ -246,12 +246,11 @@ def test_another_quiz_is_refused_with_what_was_found(
     [
         (
             (*HEADER, "Response 1", "Comment"),
-            "after the grade stands Response 1, Comment - expected numbered columns",
+            "after the grade comes Response 1, Comment - expected numbered columns",
         ),
         (
             HEADER,
-            "after the grade stands nothing - expected numbered columns like Response 1, Response "
-            "2",
+            "after the grade comes nothing - expected numbered columns like Response 1, Response 2",
         ),
         (("student", "q1.v_B"), "has no grades like Grade/10.00 - expected the quiz's responses"),
     ],

@@ -147,7 +147,7 @@ def test_names_tell_nobody(tmp_path: Path) -> None:
     )
     with pytest.raises(
         TableError,
-        match="no column tells whose answers these are - expected the ids or the e-mail "
+        match="no column says whose answers these are - expected the ids or the e-mail "
         "addresses of the exam's students - download the file with them",
     ):
         responses(

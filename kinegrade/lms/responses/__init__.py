@@ -1,3 +1,3 @@
-"""Answers as learning management systems, forms and spreadsheets give them out, made into the
+"""Answers as downloaded from learning management systems, forms and spreadsheets, converted to the
 exam's answer sheet.
 """

@@ -1,8 +1,8 @@
-"""From a download to a table of the shape of EXAM/answers.csv, which grading reads as it reads any
+"""From a download to a table with the columns of EXAM/answers.csv, which grading reads like any
 other.
 
-Every cell is what was typed; every row that is not taken over is reported with all that stands in
-it. Where questions came from a pool, `pooled` says whose line of the key each of them is.
+Every cell is what was typed; every row that is left out is reported with its whole content. Where
+questions came from a pool, `pooled` says whose line of the key each of them belongs to.
 """
 
 from __future__ import annotations
@@ -36,14 +36,14 @@ if TYPE_CHECKING:
     from kinegrade.exam.variants import Variants
 
 SOURCES = tuple(DIALECTS)
-FEW = 3  # rows of strangers may be a typing error each; more are another class
-POOLED = ("moodle", "canvas")  # what draws questions from pools
+FEW = 3  # this many unknown rows may each be a typing error; more are another class
+POOLED = ("moodle", "canvas")  # the systems that draw questions from pools
 
 
 @dataclass(frozen=True, slots=True)
 class Responses:
-    """The answer sheet made of a download, the name of its source, and in words what was assumed, a
-    line each.
+    """The answer sheet made from a download, the name of its source, and what was assumed, one line
+    for each assumption.
     """
 
     answers: AnswerFile
@@ -80,10 +80,11 @@ def read_responses(
     """Reads a CSV file or workbook that was downloaded from `source`, one of SOURCES; detected
     where None.
 
-    Of a student's several attempts each is a row, in the order of time; `attempts` says whether
-    unfinished ones are taken over too. `encoding` is what a CSV file is read in if it is not UTF-8.
-    Where a pool was made of the exam, responses of a quiz are recognised by it, unless they are to
-    `own_papers`. `name` stands for the file's name in messages. Raises TableError, ExamError.
+    Each attempt of a student is a row, in chronological order; `attempts` says whether unfinished
+    ones are included. `encoding` is that of a CSV file that is not UTF-8. Where a pool was made
+    from the exam, the questions answered in a quiz are recognised by it, unless `own_papers` says
+    that each student answered their own paper. `name` replaces the file's name in messages. Raises
+    TableError, ExamError.
     """
     table = read_workbook(path) if is_workbook(path) else read_table(path, encoding)
     table = replace(table, file=name or table.file, rows=without_headers(table))
@@ -94,7 +95,7 @@ def read_responses(
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(
-            f"{table.file}: no column tells whose answers these are - expected the ids or the "
+            f"{table.file}: no column says whose answers these are - expected the ids or the "
             "e-mail addresses of the exam's students - download the file with them"
         )
     found = people.find_all(everybody, table.header, columns)
@@ -112,7 +113,7 @@ def _refuse_another_class(
     found: Sequence[Found],
     students: Sequence[Candidate],
 ) -> None:
-    """Raises TableError where a file has rows and none is of a student who can be found."""
+    """Raises TableError where a file has rows and none belongs to a student of the exam."""
     if len(found) < FEW or any(each.student is not None or each.hint for each in found):
         return
     shown = trimmed(rows[0].cell(columns.indices[0]))
@@ -128,7 +129,7 @@ def _refuse_another_class(
 @dataclass(frozen=True, slots=True)
 class _Read:
     """A download as it was read; `found` are the students of the rows, then those of the rows that
-    are not taken.
+    are left out.
     """
 
     table: Table
@@ -138,8 +139,8 @@ class _Read:
 
 
 def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> AnswerFile:
-    """The answer sheet. Raises TableError where it is not certain to which questions the answers
-    are.
+    """The answer sheet. Raises TableError where it is not certain which questions the answers
+    belong to.
     """
     table, typed = read.table, read.typed
     pairs: Pairs = list(zip(typed.rows, read.found, strict=False))
@@ -179,7 +180,7 @@ def _about_answers(table: Table, typed: TypedRows, columns: Columns) -> Iterator
 
 
 def _left_out(table: Table, typed: TypedRows, found: Sequence[Found]) -> Iterator[LeftOut]:
-    """Why rows are not taken over, each with its student, "" where it is nobody of the exam."""
+    """Why rows are left out, each with its student, "" where the exam has no such student."""
     for each, who in zip(typed.not_taken, found, strict=True):
         complaint = Complaint(
             table.file, each.row.line, each.column, whole(each.row), each.problem, each.done
@@ -194,7 +195,7 @@ def _restored(file: str, found: Sequence[Found]) -> Iterator[str]:
 
 
 def _rows(found: Sequence[tuple[TypedRow, Found]]) -> Iterator[Row]:
-    """The rows of the students that were found, in the order of time."""
+    """The rows of the students that were found, in chronological order."""
     timed = all(each.moment for each, _ in found)
     for each, who in sorted(found, key=lambda pair: pair[0].moment) if timed else found:
         if who.student is not None:

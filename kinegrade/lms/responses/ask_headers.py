@@ -1,5 +1,5 @@
-"""Which question of a download is which ask: by the ask's name in the question's title, else by
-their order.
+"""Which question of a download is which ask: by the ask's name in the question's title, or by
+order where titles name none.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def asks_by_name(
 
 
 def _names(head: ExamHead) -> Mapping[str, str]:
-    """The asks by their full names and, where it is theirs alone, by their own in brackets."""
+    """The asks by their full names and, where it is unique, by their short name in brackets."""
     short: dict[str, list[str]] = defaultdict(list)
     for column in head.columns:
         short[f"[{column.partition('.')[2]}]"].append(column)
@@ -43,9 +43,7 @@ def _names(head: ExamHead) -> Mapping[str, str]:
 
 
 def _named(title: str, names: Mapping[str, str]) -> set[str]:
-    """The asks a title names: as they are spelt, else without regard to case where that means one
-    of them.
-    """
+    """The asks that a title names: spelt exactly, else regardless of case where that leaves one."""
     exact = {column for name, column in names.items() if _holds(title, name)}
     if exact:
         return exact
@@ -54,7 +52,7 @@ def _named(title: str, names: Mapping[str, str]) -> set[str]:
 
 
 def _holds(title: str, name: str) -> bool:
-    """Whether a name stands in a title, not as part of a longer one."""
+    """Whether a title contains a name, not as part of a longer one."""
     edge = "" if name.startswith("[") else r"[\w.]"
     before, after = (f"(?<!{edge})", r"(?![\w'′])") if edge else ("", "")
     return name in title and re.search(f"{before}{re.escape(name)}{after}", title) is not None

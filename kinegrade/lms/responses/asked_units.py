@@ -1,8 +1,8 @@
-"""In which unit a question of a Canvas quiz was asked, where that is another one than on paper: its
-text says so.
+"""The unit in which a question of a Canvas quiz was asked, where it differs from the unit on paper:
+the question's text says so.
 
-The quiz says "Mind the unit: mm/s here, not m/s."; a download carries the text without its tags, so
-that exponents stand on the line, as in mm/s2.
+The quiz says "Mind the unit: mm/s here, not m/s."; a download has the text without its tags, so
+exponents are not raised, as in mm/s2.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def asked_unit(header: str, unit: str) -> str:
 
 
 def in_unit(typed: str, unit: str) -> str:
-    """What was typed as a number in that unit; anything but a bare number stays as it is.
+    """What was typed as a number in that unit; anything but a number without a unit is unchanged.
 
     >>> in_unit("4.25", "mm/s"), in_unit("4.25 m/s", "mm/s"), in_unit("4.25", "")
     ('4.25 mm/s', '4.25 m/s', '4.25')
@@ -43,8 +43,8 @@ def in_unit(typed: str, unit: str) -> str:
 def on_the_line(unit: str) -> str:
     """A unit as `unit_html` of the quiz shows it, without its tags.
 
-    It is written here as well because that one takes a second to import, and every marking would
-    wait for it.
+    It is written here again because `unit_html` takes a second to import, which would delay every
+    marking.
 
     >>> on_the_line("m/s^2")
     'm/s2'
@@ -53,6 +53,6 @@ def on_the_line(unit: str) -> str:
 
 
 def _sentences(here: str, on_paper: str) -> Iterator[str]:
-    """The sentence of the quiz in every language, as it stands on the line."""
+    """The sentence of the quiz in every language, without its tags."""
     for words in WORDS.values():
         yield words.changed_unit.format(on_the_line(here), on_the_line(on_paper))

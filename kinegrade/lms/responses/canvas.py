@@ -1,10 +1,10 @@
 """Canvas's Student Analysis of a classic quiz: two columns for each question, "12345: its text" and
 then its points.
 
-The header of the points is their number and repeats, so everything goes by position. Other headers
-are translated, and which of them are there depends on the rights of whoever downloaded the file. A
-question whose text says that it asks for another unit than the paper does is read in that unit; the
-student that Canvas invents for trials is passed over.
+The header of a points column is the maximum, which repeats, so columns are found by position. Other
+headers are translated, and which of them are present depends on the permissions of the person who
+downloaded the file. A question whose text asks for another unit than the paper does is read in that
+unit; the test student that Canvas makes up is skipped.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
-    """The responses, attempts in the order of their submission. Canvas lists none that is not
-    submitted.
+    """The responses, attempts in the order of their submission. Canvas lists submitted attempts
+    only.
 
-    A question of which every student has another one from a pool is found by the ask's name in its
-    text. Raises TableError where questions and asks do not agree.
+    Where every student has another variant from a pool, a question is found by the ask's name in
+    its text. Raises TableError where questions and asks do not agree.
     """
     questions = _questions(table.header)
     if not questions:
@@ -96,7 +96,7 @@ def _assumed(
     sources: Sequence[Sequence[_Source]],
     count: int,
 ) -> Iterator[str]:
-    """Which column was taken for what, in which unit, and whose row was passed over."""
+    """Which column was taken for what, in which unit, and whose row was skipped."""
     for column, places in columns.items():
         yield f"{', '.join(table.header[place].partition(':')[0] for place in places)} is {column}"
     for column, each in zip(columns, sources, strict=True):
@@ -104,7 +104,7 @@ def _assumed(
         if units:
             yield f"{column} is in {', '.join(units)} there, and converted"
     if count < len(table.rows):
-        yield "Canvas's test student is passed over"
+        yield "Canvas's test student is skipped"
 
 
 def _questions(header: Sequence[str]) -> list[int]:
@@ -125,7 +125,7 @@ def _columns(
 
 
 def _response(row: Row, sources: Sequence[_Source]) -> str:
-    """What stands in the one of these columns that the student was shown; the others are blank."""
+    """The response in the one column that the student was shown; the others are blank."""
     return next(
         (
             in_unit(row.cell(source.place), source.unit)
@@ -139,9 +139,7 @@ def _response(row: Row, sources: Sequence[_Source]) -> str:
 def _is_test_student(
     row: Row, people: Sequence[int], named: Mapping[Kind, Sequence[int]], known: People
 ) -> bool:
-    """Whether a row is of the student that Canvas invents for trying a course out, and of nobody in
-    the class.
-    """
+    """Whether a row is that of Canvas's test student, and of no student of the class."""
     if trimmed(row.cell(0)) not in TEST_STUDENTS:
         return False
     cells = [row.cell(place) for place in named["id"] or people]
@@ -149,9 +147,9 @@ def _is_test_student(
 
 
 def _text(table: Table, row: Row, places: Sequence[int]) -> str:
-    """The text of the question that the student was put, "" where that cannot be told.
+    """The text of the question that the student was shown, "" where that is unclear.
 
-    It is the one with an answer; of those left blank the one that got points, if only nought.
+    It is the one with an answer; where all are blank, the one with points, even zero.
     """
     put = [place for place in places if trimmed(row.cell(place))] or [
         place for place in places if trimmed(row.cell(place + 1))
@@ -166,7 +164,7 @@ def _moment(row: Row, people: Sequence[int]) -> str:
 
 
 def _named(header: Sequence[str], people: Sequence[int]) -> Mapping[Kind, Sequence[int]]:
-    """The student's id of the institution goes before Canvas's own number, which may be somebody
-    else's id.
+    """The institution's id comes before Canvas's internal number, which may be another student's
+    id.
     """
     return {"id": [place for place in people if header_key(header[place]) == "sis_id"]}

@@ -1,5 +1,5 @@
-"""All files of a class, one after the other: what `kinegrade grade EXAM a.csv b.csv` reads before
-anything is marked.
+"""All files of a class, one after another: what `kinegrade grade EXAM a.csv b.csv` reads before
+marking.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from kinegrade.lms.responses.typed_rows import Attempts
 
 @dataclass(frozen=True, slots=True)
 class ReadingWishes:
-    """How files are read: what they were downloaded from, detected where None; which attempts
-    count; the encoding of CSV files that are not UTF-8; whether answers are to everybody's own
-    paper although a pool was made.
+    """How files are read: the system they come from, detected where None; which attempts count; the
+    encoding of CSV files that are not UTF-8; whether students answered their own papers although a
+    pool was made.
     """
 
     source: str | None = None
@@ -30,7 +30,7 @@ class ReadingWishes:
 
 @dataclass(frozen=True, slots=True)
 class ClassFiles:
-    """The answer sheets made of the files, and in words what was assumed, a line each."""
+    """The answer sheets made from the files, and what was assumed, one line for each assumption."""
 
     files: tuple[AnswerFile, ...]
     assumed: tuple[str, ...]
@@ -67,7 +67,7 @@ def _refuse_one_file_twice(paths: Sequence[Path]) -> None:
 
 
 def told_apart(paths: Sequence[Path]) -> tuple[str, ...]:
-    """The names of files in messages: with their folders where two are called the same.
+    """The names of files in messages: with their folders where two have the same name.
 
     >>> told_apart([Path("a/x.csv"), Path("b/x.csv")])
     ('a/x.csv', 'b/x.csv')

@@ -1,8 +1,8 @@
 """Several answers in one cell, as Moodle writes those of a Cloze question: "part 1: 1.2; part 2:
 -5", in any language.
 
-The words are found in the cells themselves, because they are in the language of whoever downloaded
-the file.
+The words are taken from the cells themselves, because they are in the language of the person who
+downloaded the file.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ _BEGINNING = re.compile(r"([^\d:：;]*[^\W\d][^\d:：;]*\s)1(\s?[:：])")
 
 @dataclass(frozen=True, slots=True)
 class Wording:
-    """What stands before and after the number of a part: "part " and ":", "子问题 " and "："."""
+    """The text before and after the number of a part: "part " and ":", "子问题 " and "："."""
 
     stem: str
     colon: str
 
     def mark(self, number: int) -> str:
-        """What begins a part; before all but the first stands "; "."""
+        """The text that begins a part; all but the first follow "; "."""
         return f"{self.stem}{number}{self.colon}"
 
     def separator(self, number: int) -> str:
-        """What stands between a part and the one before it."""
+        """The text between a part and the one before it."""
         return f"; {self.mark(number)}"
 
 
 def wording(cells: Sequence[str]) -> Wording | None:
-    """The words by which all of these cells begin, or None where they are not made of parts.
+    """The words with which all of these cells begin, or None where they have no parts.
 
     >>> wording(["Teil 1: 3; Teil 2: 4", "Teil 1: ; Teil 2:"])
     Wording(stem='Teil ', colon=':')
@@ -47,7 +47,7 @@ def wording(cells: Sequence[str]) -> Wording | None:
 
 
 def part_count(cells: Sequence[str], words: Wording) -> int:
-    """Of how many parts most of these cells are."""
+    """How many parts most of these cells have."""
     counts = Counter(_count(cell, words) for cell in cells)
     return counts.most_common(1)[0][0]
 
@@ -60,7 +60,7 @@ def _count(cell: str, words: Wording) -> int:
 
 
 def parts(cell: str, words: Wording, count: int) -> tuple[str, ...] | None:
-    """What was typed into each part, or None where the cell is not certainly made of so many.
+    """What was typed into each part, or None where it is unclear that the cell has `count` parts.
 
     >>> parts("part 1: 1,5; 2; part 2: ; part 3:", Wording("part ", ":"), 3)
     ('1,5; 2', '', '')
@@ -76,6 +76,6 @@ def parts(cell: str, words: Wording, count: int) -> tuple[str, ...] | None:
             return None
         before, _, rest = rest.partition(separator)
         typed.append(before)
-    # the words of Moodle put a blank after the narrow colon, none after the wide one
+    # Moodle puts a blank after the half-width colon, none after the full-width one
     blank = "" if words.colon.endswith("：") else " "
     return tuple(part.removeprefix(blank) for part in (*typed, rest))

@@ -14,9 +14,7 @@ from kinegrade.tables import Table
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How a system writes responses: what they are called, by what they are known, how they are
-    read.
-    """
+    """How a system writes responses: their title, how they are recognised, how they are read."""
 
     title: str
     recognises: Callable[[Sequence[str]], bool]
@@ -34,7 +32,7 @@ DIALECTS: Mapping[str, Dialect] = {
 
 
 def detected(table: Table) -> str:
-    """The name of the first dialect that knows the header. Raises TableError where none does."""
+    """The first dialect that recognises the header, by name. Raises TableError where none does."""
     name = next(
         (name for name, dialect in DIALECTS.items() if dialect.recognises(table.header)), None
     )

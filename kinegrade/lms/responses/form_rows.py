@@ -1,5 +1,5 @@
-"""What all forms have in common: a column for each question, one of which asks for the id where
-nobody signs in.
+"""What all forms have in common: a column for each question, one of which asks for the student's id
+where the form needs no sign-in.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ _COLUMN_NAMES = {"id": "student", "email": "email", "name": "name"}
 def form_rows(
     table: Table, head: ExamHead, *, questions: Sequence[int], known: Mapping[Kind, Sequence[int]]
 ) -> TypedRows:
-    """The responses of a form of which these columns are questions; `known` are other columns that
-    say who it is.
+    """The responses of a form whose questions are these columns; `known` are other columns that
+    identify the student.
 
     Raises TableError where questions and asks do not agree.
     """

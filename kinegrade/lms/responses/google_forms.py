@@ -1,5 +1,5 @@
-"""Responses of a Google form: a timestamp, the address where it is collected, a quiz's score, then
-questions.
+"""Responses of a Google form: a timestamp, the e-mail address where it is collected, the score of a
+quiz, then the questions.
 """
 
 from __future__ import annotations
@@ -22,8 +22,7 @@ def recognises(header: Sequence[str]) -> bool:
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
-    """The responses in the order of the file. The first column is the timestamp in whatever
-    language.
+    """The responses in the order of the file. The first column is the timestamp, in any language.
 
     Raises TableError where questions and asks do not agree.
     """

@@ -1,7 +1,7 @@
-"""The responses of a Moodle quiz (Results > Responses > download), in any language of its headers.
+"""The responses of a Moodle quiz (Results > Responses > download), with headers in any language.
 
-Several asks of one mechanism stand in one cell as parts of a Cloze question, or each in a question
-of its own. Slots follow the order of the exam. A row of dashes is somebody without an attempt.
+The asks of one mechanism are in one cell as parts of a Cloze question, or each in a question of its
+own. Slots follow the order of the exam. A row of dashes is a student without an attempt.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from kinegrade.tables import Complaint, Row, Table, shortened, trimmed
 
 TITLE = "the responses of a Moodle quiz"
 _STATE_COLUMNS = 4
-_NAMES = 2  # the first two columns, which nobody is found by
+_NAMES = 2  # the first two columns, by which no student is found
 
 
 @dataclass(frozen=True, slots=True)
 class _Slot:
-    """A question of the quiz: where response, right answer and text stand, which asks it has, which
-    words part them.
+    """A question of the quiz: the columns of response, right answer and text, its asks, and the
+    words that separate them.
     """
 
     column: int
@@ -98,8 +98,8 @@ def _not_taken(
     column = table.header[columns.grade]
     empty = all(_response(row, question) in ("", NOTHING) for question in columns.questions)
     if empty and before[-1] == NOTHING:
-        # status, beginning, end and duration stand before the grade; all are dashes where nobody
-        # has begun
+        # status, start, end and duration come before the grade; all are dashes where the student
+        # has not begun
         if all(cell == NOTHING for cell in before[-_STATE_COLUMNS:]):
             return NotTaken(
                 row, column, "no attempt, or one without answers", "not graded", attempted=False
@@ -107,7 +107,7 @@ def _not_taken(
         state = (
             f' ("{shortened(before[-_STATE_COLUMNS])}")' if len(before) >= _STATE_COLUMNS else ""
         )
-        problem = f"the attempt was not handed in{state}, and Moodle gives out nothing of it"
+        problem = f"the attempt was not submitted{state}, and Moodle exports nothing of it"
         done = (
             "not graded: close the attempt in Moodle first where it is in progress, then "
             "download again"
@@ -116,8 +116,8 @@ def _not_taken(
     if attempts == "finished":
         problem = "the attempt has no grade: it is not finished"
         done = (
-            "not graded, unless all attempts are asked for (--unfinished): close the attempt in "
-            "Moodle first, then download again"
+            "not graded, unless unfinished attempts are included (--unfinished): close the "
+            "attempt in Moodle first, then download again"
         )
         return NotTaken(row, column, problem, done, attempted=True)
     return None
@@ -150,13 +150,13 @@ def _disagreement(table: Table, counts: Sequence[int], head: ExamHead) -> TableE
     shown = ", ".join(map(str, counts))
     return TableError(
         f"{table.file}: its {len(counts)} questions have {shown} answers - the exam has "
-        f"{summary(head)} - download the responses of the quiz that was made of this exam"
+        f"{summary(head)} - download the responses of the quiz that was made from this exam"
     )
 
 
 def _parts_of(table: Table, question: QuestionColumns) -> tuple[Wording | None, int | None]:
-    """By which words a column is parted and into how many; the number is None where nobody
-    answered.
+    """The words that separate the parts of a column, and how many parts there are: None where no
+    student answered.
     """
     for index in (question.right_answer, question.response):
         cells = [] if index is None else _filled(table, index)
@@ -171,7 +171,7 @@ def _filled(table: Table, index: int) -> list[str]:
 
 
 def _right(row: Row, slots: Sequence[_Slot]) -> tuple[str, ...]:
-    """The right answers as the file has them, "" where it does not tell."""
+    """The right answers as the file has them, "" where it has none."""
     right: list[str] = []
     for slot in slots:
         cell = "" if slot.right_answer is None else row.cell(slot.right_answer)
@@ -210,7 +210,7 @@ def _responses(
                     table.header[slot.column],
                     shortened(cell),
                     problem,
-                    f"{', '.join(slot.asks)} count as blank; put them right by hand",
+                    f"{', '.join(slot.asks)} count as blank; correct them by hand",
                 )
             )
         responses += typed

@@ -1,9 +1,9 @@
-"""Which column of Moodle's quiz responses is what: found by shape and order, because the names are
-in any language.
+"""Which column of Moodle's quiz responses is what: found by shape and order, because the names may
+be in any language.
 
 After the column of the grade, which ends in "/10.00", come one to three columns for each question -
-its text, the response, the right answer - as the person who downloaded the file ticked them,
-numbered alike.
+its text, the response, the right answer - whichever the person who downloaded the file ticked, with
+the same number.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from dataclasses import dataclass
 from kinegrade.errors import TableError, one_line
 from kinegrade.tables import Table, header_key, trimmed
 
-NOTHING = "-"  # what Moodle writes where there is nothing
+NOTHING = "-"  # what Moodle writes in an empty cell
 _GRADE = re.compile(r".*/\s*\d+(?:[.,]\d+)?", re.DOTALL)
 _NUMBERED = (re.compile(r"(.*?)\s*\d+"), re.compile(r"(.*\S)\s+\S+"))  # "Response 1", "Response ii"
 _MOST_COLUMNS = 3
-_LONGEST_NAME = 200  # of which the end tells
+_LONGEST_NAME = 200  # characters, taken from the end, where the number is
 _LONGEST_SHOWN = 60
 _LETTER = re.compile(r"[^\W\d_]")
 _RIGHT_ANSWER = {
@@ -36,7 +36,7 @@ _ADVICE = "download the quiz's responses report as CSV, with its column of respo
 
 @dataclass(frozen=True, slots=True)
 class QuestionColumns:
-    """Where a question's response stands, and its right answer and its text where these were
+    """The columns of a question's response, and of its right answer and its text where they were
     downloaded.
     """
 
@@ -47,14 +47,14 @@ class QuestionColumns:
 
 @dataclass(frozen=True, slots=True)
 class MoodleColumns:
-    """Where the grade stands, and the questions after it."""
+    """The columns of the grade and of the questions after it."""
 
     grade: int
     questions: tuple[QuestionColumns, ...]
 
 
 def grade_columns(header: Sequence[str]) -> list[int]:
-    """The columns of marks: one in a report of responses, several in one of grades."""
+    """The columns of marks: one in a responses report, several in a grades report."""
     return [
         index
         for index, name in enumerate(header)
@@ -63,7 +63,7 @@ def grade_columns(header: Sequence[str]) -> list[int]:
 
 
 def columns_per_question(names: Sequence[str]) -> int | None:
-    """How many columns each question has, by their names; None where these do not repeat.
+    """How many columns each question has, judged by their names; None where these do not repeat.
 
     >>> columns_per_question(["Frage 1", "Antwort 1", "Frage 2", "Antwort 2"])
     2
@@ -84,13 +84,13 @@ def columns_per_question(names: Sequence[str]) -> int | None:
 
 
 def moodle_columns(table: Table) -> MoodleColumns:
-    """The columns of a report of responses. Raises TableError for another report, or one without
+    """The columns of a responses report. Raises TableError for another report, or one without
     responses.
     """
     grades = grade_columns(table.header)
     if len(grades) != 1:
         problem = (
-            "is Moodle's report of grades, without responses"
+            "is Moodle's grades report, without responses"
             if grades
             else "has no grades like Grade/10.00"
         )
@@ -101,7 +101,7 @@ def moodle_columns(table: Table) -> MoodleColumns:
     if width is None:
         shown = ", ".join(one_line(name[:_LONGEST_SHOWN]) for name in names[:6]) or "nothing"
         raise TableError(
-            f"{table.file}: after the grade stands {shown} - expected numbered columns like "
+            f"{table.file}: after the grade comes {shown} - expected numbered columns like "
             f"Response 1, Response 2 - {_ADVICE}"
         )
     starts = range(first, len(table.header), width)
@@ -121,8 +121,8 @@ def moodle_columns(table: Table) -> MoodleColumns:
 
 
 def _response(table: Table, names: Sequence[str], starts: Iterable[int]) -> int:
-    """Which of a question's columns is the response; the text comes before it, the right answer
-    after.
+    """Which of a question's columns is the response: the text comes before it, the right answer
+    after it.
     """
     stems = [_stem(name) for name in names]
     missing = (len(names) == 1 and stems[0] in _RIGHT_ANSWER | _QUESTION) or (
@@ -149,5 +149,5 @@ def _key(name: str) -> str:
 
 
 def _letters(table: Table, columns: Sequence[int]) -> int:
-    """How many letters stand in these columns: the texts of questions have many, answers few."""
+    """How many letters these columns contain: the texts of questions have many, answers few."""
     return sum(len(_LETTER.findall(row.cell(index))) for row in table.rows for index in columns)

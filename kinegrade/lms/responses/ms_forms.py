@@ -1,7 +1,8 @@
 """Responses of a Microsoft form: ID, start and completion time, Email, Name, then the questions,
 each with its points.
 
-The ID is the number of the response, nobody's. Email is "anonymous" where people need not sign in.
+The ID is the number of the response, not of a student. Email is "anonymous" where the form needs no
+sign-in.
 """
 
 from __future__ import annotations
@@ -20,13 +21,13 @@ _BETWEEN = ("total points", "quiz feedback", "last modified time")
 
 
 def recognises(header: Sequence[str]) -> bool:
-    """Whether these are the first columns of every such file, by their English names."""
+    """Whether these are the first columns of such a file, by their English names."""
     return tuple(map(header_key, header[: len(_FIRST)])) == _FIRST
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
-    """The responses in the order of the file. The first five columns are those of the form in
-    whatever language.
+    """The responses in the order of the file. The first five columns are the form's, in any
+    language.
 
     Raises TableError where questions and asks do not agree.
     """

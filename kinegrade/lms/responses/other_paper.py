@@ -1,8 +1,8 @@
-"""Whether a student was put the questions of the own paper: by the right answers that a download
-tells.
+"""Whether a student was given the questions of the student's paper, judged by the right answers in
+a download.
 
-A quiz may hold variants that everybody draws from, or somebody else's paper. Marked by the
-student's own key such answers would all be wrong, so they are told instead.
+A quiz may contain variants that all students draw from, or another student's paper. Marked with the
+key of the student's paper, such answers would all be wrong, so they are reported instead.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.tables import trimmed
 
 _NUMBER = re.compile(r"[-+]?\d{1,30}(?:[.,]\d{1,60})?(?:[eE][-+]?\d{1,3})?")
-_SHARE = 0.02  # a quiz may state the middle of what is right to three figures
+_SHARE = 0.02  # a quiz may state the middle of the interval that is right, to three figures
 _NEXT_TO_NOTHING = 1e-6
 
 
 def right_answers(exam: ExamFolder, student: str) -> Mapping[str, float]:
-    """The right answers on a student's paper by column; none where the key has no line of that
-    student's. Raises ExamError.
+    """The right answers on a student's paper by column; none where the key has no line for the
+    student. Raises ExamError.
     """
     line = exam.find_line(student)
     return {
@@ -31,32 +31,32 @@ def right_answers(exam: ExamFolder, student: str) -> Mapping[str, float]:
     }
 
 
-def difference(columns: Sequence[str], told: Sequence[str], own: Mapping[str, float]) -> str:
-    """How the right answers told by a download differ from those of the own paper; "" where they do
-    not.
+def difference(columns: Sequence[str], stated: Sequence[str], right: Mapping[str, float]) -> str:
+    """How the right answers stated by a download differ from those of the student's paper; "" where
+    they agree.
 
-    What is told may have a decimal comma and a unit; texts that begin with no number are not
-    compared.
+    A stated answer may have a decimal comma and a unit; a text that does not begin with a number is
+    not compared.
 
     >>> difference(["q1.v_B"], ["-1,5 m/s"], {"q1.v_B": 2.5})
-    'the right answer to q1.v_B is -1,5 m/s there and 2.5 on the own paper'
+    "the right answer to q1.v_B is -1,5 m/s there and 2.5 on the student's paper"
     """
-    for column, text in zip(columns, told, strict=False):
+    for column, text in zip(columns, stated, strict=False):
         value = value_of(text)
-        if value is not None and column in own and not agree(value, own[column]):
+        if value is not None and column in right and not agree(value, right[column]):
             return (
-                f"the right answer to {column} is {text} there and {own[column]:.6g} on the own "
-                "paper"
+                f"the right answer to {column} is {text} there and {right[column]:.6g} on the "
+                "student's paper"
             )
     return ""
 
 
 def value_of(text: str) -> float | None:
-    """The number with which a right answer begins, None where it begins with none."""
+    """The number at the beginning of a right answer, None where there is none."""
     found = _NUMBER.match(trimmed(text))
     return float(found[0].replace(",", ".")) if found else None
 
 
-def agree(told: float, own: float, share: float = _SHARE) -> bool:
-    """Whether two numbers are the same within that share of themselves."""
-    return abs(told - own) <= max(share * abs(own), _NEXT_TO_NOTHING)
+def agree(stated: float, right: float, share: float = _SHARE) -> bool:
+    """Whether two numbers differ by no more than that share of the second."""
+    return abs(stated - right) <= max(share * abs(right), _NEXT_TO_NOTHING)

@@ -1,4 +1,4 @@
-"""Whose responses these are: students found by id or e-mail address, never by name, and nobody
+"""Whose responses these are: students are found by id or e-mail address, never by name, and never
 guessed.
 """
 
@@ -19,7 +19,7 @@ Kind = Literal["id", "email"]
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The student of a row, or in which column there is none, why, and who is probably meant.
+    """The student of a row; else the column at fault, why, and who is probably meant.
 
     `restored` is the id as it stands in the file where it is not the exam's.
     """
@@ -33,19 +33,19 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Where a file says who somebody is; None where it does not say that."""
+    """The columns that identify the student; None where the file has none."""
 
     identifier: int | None
     email: int | None
 
     @property
     def indices(self) -> tuple[int, ...]:
-        """The columns that are there."""
+        """The columns that the file has."""
         return tuple(index for index in (self.identifier, self.email) if index is not None)
 
 
 class People:
-    """The students of an exam by what files call them."""
+    """The students of an exam, by the ids and addresses that files have."""
 
     def __init__(self, students: Iterable[Candidate]) -> None:
         known = list(students)
@@ -53,11 +53,11 @@ class People:
         self._by_email = _grouped(known, lambda person: header_key(person.email))
 
     def by_id(self, cell: str) -> str | None:
-        """The student with that id, wrapped or not."""
+        """The student with that id, wrapped by a spreadsheet or not."""
         return self._ids.exact(cell)
 
     def by_email(self, cell: str) -> str | None:
-        """The student with that e-mail address, in whatever case."""
+        """The student with that e-mail address, regardless of case."""
         return _only(self._by_email.get(header_key(cell))) if "@" in cell else None
 
     def likely(self, cell: str) -> str | None:
@@ -72,8 +72,8 @@ class People:
         candidates: Sequence[int],
         named: Mapping[Kind, Sequence[int]] | None = None,
     ) -> Columns:
-        """Which of the candidates hold ids and addresses: those whose names say so, else those with
-        most known ones.
+        """Which of the candidate columns hold ids and addresses: those whose names say so, else
+        those with the most known ones.
         """
         named = named or {}
         return Columns(
@@ -88,8 +88,8 @@ class People:
         candidates: Sequence[int],
         find: Callable[[str], str | None],
     ) -> int | None:
-        """The column that knows most students, the first of equals; one that is named even if it
-        knows nobody.
+        """The column with the most known students, the first of equals; a named one even if it has
+        no known student.
         """
         known = {
             index: (
@@ -104,7 +104,7 @@ class People:
     def find_all(
         self, rows: Sequence[Row], header: Sequence[str], columns: Columns
     ) -> tuple[Found, ...]:
-        """The students of all rows; an id that differs by zeros or case is theirs where that is
+        """The students of all rows; an id that differs by zeros or case is accepted where that is
         certain.
         """
         found = [self.find(row, header, columns) for row in rows]
@@ -138,11 +138,11 @@ class People:
         return replace(found, restored=cell) if meant == found.student else found
 
     def _other_address(self, row: Row, columns: Columns) -> bool:
-        """Whether a row has the address of a student; then its id is not that of another."""
+        """Whether a row has the address of a student; its id is then not that of another."""
         return columns.email is not None and header_key(row.cell(columns.email)) in self._by_email
 
     def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
-        """The student of a row. Where id and address tell different people, nobody."""
+        """The student of a row; none where id and address are those of different students."""
         cells = {index: row.cell(index) for index in columns.indices}
         named = {who for cell in cells.values() if (who := self.by_id(cell) or self.by_email(cell))}
         if len(named) == 1:

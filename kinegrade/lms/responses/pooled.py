@@ -1,8 +1,8 @@
-"""Which paper's questions a student was put: everybody's own, or those that a system drew from a
-pool.
+"""Which paper's questions a student was given: those of the student's paper, or those that a system
+drew from a pool.
 
-A question is recognised by the right answers that a download has, by its text with its numbers, or
-by both. Answers to a question that is not recognised would be marked by the wrong key, so the whole
+A question is recognised by the right answers in a download, by its text with its numbers, or by
+both. Answers to a question that is not recognised would be marked with the wrong key, so the whole
 file is refused.
 """
 
@@ -28,13 +28,13 @@ _SAME = 1e-6  # relative: right answers are written with all their digits
 _BLANK = ("", "-")
 _ADVICE = (
     "in Moodle (Results > Responses) tick the question text and the right answer, show the report "
-    "and "
-    "download that, in Canvas the Student Analysis; if nobody answered a pool, add --own-papers"
+    "and download it, in Canvas download the Student Analysis; if no student answered a pool, add "
+    "--own-papers"
 )
 
 
 def pool_of(exam: ExamFolder) -> Variants | None:
-    """The pool that was made of an exam, None where none was made. Raises ExamError."""
+    """The pool that was made from an exam, None where none was made. Raises ExamError."""
     if not exam.has_pool:
         return None
     from kinegrade.exam.variants import read_variants  # noqa: PLC0415  # takes seconds to load
@@ -45,28 +45,28 @@ def pool_of(exam: ExamFolder) -> Variants | None:
 def own_papers_only(
     file: str, typed: TypedRows, pairs: Pairs, exam: ExamFolder
 ) -> list[tuple[TypedRow, Found]]:
-    """Each row with its student, or with none where other questions were put than those of the
-    student's paper.
+    """Each row with its student, or with none where the student was given other questions than
+    those of the student's paper.
 
-    Raises TableError where that is so of most of the students.
+    Raises TableError where that holds for most of the students.
     """
     checked: list[tuple[TypedRow, Found]] = []
     others = []
     for each, who in pairs:
         right = right_answers(exam, who.student) if each.right and who.student else {}
         other = difference(typed.columns, each.right, right)
-        problem = f'student "{who.student}" was put another paper: {other}'
+        problem = f'student "{who.student}" was given another paper: {other}'
         checked.append((each, Found(None, "", problem) if other else who))
         if other:
             others.append(f"line {each.row.line}: {other}")
     known = sum(who.student is not None for _, who in pairs)
     if len(others) > 1 and 2 * len(others) > known:
         raise TableError(
-            f"{file}: {len(others)} of {known} students were put other papers than their own "
-            f"({others[0]}) - expected everybody's own paper - if they answered a pool, leave out "
-            "--own-papers, or, where an earlier version made the pool, write it again by "
-            "kinegrade quiz --variants with as many variants as it has, which makes no other "
-            "one, and grade again"
+            f"{file}: {len(others)} of {known} students were given other papers than their own "
+            f"({others[0]}) - expected each student's own paper - if they answered a pool, leave "
+            "out --own-papers, or, where an earlier version made the pool, write it again by "
+            "kinegrade quiz --variants with as many variants as it has, which gives the same pool, "
+            "and grade again"
         )
     return checked
 
@@ -74,13 +74,13 @@ def own_papers_only(
 def put_to(
     file: str, typed: TypedRows, pairs: Pairs, variants: Variants, exam: ExamFolder
 ) -> Mapping[int, Sources]:
-    """By line whose line of the key each question of a student is. Raises TableError where that
-    cannot be known.
+    """For each row, by its line number, whose line of the key each question belongs to. Raises
+    TableError where that is not certain.
     """
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
         raise TableError(
             f"{file}: the exam has a pool of {variants.count} variants ({exam.pool}), and "
-            "nothing here says who was put which - expected the texts of the questions or the "
+            "nothing here says who was given which - expected the texts of the questions or the "
             f"right answers - {_ADVICE}"
         )
     finder = _Finder(typed, variants)
@@ -94,7 +94,7 @@ def put_to(
     if unknown:
         raise TableError(
             f"{file}: {len(unknown)} answered questions are not certainly one variant of the pool "
-            f"of {variants.count} ({unknown[0]}) - expected each to be known by its text and "
+            f"of {variants.count} ({unknown[0]}) - expected each to be recognised by its text and "
             f"right answers - {_ADVICE}"
         )
     return found
@@ -106,7 +106,7 @@ class _Finder:
     variants: Variants
 
     def sources(self, each: TypedRow) -> tuple[Sources, list[str]]:
-        """Whose lines of the key a row's questions are, for every column; and what is not
+        """Whose line of the key the questions of a row belong to, for every column; and what is not
         recognised.
         """
         found = [""] * len(self.typed.columns)
@@ -127,9 +127,9 @@ class _Finder:
             yield tuple(places[column] for column in columns)
 
     def _likely(self, each: TypedRow, drawn: Sequence[int]) -> list[Variant]:
-        """The variants that agree with all that the row says; none where it says nothing."""
+        """The variants that agree with all the row has; none where it has nothing to compare."""
         question = self.typed.columns[drawn[0]].partition(".")[0]
-        told = [
+        stated = [
             (self.typed.columns[number].partition(".")[2], value)
             for number in drawn
             if each.right and (value := value_of(each.right[number])) is not None
@@ -137,23 +137,23 @@ class _Finder:
         text = next((each.texts[number] for number in drawn if each.texts), "")
         variants = self.variants.questions.get(question, ())
         by_text = self._of_text(variants, text)
-        if not told:
+        if not stated:
             return by_text
-        likely = [variant for variant in variants if _is_right(variant, told)]
-        # a text that is no variant's may have been corrected there; one of another variant
-        # contradicts
+        likely = [variant for variant in variants if _is_right(variant, stated)]
+        # a text of no variant may have been corrected in the system; that of another variant
+        # is a contradiction
         return [variant for variant in likely if not by_text or variant in by_text]
 
     def _of_text(self, variants: Sequence[Variant], text: str) -> list[Variant]:
-        """The variants whose statement stands in a text; none where it says nothing, or is
-        nobody's.
+        """The variants whose statement a text contains; none where it is empty or that of no
+        variant.
         """
         from kinegrade.exam.variants import of_text  # noqa: PLC0415  # takes seconds to load
 
         return of_text(variants, text) if trimmed(text) else []
 
 
-def _is_right(variant: Variant, told: Sequence[tuple[str, float]]) -> bool:
+def _is_right(variant: Variant, stated: Sequence[tuple[str, float]]) -> bool:
     return all(
-        name in variant.right and agree(value, variant.right[name], _SAME) for name, value in told
+        name in variant.right and agree(value, variant.right[name], _SAME) for name, value in stated
     )

@@ -1,5 +1,5 @@
-"""The exam's own answer sheet, filled in as CSV or in a spreadsheet: all its columns go on as they
-are.
+"""The exam's answer sheet, filled in as CSV or in a spreadsheet: all its columns are passed on
+unchanged.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ TITLE = "an answer sheet"
 
 
 def recognises(header: Sequence[str]) -> bool:
-    """Whether there is a column that says who it is."""
+    """Whether there is a column that identifies the student."""
     return bool(_places(header, "student") or _places(header, "email"))
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
-    """All columns but the one of ids. Raises TableError where nothing says who it is."""
+    """All columns but that of the ids. Raises TableError where no column identifies the student."""
     if not recognises(table.header):
         raise TableError(
             f'{table.file}: no column "student" - expected one with the student ids, or one '
@@ -39,6 +39,6 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
 
 
 def _places(header: Sequence[str], column: str) -> list[int]:
-    """The columns of that meaning, the best name first."""
+    """The columns with that meaning, the best name first."""
     keys = [header_key(name) for name in header]
     return [keys.index(name) for name in COLUMN_NAMES[column] if name in keys]

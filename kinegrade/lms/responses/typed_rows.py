@@ -17,11 +17,11 @@ Attempts = Literal["finished", "all"]
 
 @dataclass(frozen=True, slots=True)
 class TypedRow:
-    """A row of the download, and its responses in the order of the columns exactly as typed.
+    """A row of the download, and its responses in the order of the columns, exactly as typed.
 
-    `moment` sorts the attempts of a student; "" where the order of the file is that of time.
-    `right` are the answers that the download says were right, and `texts` those of the questions as
-    they were put, in the same order, where it says so.
+    `moment` sorts the attempts of a student; "" where the file is in chronological order. `right`
+    are the right answers according to the download, and `texts` the texts of the questions, in the
+    same order, where the download has them.
     """
 
     row: Row
@@ -33,9 +33,9 @@ class TypedRow:
 
 @dataclass(frozen=True, slots=True)
 class NotTaken:
-    """A row that is not taken over: in which column that shows, why, and what was done.
+    """A row that is left out: the column that shows it, why, and what was done.
 
-    `attempted` where there may be answers that the file does not have, or that are not taken over.
+    `attempted` where there may be answers that the file does not have, or that are left out.
     """
 
     row: Row
@@ -49,11 +49,11 @@ class NotTaken:
 class TypedRows:
     """What a dialect makes of a download.
 
-    `columns` are answer columns of the exam, such as q1.v_B; `sources` the places of the download's
-    columns they come from. Students stand in one of the columns `people`, or of those that are
-    `named` for it. `assumed` says in words which column was taken for what. `not_taken` are rows of
-    people whose answers do not count. `drawn` are the columns that a system draws as one where it
-    draws from a pool; each by itself where nothing is said.
+    `columns` are answer columns of the exam, such as q1.v_B; `sources` the indices of the
+    download's columns they come from. One of the columns `people`, or of those `named` for it,
+    identifies the student. `assumed` states which column was taken for what. `not_taken` are rows
+    whose answers do not count. `drawn` are the groups of columns that a system draws together from
+    a pool; where it is empty, each column is drawn by itself.
     """
 
     columns: tuple[str, ...]
@@ -68,5 +68,5 @@ class TypedRows:
 
 
 def whole(row: Row) -> str:
-    """A row as a complaint carries it."""
+    """A row as a complaint shows it."""
     return csv_text([shortened(cell) for cell in row.cells], []).rstrip("\n")

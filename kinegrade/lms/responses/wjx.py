@@ -1,5 +1,5 @@
-"""Responses of a questionnaire of 问卷星 (wjx.cn): six columns about the sending, then the questions,
-"2、学号".
+"""Responses of a 问卷星 (wjx.cn) questionnaire: six columns about the submission, then the
+questions, like "2、学号".
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _QUESTION = re.compile(r"\s*\d+、")
 
 
 def recognises(header: Sequence[str]) -> bool:
-    """Whether the first column is the response's number and questions are numbered as there."""
+    """Whether the first column is the response's number and questions are numbered as in wjx."""
     return bool(header) and trimmed(header[0]) == _NUMBER and bool(_questions(header))
 
 
