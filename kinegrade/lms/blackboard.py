@@ -1,9 +1,9 @@
-"""Blackboard Learn (Grade Center > Work Offline): a column is known by the id after the bar in its
-header.
+"""Blackboard Learn (Grade Center > Work Offline): a column is identified by the id after the bar in
+its header.
 
-A column without an id would become a new text column of no points, so a new file needs the header
+A column without an id would become a new text column without points, so a new file needs the header
 from Blackboard. Its downloads are comma or tab separated, in UTF-8 or UTF-16, and are written back
-as they came.
+in the same form.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""D2L Brightspace (Grades > Enter Grades > Import): ids stand behind "#", and a last column with
-"#" ends the line.
+"""D2L Brightspace (Grades > Enter Grades > Import): ids follow "#", and a last column with "#" ends
+the line.
 
-The marks keep a spreadsheet from eating leading zeros and a trailing empty grade. A header states
-the item's maximum, "Title Points Grade <Numeric MaxPoints:10>", and makes the item where there is
+The "#" keeps a spreadsheet from dropping leading zeros and a trailing empty grade. A header states
+the item's maximum, "Title Points Grade <Numeric MaxPoints:10>", and creates the item where there is
 none.
 """
 

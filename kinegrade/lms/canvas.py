@@ -1,10 +1,10 @@
 """Canvas (Grades > Export, Import): UTF-8 without a byte-order mark.
 
-An assignment is known by the number in its header, "Title (1234)", and people by their SIS ids. The
-column ID holds Canvas's own numbers: a student number there could be somebody else, so it is left
-empty. The login is the e-mail address in many places. Canvas falls back on names: the name of a new
-file therefore carries the id and is nobody's name. "Student, Test" is the student view of whoever
-teaches.
+An assignment is identified by the number in its header, "Title (1234)", and students by their SIS
+ids. The column ID holds Canvas's internal numbers: a student number there could belong to another
+student, so it is left empty. At many institutions the login is the e-mail address. Canvas falls
+back on names, so the names in a new file contain the id and are not the students' real names.
+"Student, Test" is the test student of the teacher's student view.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A downloaded CSV file, cell by cell with the place of each, so that single cells can be changed
-and nothing else.
+"""A downloaded CSV file as cells with their positions, so that single cells can be changed and
+nothing else.
 
 `read_cells` is called by `fill_in`. What is not changed is written back byte for byte: header,
 order, encoding, byte-order mark, separator, quotation marks and line ends.
@@ -22,9 +22,7 @@ _NEEDS_QUOTES = re.compile(r'["\r\n]')
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """The content of a cell, and where it stands in the file's text, its quotation marks
-    included.
-    """
+    """The content of a cell, and its start and end in the file's text, quotation marks included."""
 
     text: str
     start: int
@@ -33,7 +31,7 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """The cells of one row; `line` is the physical line, counted from 1, at which it begins."""
+    """The cells of one row; `line` is the physical line, counted from 1, on which it begins."""
 
     line: int
     cells: tuple[Cell, ...]
@@ -41,8 +39,8 @@ class Record:
 
 @dataclass(frozen=True, slots=True)
 class CellTable:
-    """A file of a header and rows that all have as many cells; lines without any character are not
-    among the rows.
+    """A file with a header and rows of the same number of cells; empty lines are not among the
+    rows.
     """
 
     file: str
@@ -76,26 +74,26 @@ class CellTable:
 
 def read_cells(path: Path) -> CellTable:
     """Reads a file to change single cells of it; raises TableError for one that could not be
-    written back as it is.
+    written back byte for byte.
     """
-    told = read_table(path)  # finds encoding and separator, refuses what is no table
-    if told.encoding == _UNTOLD:
+    table = read_table(path)  # finds encoding and separator, refuses what is no table
+    if table.encoding == _UNTOLD:
         raise TableError(
             f"{path.name}: its encoding cannot be recognised - expected UTF-8, UTF-16 or GB18030 - "
             "download it again"
         )
     content = path.read_bytes()
-    text = _decoded(path.name, content, told.encoding)
-    if text.encode(told.encoding) != content:
+    text = _decoded(path.name, content, table.encoding)
+    if text.encode(table.encoding) != content:
         raise TableError(
-            f"{path.name}: {told.encoding} in a form that cannot be written back byte for byte - "
+            f"{path.name}: {table.encoding} in a form that cannot be written back byte for byte - "
             "expected the file as it was downloaded - download it again"
         )
-    header, *rows = _records(path.name, text, told.separator)
+    header, *rows = _records(path.name, text, table.separator)
     faults = list(_ragged(path.name, header, rows))
     if faults:
         raise TableError(*faults)
-    return CellTable(path.name, text, told.encoding, told.separator, header, tuple(rows))
+    return CellTable(path.name, text, table.encoding, table.separator, header, tuple(rows))
 
 
 def _decoded(file: str, content: bytes, encoding: str) -> str:
@@ -111,7 +109,7 @@ def _decoded(file: str, content: bytes, encoding: str) -> str:
 
 
 def _records(file: str, text: str, separator: str) -> Iterator[Record]:
-    """All lines that hold a character, with their cells."""
+    """All lines that are not empty, with their cells."""
     for line, cells in _lines(file, text, separator):
         if len(cells) > 1 or cells[0].end > cells[0].start:
             yield Record(line, tuple(cells))

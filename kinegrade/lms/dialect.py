@@ -1,7 +1,7 @@
 """What the grade files of a learning management system look like: one frozen table for each system,
 no code.
 
-The tables stand in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`;
+The tables are in `moodle`, `canvas`, `blackboard`, `brightspace`, `sakai`, `edx` and `generic`;
 `fill_in` reads and `from_scratch` writes by them.
 """
 
@@ -19,15 +19,15 @@ Role = Literal[
 ]
 FIELDS: tuple[Field, ...] = ("id", "login", "email")
 ItemKind = Literal["points", "percentage", "feedback", "text", "open"]
-ItemWords = Mapping[ItemKind, tuple[str, ...]]  # behind a title, by what stands below them
+ItemWords = Mapping[ItemKind, tuple[str, ...]]  # the words after a title, by what the column holds
 
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """A column by which the system knows people: by any of these headers, or always at one
-    position.
+    """A column by which the system identifies students: under any of these headers, or always at
+    one position.
 
-    `prefix` stands before the value in the file and is not part of it.
+    `prefix` precedes the value in the file and is not part of it.
     """
 
     field: Field
@@ -39,9 +39,7 @@ class Key:
 
 @dataclass(frozen=True, slots=True)
 class Channel:
-    """Where a comment for the student goes: headers with {title}, and a column that names its
-    format.
-    """
+    """The columns of a comment for the student: headers with {title}, and one for its format."""
 
     headers: tuple[str, ...]
     html: bool = False
@@ -51,17 +49,17 @@ class Channel:
 
 @dataclass(frozen=True, slots=True)
 class Download:
-    """A file that the system hands out to be filled in and taken back.
+    """A file that is downloaded from the system, filled in and uploaded again.
 
-    `item` recognises the header of a grade column (groups title and maybe maximum), from position
-    `first_item` on. `any_item` lets another column be named, where a person maps columns in the
-    system anyway. `required` are the headers by which this kind of file is known. With `item_words`
-    headers are in any language: columns are then found by what they hold, and these words only
-    confirm. Patterns of rows look at the first cell; `closed` says of which cells a grade is not
-    written, and why, `locked` of which rows: header and text. `beginning` is what the header,
-    joined by commas, has to begin with; `broken_beginning` is a beginning of the text that the
-    system cannot read; `misread` is a cell that it takes for another number. `test_person` is how
-    the row, its cells joined by ", ", of somebody begins whom the system made up.
+    `item` matches the header of a grade column (groups title and, optionally, maximum), from
+    position `first_item` on. `any_item` allows another column to be named, where the instructor
+    maps columns in the system anyway. `required` are the headers that identify this kind of file.
+    With `item_words` headers may be in any language: columns are then found by their content, and
+    these words only confirm. Patterns of rows match the first cell. `closed` gives the cells into
+    which no grade is written, and why; `locked`, a header and a text, the rows. `beginning` is what
+    the header, joined by commas, must begin with; `broken_beginning` is a beginning of the text
+    that the system cannot read; `misread` is a cell that it takes for another number. `test_person`
+    matches the beginning of the row, its cells joined by ", ", of a test student of the system.
     """
 
     keys: tuple[Key, ...]
@@ -89,11 +87,11 @@ class Download:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or what
-    is fixed.
+    """A column of a new file: its header with {title} and {maximum}, and `text`, a prefix or a
+    fixed content.
 
     The text of a feedback column is "html" where the system shows feedback as a web page. A column
-    of keys may hold those of other fields `also`.
+    of keys may `also` hold those of other fields.
     """
 
     header: str
@@ -108,12 +106,13 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class NewFile:
-    """A file written from nothing; `title` is the item's where none is given, empty where one is
-    needed.
+    """A file written from scratch; `title` is the item's default title, empty where one must be
+    given.
 
     A key column that is not chosen is left out, or left empty with `keeps_keys`. `header_needed` is
-    set where a grade column is known by a number that only the system gives, so that its header has
-    to be told. Titles that `unfit` finds are refused for the reason beside it.
+    set where a grade column is identified by a number that only the system assigns, so that its
+    header must be given. Titles that match a pattern in `unfit` are refused for the reason beside
+    it.
     """
 
     columns: tuple[Column, ...]
@@ -128,8 +127,8 @@ class NewFile:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """One system: the downloads it takes back, the new file it takes, and how many decimals of a
-    grade it keeps.
+    """One system: the downloads that it takes back, the new file that it takes, and how many
+    decimals of a grade it keeps.
     """
 
     name: str
@@ -140,11 +139,11 @@ class Dialect:
 
 @dataclass(frozen=True, slots=True)
 class ExportOptions:
-    """What the instructor wants.
+    """What the instructor asks for.
 
-    `by` are the fields matched or written, empty for the system's own; `columns` the headers by
-    item, the total's by ""; `feedback` None where the system has a channel; `maximum` what the item
-    counts in the system, to which grades are scaled; `scale` scales to the maximum that the file
+    `by` are the fields to match or to write, empty for the system's default; `columns` the headers
+    by item, the total's under ""; `feedback` None where the system decides; `maximum` the item's
+    maximum in the system, to which grades are scaled; `scale` scales to the maximum that the file
     states.
     """
 

@@ -1,7 +1,7 @@
-"""Open edX (bulk grades): its own export filled in, either of staff graded points or of subsection
+"""Open edX (bulk grades): its export filled in, either of staff graded points or of subsection
 overrides.
 
-Every row is known by edX's user and block ids, so there is nothing to be written from scratch.
+Rows are identified by edX's user and block ids, so no file can be written from scratch.
 """
 
 from __future__ import annotations

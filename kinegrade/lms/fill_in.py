@@ -1,9 +1,9 @@
 """The system's own file filled in: only the grade cells of matched students change, every other
 byte stays.
 
-`fill_in` is called by `export --into`. A cell that says more than a grade (excused, not assigned)
-is left, with a complaint; so is everybody who handed in nothing, because an empty or zero grade
-would replace what stands there.
+`fill_in` is called by `export --into`. A cell with anything but a grade (excused, not assigned) is
+left unchanged, with a complaint. The cells of students who handed in nothing are left unchanged
+too, because an empty or zero grade would replace the one in the system.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from kinegrade.tables import Complaint, trimmed
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """The bytes to be written, how many students have a grade in them, and what a person has to
-    look at.
+    """The bytes to be written, how many students have a grade in them, and what the instructor has
+    to check.
 
-    `notes` say which columns were taken, and what was left out because the file has no place for
+    `notes` state which columns were used, and what was left out because the file has no column for
     it.
     """
 
@@ -42,7 +42,7 @@ class Filled:
 
 @dataclass(frozen=True)
 class _Task:
-    """A file, and what goes where in it."""
+    """A file, and the columns into which grades and feedback go."""
 
     table: CellTable
     dialect: Dialect
@@ -92,13 +92,13 @@ def _download(dialect: Dialect, table: CellTable) -> Download:
             return download
     if not dialect.downloads:
         raise TableError(
-            f"--into: {dialect.name} has no file of its own to be filled in - expected a system "
-            "that has - leave --into out"
+            f"--into: {dialect.name} has no file to be filled in - expected a system that has one "
+            "- leave --into out"
         )
     expected = " or ".join(", ".join(download.required) for download in dialect.downloads)
     raise TableError(
-        f"{table.file}: is no file of {dialect.name} - expected the columns {expected} - download "
-        "it again"
+        f"{table.file}: is not a file of {dialect.name} - expected the columns {expected} - "
+        "download it again"
     )
 
 
@@ -141,20 +141,20 @@ def _feedback(
 
 
 def _notes(task: _Task, keys: Sequence[KeyColumn]) -> Iterator[str]:
-    """Which columns were taken where headers did not decide that, and what is left out."""
+    """Which columns were used where headers did not decide that, and what is left out."""
     titles, options = task.table.titles, task.options
     if task.download.item_words is not None:
-        people = _listed(titles[place] for place in dict.fromkeys(key.place for key in keys))
+        keyed = _listed(titles[place] for place in dict.fromkeys(key.place for key in keys))
         points = _listed(column.header for column in task.columns.values())
         comments = _listed(titles[place] for place in task.feedback)
         into = f"grades into {points}" + (f", feedback into {comments}" if comments else "")
-        yield f"{task.table.file}: people are found by {people}; {into}"
+        yield f"{task.table.file}: students are found by {keyed}; {into}"
     wanted = options.feedback is None and task.download.channel and TOTAL in task.columns
     if wanted and not task.feedback:
         yield (
             f"{task.table.file}: has no column for feedback on the total, so the points by "
-            "question are left "
-            "out - download the file with feedback to fill them in, or say --no-feedback"
+            "question are left out - download the file with feedback to fill them in, or add "
+            "--no-feedback"
         )
 
 
@@ -207,7 +207,7 @@ def _changes(
 
 
 def _locked(task: _Task, row: Record) -> str:
-    """Why the system would pass over a whole row; "" where it would not."""
+    """Why the system would skip a whole row; "" where it would not."""
     header, text = task.download.locked
     places = [place for place, title in enumerate(task.table.titles) if title == header != ""]
     return (
@@ -244,9 +244,7 @@ def _closed(
 
 
 def _misread(task: _Task, rows: Sequence[Record]) -> Iterator[Complaint]:
-    """Cells of other columns that the system would take for other numbers when the file comes
-    back.
-    """
+    """Cells of other columns that the system would read as other numbers."""
     shape = task.download.misread
     places = {column.place for column in task.columns.values()}
     keys = {title for key in task.download.keys for title in key.headers}

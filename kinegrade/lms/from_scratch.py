@@ -1,7 +1,7 @@
-"""A grade file written from nothing, for systems whose import needs nothing that only they know.
+"""A grade file written from scratch, for systems whose import needs nothing that only they know.
 
-`new_file` is called by `export`, and through `moodle.export` by `grade`. Whoever handed in nothing
-is left out, because an empty or zero grade would replace what stands in the system.
+`new_file` is called by `export`, and through `moodle.export` by `grade`. A student who handed in
+nothing is left out, because an empty or zero grade would replace the one in the system.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ from kinegrade.tables import Complaint
 
 @dataclass(frozen=True, slots=True)
 class Fresh:
-    """The text to be written as UTF-8, how many students are in it, and what a person has to look
-    at.
+    """The text to be written as UTF-8, how many students are in it, and what the instructor has to
+    check.
     """
 
     text: str
@@ -70,8 +70,8 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
 def _refuse_unknown_addresses(key: Field, students: Sequence[StudentGrade]) -> None:
     if key == "email" and students and not any(each.email for each in students):
         raise TableError(
-            "--by email: nobody's address is known - expected those of the roster - name the "
-            "exam by --exam, or choose another key"
+            "--by email: no student's address is known - expected those of the roster - name the "
+            "exam with --exam, or choose another key"
         )
 
 
@@ -79,8 +79,8 @@ def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
     layout = dialect.new_file
     if layout is None:
         raise TableError(
-            f"{dialect.name}: its rows are known by numbers that only it gives - expected its own "
-            "file to fill in - download it there and name it by --into"
+            f"{dialect.name}: its rows are identified by numbers that only it assigns - expected "
+            "its own file to fill in - download it there and name it with --into"
         )
     if len(options.by) > 1:
         raise TableError(
@@ -92,8 +92,8 @@ def _layout(dialect: Dialect, options: ExportOptions) -> NewFile:
             field for field in FIELDS if any(column.holds(field) for column in layout.columns)
         )
         raise TableError(
-            f"--by: {dialect.name} does not know people by {key} - expected another key - choose "
-            f"one of: {known}"
+            f"--by: {dialect.name} does not identify students by {key} - expected another key - "
+            f"choose one of: {known}"
         )
     if options.feedback and (
         options.per_question or not any(each.role == "feedback" for each in layout.columns)
@@ -114,8 +114,8 @@ def _plan(
     options: ExportOptions,
 ) -> _Plan:
     key = options.by[0] if options.by else layout.key
-    # A person opens the file in a spreadsheet, which would run a title such as =1+1. What --column
-    # gives is a key.
+    # A spreadsheet that opens the file would run a title such as =1+1. A header from --column is a
+    # key and stays as it is.
     title = neutralised(options.title or layout.title or grades.title)
     items = items_of(grades, options)
     headers = {item: options.columns.get(item, "") for item in items}
@@ -127,9 +127,8 @@ def _plan(
     targets = {item: target_maximum(stated[item], options) for item in items}
     maxima = {item: _maximum(students, item, targets[item]) for item in items}
     faults += [
-        f'"{one_line(item_title(title, item))}": not everybody could get the same points - '
-        "expected one maximum "
-        "- say it by --maximum"
+        f'"{one_line(item_title(title, item))}": not all students could get the same points - '
+        "expected one maximum - give it with --maximum"
         for item in items
         if len(maxima[item]) > 1 and _states(layout)
     ]
@@ -168,29 +167,28 @@ def _title_faults(
                     what = f"question {item}" if item else "the total"
                     yield (
                         f"{dialect.name}: the column for {what} is not named - expected its "
-                        f"header, with the id that only {dialect.name} gives - copy it from a "
-                        f"download and give it by {way}"
+                        f"header, with the id that only {dialect.name} assigns - copy it from a "
+                        f"download and give it with {way}"
                     )
                     continue
                 yield (
                     f'{dialect.name}: "{one_line(header)}" is no header of a grade column there - '
-                    "expected it with "
-                    f"the id that only {dialect.name} gives - copy it from a download and give it "
-                    f"by {way}"
+                    f"expected it with the id that only {dialect.name} assigns - copy it from a "
+                    f"download and give it with {way}"
                 )
         return
     if all(headers.values()):
         return
     if not title:
         yield (
-            f"{dialect.name}: the item has no title - expected one - give it by --title, or name "
-            "the exam by --exam"
+            f"{dialect.name}: the item has no title - expected one - give it with --title, or name "
+            "the exam with --exam"
         )
     for shape, reason in layout.unfit:
         if shape.search(title):
             yield (
                 f'the title "{one_line(title)}" does not fit: {reason} - expected another - give '
-                "one by --title"
+                "one with --title"
             )
 
 

@@ -1,8 +1,8 @@
-"""A plain sheet for systems whose format is not established: id, name, grade and comment, in UTF-8
-with a mark.
+"""A plain sheet for systems whose format is not known: id, name, grade and comment, in UTF-8 with a
+byte-order mark.
 
-The byte-order mark lets spreadsheets show Chinese names. Columns are mapped, or copied, by hand: so
-the headers are in the language of the exam.
+The mark makes spreadsheets show Chinese names. Columns are mapped, or copied, by hand, so the
+headers are in the language of the exam.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The grades of a class as a learning management system gets them, read from the folder that
+"""The grades of a class as a learning management system receives them, read from the folder that
 `grade` wrote.
 
-`read_grades` is called by every export. Who handed in nothing is told apart, because an empty or
-zero grade would overwrite what stands in the system. Amounts are the numbers that stand in the
+`read_grades` is called by every export. Students who handed in nothing are marked as such, because
+an empty or zero grade would overwrite the one in the system. Points are exactly the numbers in the
 files.
 """
 
@@ -29,11 +29,10 @@ TOTAL = ""  # the item that is the sum of all questions
 
 @dataclass(frozen=True, slots=True)
 class StudentGrade:
-    """One student's points by question and in all (item TOTAL), and what there was to get of each.
+    """One student's points by question and in total (item TOTAL), and the maximum of each.
 
-    `name` stands as in grades.csv, neutralised against spreadsheets; `email` is empty where no exam
-    was read. `printed` are the questions as they followed on the paper, empty where they did as in
-    the bank.
+    `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
+    was read. `printed` are the questions in the order of the paper, empty where that is the bank's.
     """
 
     student: str
@@ -47,7 +46,7 @@ class StudentGrade:
 
 @dataclass(frozen=True, slots=True)
 class ClassGrades:
-    """Everybody in the order of grades.csv; `title` is the exam's, empty where no exam was read.
+    """All students in the order of grades.csv; `title` is the exam's, empty where no exam was read.
 
     `language` is that of the papers, English where no exam was read.
     """
@@ -58,14 +57,12 @@ class ClassGrades:
     language: Language = "en"
 
     def exported(self, *, ungraded: bool) -> tuple[StudentGrade, ...]:
-        """Who gets a grade: those who handed in something, or everybody."""
+        """The students who get a grade: those who handed in something, or all."""
         return tuple(each for each in self.students if ungraded or each.handed_in)
 
 
 def known_as(grade: StudentGrade, field: Field) -> str:
-    """What a system that goes by a key knows a student by: the address, or the id, which may be the
-    login there.
-    """
+    """A student's key in a system: the address, or the id, which may be the login there."""
     match field:
         case "id" | "login":
             return grade.student
@@ -78,9 +75,9 @@ def known_as(grade: StudentGrade, field: Field) -> str:
 def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrades:
     """The grades of a marks folder; e-mails and the title from an exam folder.
 
-    Who is absent has handed in nothing, unless an earlier total is kept; so has, in a folder of an
-    earlier version that does not say who is absent, whoever answered nothing. Raises TableError for
-    a folder that `grade` cannot have written, ExamError for a damaged exam.
+    An absent student has handed in nothing, unless an earlier total is kept; in a folder of an
+    earlier version that does not say who is absent, so has a student without any answer. Raises
+    TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     totals, orders = marks.totals, marks.printed
     sums = {each.student: each for each in marks.sums()}
@@ -95,7 +92,7 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
 def _student_grade(
     total: StudentTotal, sums: StudentSums | None, printed: tuple[str, ...]
 ) -> StudentGrade:
-    """What an export gets of a student; one without lines in marks.csv had nothing to get."""
+    """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
     points = {**total.points, TOTAL: total.total}
     out_of = {**sums.out_of, TOTAL: sums.total_out_of} if sums else {TOTAL: Fraction(0)}
     if total.status is None:
@@ -107,8 +104,8 @@ def _student_grade(
 
 
 def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
-    """What the system tells a student: points by the number of the question on the student's own
-    paper, and nothing that the student typed.
+    """What the system shows a student: points by the number of the question on the student's paper,
+    and nothing that the student typed.
 
     >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
     >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}

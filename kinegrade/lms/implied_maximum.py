@@ -1,4 +1,4 @@
-"""The maximum of an item where a download does not state it, but tells grades in points and in per
+"""The maximum of an item where a download does not state it, but has grades in points and in per
 cent side by side.
 
 Moodle's gradebook is such a file. `implied_maximum` is called by `kinegrade.lms.item_columns`.
@@ -12,24 +12,24 @@ from math import ceil
 
 HALF_A_PLACE = Fraction(1, 200)  # points and per cent are rounded to two decimals
 STEP = Fraction(1, 2)  # maxima are whole numbers or halves
-NARROW = Fraction(1, 10)  # what is told no better tells nothing
+NARROW = Fraction(1, 10)  # points: a wider range of possible maxima decides nothing
 
 
 def implied_maximum(grades: Iterable[tuple[Fraction, Fraction]]) -> Fraction | None:
-    """The maximum that all grades, each in points and in per cent, agree with; None where they tell
-    none.
+    """The maximum that all grades, each in points and in per cent, agree with; None where they do
+    not determine one.
 
     >>> implied_maximum([(Fraction("2.94"), Fraction("29.41"))])
     Fraction(10, 1)
     """
-    told = [
+    stated = [
         (points, share)
         for points, share in grades
         if points > HALF_A_PLACE and share > HALF_A_PLACE
     ]
-    if not told:
+    if not stated:
         return None
-    least = max(100 * (points - HALF_A_PLACE) / (share + HALF_A_PLACE) for points, share in told)
-    most = min(100 * (points + HALF_A_PLACE) / (share - HALF_A_PLACE) for points, share in told)
+    least = max(100 * (points - HALF_A_PLACE) / (share + HALF_A_PLACE) for points, share in stated)
+    most = min(100 * (points + HALF_A_PLACE) / (share - HALF_A_PLACE) for points, share in stated)
     found = ceil(least / STEP) * STEP
     return found if least <= found <= most <= least + NARROW else None

@@ -1,5 +1,5 @@
-"""Which columns of a downloaded file hold the grades: found where only one could be meant, else
-told by a person.
+"""Which columns of a downloaded file hold the grades: found where only one is possible, otherwise
+named by the instructor.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _KIND = re.compile(r"^[^:\uff1a]*[:\uff1a]")
 
 @dataclass(frozen=True, slots=True)
 class ItemColumn:
-    """A column to be filled: its place and title, and the maximum where the file states one."""
+    """A column to be filled in: its place, header and title, and its maximum where stated."""
 
     place: int
     header: str
@@ -34,8 +34,8 @@ class ItemColumn:
 class ItemColumns:
     """The column of each item, and the columns of the feedback on the total.
 
-    `feedback` says of each place whether it is the format's; it is None where there is no such
-    column, or several.
+    `feedback` maps each place to whether the column holds the format; it is None where there is no
+    feedback column, or several.
     """
 
     columns: Mapping[str, ItemColumn]
@@ -65,9 +65,9 @@ def item_columns(
     keys: Collection[int],
     options: ExportOptions,
 ) -> ItemColumns:
-    """The columns of each item; `keys` are those that say who somebody is.
+    """The columns of each item; `keys` are those that identify the student.
 
-    Raises TableError where none or several could be meant.
+    Raises TableError where no column or several columns are possible.
     """
     words = download.item_words
     groups = () if words is None else item_groups(table, keys, words)
@@ -83,8 +83,7 @@ def item_columns(
     headers = [column.header for column in chosen.values()]
     faults += [
         f'{table.file}: the column "{one_line(header)}" is meant for several questions - expected '
-        "one for each "
-        "- name them by --column QUESTION=HEADER"
+        "one for each - name them with --column QUESTION=HEADER"
         for header in sorted(set(headers))
         if headers.count(header) > 1
     ]
@@ -125,21 +124,21 @@ def _candidates(table: CellTable, download: Download) -> Sequence[ItemColumn]:
     found = []
     for place, header in enumerate(table.titles):
         shape = download.item.fullmatch(header)
-        told = trimmed(row.cells[place].text) if row else ""
+        stated = trimmed(row.cells[place].text) if row else ""
         if (
             place < download.first_item
             or shape is None
             or (download.not_item and download.not_item.search(header))
-            or (download.read_only and download.read_only.search(told))
+            or (download.read_only and download.read_only.search(stated))
         ):
             continue
-        maximum = shape.groupdict().get("maximum") or told or _same_everywhere(table, download)
+        maximum = shape.groupdict().get("maximum") or stated or _same_everywhere(table, download)
         found.append(ItemColumn(place, header, shape["title"], number(maximum)))
     return found
 
 
 def _in_points(table: CellTable, groups: Sequence[ItemGroup]) -> Sequence[ItemColumn]:
-    """The columns that hold points by what stands in them."""
+    """The columns that hold points, judged by their cells."""
     return [
         ItemColumn(column.place, table.titles[column.place], group.title, _implied(table, group))
         for group in groups
@@ -170,7 +169,7 @@ def _maximum_row(table: CellTable, download: Download) -> Record | None:
 
 
 def _same_everywhere(table: CellTable, download: Download) -> str:
-    """The maximum where every row states it alike."""
+    """The maximum where every row states the same."""
     if download.maximum_column not in table.titles:
         return ""
     place = table.titles.index(download.maximum_column)
@@ -211,8 +210,8 @@ class _Chooser:
     keys: Collection[int]
 
     def chosen(self, item: str, options: ExportOptions) -> ItemColumn:
-        """The column of an item: the one named, the one of that title, or the only one there is for
-        a total.
+        """The column of an item: the one named, the one with that title, or, for the total, the
+        only one.
         """
         if item in options.columns:
             return self.named(trimmed(options.columns[item]))
@@ -222,7 +221,7 @@ class _Chooser:
         else:
             title = item_title(options.title, item)
             fits = [each for each in self.candidates if title in (each.title, each.header)]
-            # "Quiz: Midterm (Real)"; what kind of activity it is stands before the title
+            # "Quiz: Midterm (Real)": the kind of activity comes before the title
             if not fits:
                 fits = [each for each in self.candidates if _without_kind(each.title) == title]
             what = f'called "{one_line(title)}"'
@@ -231,11 +230,11 @@ class _Chooser:
         way = f"--column {item}=HEADER" if item else "--column HEADER"
         raise TableError(
             f"{self.table.file}: {len(fits) or 'no'} grade columns {what} - expected one - name "
-            f"it by {way} (grade columns here: {self.listing()})"
+            f"it with {way} (grade columns here: {self.listing()})"
         )
 
     def named(self, header: str) -> ItemColumn:
-        """The column of that header or title."""
+        """The column with that header or title."""
         fits = [each for each in self.candidates if each.header == header] or [
             each for each in self.candidates if each.title == header
         ]
@@ -257,8 +256,7 @@ class _Chooser:
         if places:
             raise TableError(
                 f'{where}: "{shown}" is no column from which {self.dialect.name} takes grades - '
-                "expected "
-                f"one that is - name another (grade columns here: {self.listing()})"
+                f"expected one that is - name another (grade columns here: {self.listing()})"
             )
         raise TableError(
             f'{where}: no column "{shown}" - expected one of the file - '
@@ -266,9 +264,7 @@ class _Chooser:
         )
 
     def may_be_named(self, place: int) -> bool:
-        """Whether a column may hold grades in points, for all that its cells and its header
-        show.
-        """
+        """Whether a column may hold grades in points, judged by its cells and its header."""
         known = {title for key in self.download.keys for title in key.headers}
         others = [
             column.place
@@ -284,5 +280,5 @@ class _Chooser:
         )
 
     def listing(self) -> str:
-        """The columns that could be meant."""
+        """The columns that are possible."""
         return ", ".join(f'"{one_line(each.header)}"' for each in self.candidates) or "none"

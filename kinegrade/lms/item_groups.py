@@ -2,9 +2,9 @@
 language of the headers.
 
 Moodle writes "title (word)" above the columns of an item, side by side: points, per cent, a letter,
-the feedback last. The words are in the language of whoever downloaded the file, so they are not
-relied on: a word means the same in the whole file, and all cells below it show what that is. Known
-words settle what the cells leave open. `item_groups` is called by `item_columns`.
+and last the feedback. The words are in the language of the person who downloaded the file, so they
+are not relied on: a word means the same in the whole file, and all the cells below it show what
+that is. Known words settle what the cells leave open. `item_groups` is called by `item_columns`.
 """
 
 from __future__ import annotations
@@ -24,16 +24,15 @@ _NUMBER = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?")
 _SHARE = re.compile(r"-?[0-9\s]*[0-9](?:[.,][0-9]+)?\s*[%％]")
 _PARTICIPANT = re.compile(r"(\D+?)\s*[0-9]+")
 _DIGIT = re.compile(r"[0-9]")
-_DASH = "-"  # where a grade is missing; where feedback is missing, nothing stands
+_DASH = "-"  # stands for a missing grade; the cell of missing feedback is empty
 _LONGEST_LETTER = 3
 
 
 @dataclass(frozen=True, slots=True)
 class GroupColumn:
-    """A column of an item: its place, what stands in brackets in its header, and what it holds.
+    """A column of an item: its place, the word in brackets in its header, and what it holds.
 
-    "text" is a letter or a word of a scale; "open" is a grade of which no cell shows of what kind
-    it is.
+    "text" is a letter or a word of a scale; "open" is a grade whose kind no cell shows.
     """
 
     place: int
@@ -43,13 +42,13 @@ class GroupColumn:
 
 @dataclass(frozen=True, slots=True)
 class ItemGroup:
-    """Neighbouring columns of one title; no word stands twice."""
+    """Neighbouring columns with the same title; no word occurs twice."""
 
     title: str
     columns: tuple[GroupColumn, ...]
 
     def of_kind(self, kind: ItemKind) -> tuple[GroupColumn, ...]:
-        """The columns that hold this."""
+        """The columns that hold this kind."""
         return tuple(column for column in self.columns if column.kind == kind)
 
 
@@ -63,14 +62,14 @@ def is_item_header(header: str) -> bool:
 
 
 def content_below(table: CellTable, place: int) -> Content:
-    """What the cells of a column show: only where they are grades, or nothing yet, may grades be
-    written.
+    """What the cells of a column show: grades may be written only where they are grades or still
+    empty.
     """
     return _content(_cells(table, place))
 
 
 def item_groups(table: CellTable, keys: Collection[int], known: ItemWords) -> tuple[ItemGroup, ...]:
-    """The items of a gradebook; `keys` are the places of columns that say who somebody is."""
+    """The items of a gradebook; `keys` are the places of the columns that identify the student."""
     headers = [
         (place, found["title"], trimmed(found["word"]))
         for place, header in enumerate(table.titles)
@@ -88,7 +87,7 @@ _Group = tuple[str, list[tuple[int, str]]]
 
 
 def _neighbours(headers: Sequence[tuple[int, str, str]]) -> Iterator[_Group]:
-    """Title, and the places and words, of columns side by side that share a title and no word."""
+    """Title, places and words of neighbouring columns that share the title and no word."""
     current: _Group | None = None
     last = -1
     for place, title, word in headers:
@@ -120,8 +119,8 @@ def _kinds(table: CellTable, groups: Sequence[_Group], known: ItemWords) -> Mapp
 
 
 def _is_worksheet(table: CellTable) -> bool:
-    """Whether the first column reads "Participant 12": an assignment's worksheet, with dates below
-    brackets.
+    """Whether the first column reads "Participant 12": an assignment's worksheet, which has dates
+    below headers with brackets.
     """
     found = [_PARTICIPANT.fullmatch(cell) for cell in _cells(table, 0)]
     words = {match[1] for match in found if match}
@@ -129,7 +128,7 @@ def _is_worksheet(table: CellTable) -> bool:
 
 
 def _in_order(groups: Sequence[_Group]) -> list[str]:
-    """All words, as they follow each other."""
+    """All words, in order."""
     words: list[str] = []
     for _, columns in groups:
         words += [word for _, word in columns if word not in words]
@@ -145,9 +144,9 @@ def _cells(table: CellTable, place: int) -> list[str]:
 
 
 def _is_last(groups: Sequence[_Group], word: str) -> bool:
-    """Whether a word ends every group in which it stands, behind others."""
-    own = [columns for _, columns in groups if any(word == other for _, other in columns)]
-    return all(len(columns) > 1 and columns[-1][1] == word for columns in own)
+    """Whether a word is the last of several in every group that has it."""
+    having = [columns for _, columns in groups if any(word == other for _, other in columns)]
+    return all(len(columns) > 1 and columns[-1][1] == word for columns in having)
 
 
 def _known_kind(word: str, known: ItemWords) -> ItemKind | None:
@@ -175,7 +174,7 @@ def _kind(cells: Sequence[str], known: ItemKind | None, *, is_last: bool) -> Ite
 
 
 def _are_comments(cells: Sequence[str]) -> bool:
-    """Whether texts are comments and not letters or words of a scale: these repeat, and a dash is
+    """Whether texts are comments and not letters or words of a scale: these repeat, and have a dash
     where one is missing.
     """
     if "" in cells or _DASH in cells:

@@ -1,6 +1,6 @@
-"""Which columns of a downloaded file say who somebody is.
+"""Which columns of a downloaded file identify the student.
 
-A system with fixed headers is taken at its word. Where headers are in any language, as in Moodle's
+Fixed headers of a system are trusted. Where headers may be in any language, as in Moodle's
 gradebook, the columns are those that hold the class's ids or e-mail addresses, and a known header
 only confirms. `key_columns` is called by `fill_in`.
 """
@@ -18,9 +18,9 @@ from kinegrade.lms.item_groups import is_item_header
 from kinegrade.lms.matching import KeyColumn, folded
 from kinegrade.tables import trimmed
 
-_ENOUGH = 5  # ids of the class in a column without repetitions are no accident
+_ENOUGH = 5  # ids of the class in a column without repetitions are no coincidence
 _MOST_REPEATED = 10  # one cell in ten may be a repetition
-_SHORTEST_ID_AMONG_GRADES = 5  # "12" below "Quiz (Real)" is a grade, whoever has that id
+_SHORTEST_ID_AMONG_GRADES = 5  # "12" below "Quiz (Real)" is a grade, even where it is an id too
 
 
 def key_columns(
@@ -41,19 +41,19 @@ def key_columns(
         return found
     if download.item_words is not None:
         raise TableError(
-            f"{table.file}: no column by which {dialect.name} knows people - expected one that "
-            "holds the ids of the marked class, or their e-mail addresses - download it with ID "
-            f"numbers, choose other keys by --by{exam_hint(table, students)}"
+            f"{table.file}: no column by which {dialect.name} identifies students - expected one "
+            "that holds the ids of the marked class, or their e-mail addresses - download it with "
+            f"ID numbers, choose other keys with --by{exam_hint(table, students)}"
         )
     known = ", ".join(title for key in keys for title in key.headers) or "none"
     raise TableError(
-        f"{table.file}: no column by which {dialect.name} knows people - expected one of: {known} "
-        "- download it with ids, or choose other keys by --by"
+        f"{table.file}: no column by which {dialect.name} identifies students - expected one of: "
+        f"{known} - download it with ids, or choose other keys with --by"
     )
 
 
 def exam_hint(table: CellTable, students: Sequence[StudentGrade]) -> str:
-    """What else may help where a file has addresses, and nobody's is known."""
+    """What else may help where a file has addresses, and no student's is known."""
     if any(each.email for each in students):
         return ""
     for place in range(len(table.titles)):
@@ -83,7 +83,7 @@ def _by_content(
     students: Sequence[StudentGrade],
 ) -> list[KeyColumn]:
     """The columns that hold enough of the class's ids or addresses, each with the key that finds
-    most there.
+    the most students.
     """
     wanted = [_Wanted.of(key, students) for key in keys]
     found = []
@@ -106,9 +106,7 @@ def _is_the_other(key: Key, named: str | None) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Wanted:
-    """What a key column of the class holds, as the system compares it, and as a spreadsheet may
-    leave it.
-    """
+    """The class's values of a key: as the system compares them, as a spreadsheet may leave them."""
 
     key: Key
     exact: frozenset[str]
@@ -122,7 +120,7 @@ class _Wanted:
         return cls(key, exact, frozenset(map(folded, exact)))
 
     def held(self, cells: Sequence[str], shortest: int) -> _Held:
-        """What a column with these cells holds of it; shorter cells do not count."""
+        """How many of them a column with these cells holds; shorter cells do not count."""
         different = {text for text in cells if len(text) >= shortest}
         column = KeyColumn(self.key, 0)
         exact = self.exact.intersection(map(column.compared, different))
@@ -133,7 +131,7 @@ class _Wanted:
 
 @dataclass(frozen=True, slots=True)
 class _Held:
-    """How many students of the class a column knows by a key, and what else it holds."""
+    """How many students of the class a column identifies by a key, and what else it holds."""
 
     key: Key
     students: int
@@ -142,7 +140,7 @@ class _Held:
     different: int
 
     def convinces(self, named: str | None) -> bool:
-        """Whether these are the keys: nothing repeats, and it is most of the file, most of the
+        """Whether the column holds the keys: few repeat, and they are most of the file, most of the
         class, or many.
         """
         if not self.students or self.key.field == named:

@@ -1,8 +1,9 @@
 """Whose row is whose in a downloaded file: by id, login or e-mail as the system compares them,
 never by name.
 
-Nobody is guessed. What is only likely the same (zeros or digits lost in a spreadsheet, full-width
-forms, upper and lower case) is suggested in a complaint and left to a person.
+No student is guessed. A value that is only probably the same (zeros or digits lost in a
+spreadsheet, full-width forms, upper and lower case) is suggested in a complaint, and the instructor
+decides.
 """
 
 from __future__ import annotations
@@ -27,18 +28,18 @@ _WRAPPED = re.compile(r'=?"(.*)"|[\'#](.*)')
 
 @dataclass(frozen=True, slots=True)
 class KeyColumn:
-    """A key of the system and where its column stands in the file."""
+    """A key of the system and the place of its column in the file."""
 
     key: Key
     place: int
 
     def value(self, row: Record) -> str:
-        """What the row holds there, as the system compares it."""
+        """The row's value, as the system compares it."""
         text = trimmed(row.cells[self.place].text)
         return self.compared(text.removeprefix(self.key.prefix) if self.key.prefix else text)
 
     def wanted(self, grade: StudentGrade) -> str:
-        """What a student's row has to hold there; empty where that is not known."""
+        """The value that a student's row must have; empty where that is not known."""
         return self.compared(known_as(grade, self.key.field))
 
     def compared(self, text: str) -> str:
@@ -48,7 +49,9 @@ class KeyColumn:
 
 @dataclass(frozen=True)
 class Matching:
-    """The student of each row that has one, by the row's line, and what a person has to look at."""
+    """The student of each row that has one, by the row's line, and what the instructor has to
+    check.
+    """
 
     students: Mapping[int, StudentGrade]
     complaints: tuple[Complaint, ...]
@@ -63,18 +66,18 @@ def match(
     *,
     test_person: re.Pattern[str] | None = None,
 ) -> Matching:
-    """Matches students with the rows of a file; only `graded` ones are missed where they have no
-    row.
+    """Matches students with the rows of a file; a missing row is reported for `graded` students
+    only.
 
-    A row of nobody that is a `test_person`'s is passed over.
+    A row that no student matches is skipped where it is a `test_person`'s.
     """
     claims = _claims(rows, columns, students)
     claimants = _claimants(claims, students)
-    unclear = {line for line, own in claimants.items() if len(own) > 1}
+    unclear = {line for line, several in claimants.items() if len(several) > 1}
     sure = {
-        line: own[0]
-        for line, own in claimants.items()
-        if line not in unclear and len(claims[own[0].student]) == 1
+        line: first
+        for line, (first, *_) in claimants.items()
+        if line not in unclear and len(claims[first.student]) == 1
     }
     unclaimed = [row for row in rows if row.line not in claimants]
     free = [row for row in unclaimed if not _is_test_person(row, test_person)]
@@ -123,13 +126,13 @@ def _claims(
         lines.append(found)
     claims = {}
     for grade in students:
-        own = {
+        matched = {
             line
             for column, found in zip(columns, lines, strict=True)
             if column.wanted(grade)
             for line in found.get(column.wanted(grade), ())
         }
-        claims[grade.student] = tuple(sorted(own))
+        claims[grade.student] = tuple(sorted(matched))
     return claims
 
 
@@ -149,7 +152,12 @@ def _ambiguous(
 def _contested(table: CellTable, line: int, students: Sequence[StudentGrade]) -> Complaint:
     who = " and ".join(f'"{one_line(each.student)}"' for each in students)
     return Complaint(
-        table.file, line, "", "", f"is the row of students {who} alike", "the line was not changed"
+        table.file,
+        line,
+        "",
+        "",
+        f"is the row of several students: {who}",
+        "the line was not changed",
     )
 
 
@@ -163,7 +171,7 @@ def _missing(
 
 
 class _Alike:
-    """The rows of nobody by what their cell of one key column may once have been."""
+    """The rows that no student matches, by what their cell of one key column may once have been."""
 
     def __init__(self, table: CellTable, column: KeyColumn, free: Iterable[Record]) -> None:
         self.column, self.title = column, table.titles[column.place]
@@ -179,7 +187,7 @@ class _Alike:
                 ].append(row)
 
     def hints(self, grade: StudentGrade) -> Iterator[str]:
-        """What a person may look at to find the row of a student."""
+        """Rows that may be the student's, each with what to do about it."""
         wanted = self.column.wanted(grade)
         for row in self.folded.get(folded(wanted), ()) if wanted else ():
             yield f"{self._shown(row)}, probably the same: correct one of the two and export again"
@@ -199,7 +207,7 @@ class _Alike:
 
 
 def folded(text: str) -> str:
-    """A value without what spreadsheets and keyboards do to it: wrappers, leading zeros, full-width
+    """A value without what spreadsheets and keyboards change: wrappers, leading zeros, full-width
     forms, case.
 
     >>> folded("０0７"), folded('="007"'), folded("7.0")
@@ -224,7 +232,7 @@ def _strangers(
             row.line,
             "",
             shown,
-            f"nobody of the marked class has {shown}",
+            f"no student of the marked class has {shown}",
             "the line was not changed",
         )
 

@@ -1,8 +1,7 @@
-"""What an item counts in the system, and what there is to get in the exam: the same, or grades are
-scaled on demand.
+"""The maximum of an item in the system and in the exam: the same, or grades are scaled on request.
 
 A grade above the item's maximum is refused by some systems and cut by others, and one such line
-stops a whole import; so nothing of the kind is written.
+stops a whole import; so none is written.
 """
 
 from __future__ import annotations
@@ -16,8 +15,8 @@ from kinegrade.lms.grades import StudentGrade
 
 
 def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction | None:
-    """To what grades are scaled: the maximum given or, with `scale`, the one that the file states;
-    else None.
+    """The maximum to which grades are scaled: the one given or, with `scale`, the one that the file
+    states; otherwise None.
     """
     if options.maximum is not None:
         return options.maximum
@@ -47,7 +46,7 @@ def maximum_faults(
         )
     elif options.scale and target is None:
         faults.append(
-            f"{where}: states no maximum - expected one to scale to - say what the item counts by "
+            f"{where}: states no maximum - expected one to scale to - give the item's with "
             "--maximum"
         )
     graded = tuple(students)
@@ -59,9 +58,8 @@ def maximum_faults(
         )
     faults += (
         f'student "{each.student}": {_shown(each.points[item])} points of '
-        f"{_shown(each.out_of[item])} - "
-        "expected no more than there are, or an import is refused - correct the policy and grade "
-        "again"
+        f"{_shown(each.out_of[item])} - expected no more than the maximum, or the import is "
+        "refused - correct the policy and grade again"
         for each in graded
         if each.points[item] > each.out_of[item]
     )

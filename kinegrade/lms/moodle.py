@@ -3,10 +3,10 @@ grading worksheet.
 
 `export` is the file that `grade` writes into every folder of marks. In Moodle map "ID number" to
 the profile field of that name, "Grade" to a grade item whose maximum is the exam's points, and
-"Feedback" to the feedback of that item. Moodle compares ids as texts, takes a file as a whole or
-not at all, and erases a grade for an empty one: so ids are written exactly, and who handed in
-nothing is left out. The headers of a downloaded gradebook are in the language of whoever downloads
-it, so its columns are found by what they hold.
+"Feedback" to the feedback of that item. Moodle compares ids as texts, takes a file whole or not at
+all, and replaces a grade by an empty one: so ids are written exactly, and students who handed in
+nothing are left out. The headers of a downloaded gradebook are in the language of the person who
+downloads it, so its columns are found by their content.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ MOODLE = Dialect(
 def export(marks: MarksFolder) -> str:
     """The text of moodle.csv; raises TableError.
 
-    Feedback is a line such as "1: 4/7; 2: 3/3", by the numbers on the student's own paper. Names
-    stay neutralised against spreadsheets.
+    Feedback is a line such as "1: 4/7; 2: 3/3", by the question numbers on the student's paper.
+    Names stay neutralised against spreadsheets.
     """
     return new_file(MOODLE, read_grades(marks), ExportOptions()).text

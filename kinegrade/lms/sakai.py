@@ -1,5 +1,5 @@
 """Sakai (Gradebook > Import): the first column is the login, the second the name, whatever their
-headers say.
+headers.
 
 Without a byte-order mark Sakai reads Windows-1252. "Title [10]" is an item of 10 points, "* Title"
 the comment on it, "# ..." is ignored. Where the file is separated by semicolons, Sakai expects a

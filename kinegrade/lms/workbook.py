@@ -1,7 +1,7 @@
 """A folder of marks as one spreadsheet for people: grades, marks and complaints, each on a sheet.
 
-Every cell that holds an id, a name or what somebody typed is a text cell, so nothing runs as a
-formula and no digit is lost; points are numbers, and empty for whoever is absent.
+Every cell that holds an id, a name or a typed answer is a text cell, so nothing runs as a formula
+and no digit is lost; points are numbers, and empty for absent students.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def workbook(marks: MarksFolder) -> bytes:
 
 
 def _repeatable(content: bytes) -> bytes:
-    """The same archive without the time of its making, so that the same marks give the same
+    """The same archive without the time of its creation, so that the same marks give the same
     bytes.
     """
     stream = io.BytesIO()
@@ -74,7 +74,7 @@ def _fill(sheet: Worksheet, table: Table) -> None:
 
 
 def _is_absent(table: Table, row: Row) -> bool:
-    """Whether a row is that of somebody absent, whose zeros an average would count."""
+    """Whether a row is that of an absent student, whose zeros an average would count."""
     absent: Status = "absent"
     return "status" in table.header and row.cell(table.header.index("status")) == absent
 
@@ -98,12 +98,10 @@ def _text_cell(sheet: Worksheet, line: int, place: int, text: str) -> Cell:
 
 
 def _cleaned(text: str) -> str:
-    """What a spreadsheet can hold: control characters become dots, a text that is too long is
-    cut.
-    """
+    """A text that a spreadsheet can hold: control characters become dots, a long text is cut."""
     return _UNPRINTABLE.sub("·", text)[:_LONGEST_CELL]
 
 
 def _width(text: str) -> int:
-    """Characters of a column, Chinese ones counted twice."""
+    """The width of a text in characters, Chinese ones counted twice."""
     return sum(2 if "\u2e80" <= character <= "\uffef" else 1 for character in text[:_WIDEST_COLUMN])

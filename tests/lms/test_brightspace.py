@@ -36,7 +36,7 @@ def test_the_marks_around_ids_are_not_part_of_them(tmp_path: Path) -> None:
     assert changed(tmp_path) == {(2, LONG): "8.25", (3, LONG): "4"}
     assert [str(each).split(" - ")[0] for each in result.complaints] == [
         'download.csv: no row for student "0012348" by OrgDefinedId or Username',
-        'download.csv:5: nobody of the marked class has OrgDefinedId "#12348", Username "#x"',
+        'download.csv:5: no student of the marked class has OrgDefinedId "#12348", Username "#x"',
     ]
     assert 'line 5 has OrgDefinedId "#12348", probably the same' in str(result.complaints[0])
 

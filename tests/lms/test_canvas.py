@@ -208,8 +208,8 @@ def test_addresses_that_nobody_knows_are_asked_for_once(tmp_path: Path, system: 
     result = kinegrade("export", marks, *options, "-o", out)
     assert (result.exit_code, out.exists()) == (2, False)
     assert result.stderr == (
-        "error: --by email: nobody's address is known - expected those of the roster - name the "
-        "exam by --exam, or choose another key\n"
+        "error: --by email: no student's address is known - expected those of the roster - name the "
+        "exam with --exam, or choose another key\n"
     )
 
 
@@ -228,7 +228,7 @@ def test_the_student_view_of_a_teacher_is_no_stranger(
     (tmp_path / "download.csv").write_text(header + own + row, encoding="utf-8", newline="")
     options = "--by", "id", "--column", QUIZ
     made = exported(tmp_path, "--into", tmp_path / "download.csv", *options)
-    assert "nobody of the marked class" not in made
+    assert "no student of the marked class" not in made
     assert row in made  # as it was
 
 
@@ -256,6 +256,6 @@ def test_a_new_assignment_needs_a_title(tmp_path: Path) -> None:
 
     with pytest.raises(
         TableError,
-        match="Canvas: the item has no title - expected one - give it by --title, or name",
+        match="Canvas: the item has no title - expected one - give it with --title, or name",
     ):
         new_file(CANVAS, read_grades(MarksFolder(write_marks(tmp_path))), ExportOptions())

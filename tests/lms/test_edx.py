@@ -54,11 +54,12 @@ def test_what_was_there_before_is_no_column_to_be_filled(tmp_path: Path) -> None
 
 def test_its_keys_are_its_own(tmp_path: Path) -> None:
     with pytest.raises(
-        TableError, match="Open edX: its rows are known by numbers that only it gives - expected"
+        TableError,
+        match="Open edX: its rows are identified by numbers that only it assigns - expected",
     ):
         fresh(tmp_path, EDX)
     with pytest.raises(
-        TableError, match="download.csv: is no file of Open edX - expected the columns user_id"
+        TableError, match="download.csv: is not a file of Open edX - expected the columns user_id"
     ):
         filled(tmp_path, EDX, "username,Score\nwangwei,1\n")
 

@@ -47,7 +47,7 @@ def test_filling_in_with_complaints_ends_with_status_1(tmp_path: Path) -> None:
     )
     assert result.exit_code == 1
     assert (
-        "complaint: moodle-gradebook-en.csv:4: nobody of the marked class has Email address"
+        "complaint: moodle-gradebook-en.csv:4: no student of the marked class has Email address"
         in result.stderr
     )
     before, after = (
@@ -96,7 +96,10 @@ def test_a_spreadsheet_for_people(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--to", "edx"), "error: Open edX: its rows are known by numbers that only it gives"),
+        (
+            ("--to", "edx"),
+            "error: Open edX: its rows are identified by numbers that only it assigns",
+        ),
         (("--to", "canvas"), "error: Canvas: the item has no title"),
         (
             ("--to", "moodle", "--column", "a", "--column", "b"),

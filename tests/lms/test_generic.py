@@ -62,7 +62,7 @@ def test_by_question_and_email(tmp_path: Path) -> None:
 def test_what_cannot_be_had_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
-        match="the generic sheet does not know people by login .* choose one of: id, email",
+        match="the generic sheet does not identify students by login .* choose one of: id, email",
     ):
         fresh(tmp_path, GENERIC_CHINESE, ExportOptions(by=("login",)))
     with pytest.raises(
@@ -74,6 +74,6 @@ def test_what_cannot_be_had_is_refused(tmp_path: Path) -> None:
     ):
         fresh(tmp_path, GENERIC_CHINESE, ExportOptions(feedback=True, per_question=True))
     with pytest.raises(
-        TableError, match="--into: the generic sheet has no file of its own to be filled in - exp"
+        TableError, match="--into: the generic sheet has no file to be filled in - exp"
     ):
         filled(tmp_path, GENERIC_CHINESE, "学号,成绩\n0012345,\n")

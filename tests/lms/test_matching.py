@@ -40,7 +40,7 @@ def test_what_is_likely_the_same_is_suggested_and_not_made(tmp_path: Path, cell:
         ' no row for student "0012345" by ID number - not exported; line 3 has ID number "'
     )
     assert complaints[0].endswith('", probably the same: correct one of the two and export again')
-    assert complaints[1].startswith('3: nobody of the marked class has ID number "')
+    assert complaints[1].startswith('3: no student of the marked class has ID number "')
     assert len(complaints) == 2
 
 
@@ -81,9 +81,9 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
         'download.csv:2: student "0012345" is found on lines 2 and 3 by ID number or Username - '
         "none of these lines "
         "was changed",
-        'download.csv:2: is the row of students "0012345" and "0012346" alike - the line was not '
+        'download.csv:2: is the row of several students: "0012345" and "0012346" - the line was not '
         "changed",
-        'download.csv:3: is the row of students "0012345" and "0012348" alike - the line was not '
+        'download.csv:3: is the row of several students: "0012345" and "0012348" - the line was not '
         "changed",
     )
     told(tmp_path, "0012345,0012346,\n0012348,0012345,\n", "ID number,Username", by=("id",))
@@ -93,7 +93,7 @@ def test_keys_that_disagree_match_nobody(tmp_path: Path) -> None:
 def test_a_name_alone_matches_nobody(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
-        match="no column by which Moodle knows people - expected one that holds the ids of the "
+        match="no column by which Moodle identifies students - expected one that holds the ids of the "
         "marked class",
     ):
         told(tmp_path, "王伟,\n", "Full name")

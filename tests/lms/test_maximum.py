@@ -34,7 +34,7 @@ def test_a_maximum_that_the_file_denies_is_refused(tmp_path: Path) -> None:
 
 def test_scaling_needs_a_maximum(tmp_path: Path) -> None:
     with pytest.raises(
-        TableError, match='"成绩": states no maximum - expected one to scale to - say what'
+        TableError, match='"成绩": states no maximum - expected one to scale to - give the item'
     ):
         fresh(tmp_path, GENERIC_CHINESE, ExportOptions(scale=True))
 
@@ -93,7 +93,7 @@ def test_a_header_can_state_one_maximum_only(tmp_path: Path) -> None:
     mixed = replace(grades, students=(less, *others))
     with pytest.raises(
         TableError,
-        match="not everybody could get the same points - expected one maximum - say it by",
+        match="not all students could get the same points - expected one maximum - give it with",
     ):
         new_file(SAKAI, mixed, ExportOptions())
     lines = new_file(

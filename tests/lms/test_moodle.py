@@ -90,7 +90,7 @@ def test_lines_are_of_one_length_not_blank_and_without_the_export_time(tmp_path:
 def test_a_grade_above_the_maximum_would_stop_the_whole_import(tmp_path: Path) -> None:
     more = folder(tmp_path, GRADES.replace("4,3,7,10", "4,3,11,10"))
     with pytest.raises(
-        TableError, match='student "0012345": 11 points of 10 - expected no more than there are'
+        TableError, match='student "0012345": 11 points of 10 - expected no more than the maximum'
     ):
         export(MarksFolder(more))
 
@@ -170,7 +170,7 @@ def test_ids_are_exact_texts_and_lost_zeros_are_only_suggested(tmp_path: Path) -
         'download.csv: no row for student "0012345" by ID number - not exported; line 5 has ID '
         'number "12345", '
         "probably the same: correct one of the two and export again",
-        'download.csv:5: nobody of the marked class has ID number "12345" - the line was not '
+        'download.csv:5: no student of the marked class has ID number "12345" - the line was not '
         "changed",
     ]
 

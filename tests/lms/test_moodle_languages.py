@@ -130,7 +130,7 @@ def test_feedback_that_has_no_column_is_not_dropped_without_a_word(
     assert columns(tmp_path, head[6])[1] == (GRADED[1],)
     assert (
         "download.csv: has no column for feedback on the total, so the points by question are "
-        "left out - download the file with feedback to fill them in, or say --no-feedback\n"
+        "left out - download the file with feedback to fill them in, or add --no-feedback\n"
     ) in result.stderr
     silent = exported(tmp_path, download(tmp_path, head, alike(("2.94",))), "--no-feedback")
     assert "left out" not in silent.stderr
@@ -167,7 +167,7 @@ def test_people_are_found_by_address_where_the_file_has_no_ids(tmp_path: Path) -
         text = text.replace(student, "")
     path.write_text(text, encoding="utf-8", newline="")
     result = exported(tmp_path, path)
-    assert 'people are found by "Adresse de courriel"' in result.stderr
+    assert 'students are found by "Adresse de courriel"' in result.stderr
     assert "8.25" in (tmp_path / "out.csv").read_text(encoding="utf-8")
     marks = tmp_path / "MARKS"
     refused = kinegrade(
@@ -194,7 +194,7 @@ def test_of_several_items_one_has_to_be_named_and_gets_its_own_feedback(tmp_path
     refused = exported(tmp_path, path)
     assert refused.exit_code == 2
     assert (
-        "2 grade columns to fill in - expected one - name it by --column HEADER (grade columns "
+        "2 grade columns to fill in - expected one - name it with --column HEADER (grade columns "
         f'here: "{head[6]}", '
         f'"{title} (Значение)")'
     ) in refused.stderr
@@ -231,7 +231,7 @@ def test_small_ids_are_not_looked_for_among_grades(tmp_path: Path) -> None:
     path.write_text("Prénom,Test (Brut)\nA,1\nB,2\nC,3\nD,4\n", encoding="utf-8")
     result = kinegrade("export", marks, "--to", "moodle", "--into", path, "-o", tmp_path / "o.csv")
     assert result.exit_code == 2
-    assert "no column by which Moodle knows people" in result.stderr
+    assert "no column by which Moodle identifies students" in result.stderr
 
 
 def test_an_empty_column_of_dates_in_a_worksheet_is_not_taken_for_grades(tmp_path: Path) -> None:
@@ -244,7 +244,7 @@ def test_an_empty_column_of_dates_in_a_worksheet_is_not_taken_for_grades(tmp_pat
     result = exported(tmp_path, path)
     assert result.exit_code == 2
     assert (
-        "no grade columns to fill in - expected one - name it by --column HEADER" in result.stderr
+        "no grade columns to fill in - expected one - name it with --column HEADER" in result.stderr
     )
     exported(tmp_path, path, "--column", "Note")
     assert ",8.25,10.00,-\n" in (tmp_path / "out.csv").read_text(encoding="utf-8")
