@@ -21,13 +21,13 @@ from kinegrade.lms.quiz.remarks import Remarks
 
 MOST = 250  # questions in one upload to Ultra; Original takes 500
 NO_FIGURES = (
-    "blackboard: its text upload carries no figures - they were left out; the statements are "
-    "complete without them - hand out the printed papers with it"
+    "blackboard: its text upload has no figures - they were left out; the statements are complete "
+    "without them - hand out the printed papers too"
 )
-POINTS = "blackboard: points do not travel - set them there: {}"
+POINTS = "blackboard: its text upload has no points - set them there: {}"
 LEFT_OUT = (
-    "blackboard: its numerical questions know nothing but the right number - comments on known "
-    "mistakes and solutions were left out - give them with kinegrade feedback"
+    "blackboard: its numerical questions have the right number only - comments on known mistakes "
+    "and solutions were left out - give them with kinegrade feedback"
 )
 TOO_MANY = (
     "{}: would hold {} questions - expected up to {}, the most that Blackboard takes at a time - "
@@ -36,10 +36,11 @@ TOO_MANY = (
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the file, with `force` over an existing plain file; what an instructor should know
-    about it, a line each.
+    """Writes the file, with `force` over an existing plain file; gives what the instructor should
+    know about it, one line for each point.
 
-    Raises ExportError with everything that cannot be said, OutputError; then `target` is as it was.
+    Raises ExportError with everything that the format cannot express, OutputError; `target` is then
+    unchanged.
     """
     writer = _Writer(quiz)
     if target.suffix.lower() == ".zip":
@@ -52,7 +53,7 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
 
 
 class _Writer:
-    """What is at hand while papers come one after another."""
+    """The state while papers are written one after another."""
 
     def __init__(self, quiz: Quiz) -> None:
         self._quiz, self._remarks = quiz, Remarks()
@@ -120,8 +121,8 @@ class _Writer:
 
 
 def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:
-    """Writes lines in files that Blackboard takes, counting on from those before; how many there
-    are now.
+    """Writes lines into files that Blackboard takes, numbered on from those before; gives how many
+    there are now.
     """
     for start in range(0, len(lines), MOST):
         before += 1

@@ -1,5 +1,5 @@
-"""One ask as a line of the text that Blackboard uploads: `NUM`, the whole question, the right
-number, the tolerance.
+"""One ask as a line of Blackboard's text upload: `NUM`, the whole question, the right number, the
+tolerance.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.typing_words import BLACKBOARD, rules
 
 MIDDLE = (
-    "blackboard: {} is not in the middle of what is right - the middle stands there as the answer, "
-    "so that the "
-    "tolerance is exactly the exam's - tell the students the answer from the key"
+    "blackboard: {} is not in the middle of what counts as right - the middle is given there as "
+    "the answer, so that the tolerance is exactly the exam's - tell the students the answer from "
+    "the key"
 )
 TURNS = (
-    "blackboard: {} is an angle, and Blackboard knows one right number - it is asked for within "
-    "half a turn of zero - look at answers near half a turn by hand"
+    "blackboard: {} is an angle, and Blackboard takes one right number - it is asked for within "
+    "half a turn of zero - check answers near half a turn by hand"
 )
 
 
 def question_line(
     question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool
 ) -> str:
-    """The line, without its end; `on_paper`: the figure is in the students' hands. Raises
+    """The line, without its end; `on_paper` where the students have the figure in print. Raises
     TypesetError.
     """
     where, column = question.question, f"{question.question}.{ask.identifier}"
@@ -64,7 +64,7 @@ def _asked(ask: QuizAsk, language: Language, where: str) -> str:
 
 
 def _number(interval: RightInterval) -> tuple[str, ...]:
-    """The right number and how far from it is right; no tolerance where there is none."""
+    """The right number and its tolerance, if it has one."""
     middle = interval.value if interval.symmetric else (interval.low + interval.high) / 2
     written = decimal_text(middle)
     margin = max(interval.high - Fraction(written), Fraction(written) - interval.low)

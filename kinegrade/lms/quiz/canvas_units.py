@@ -1,4 +1,4 @@
-"""The units in which Canvas is asked: the same for a whole class, fine enough for the four decimals
+"""The units in which Canvas asks: the same for a whole class, fine enough for the four decimals
 that it keeps.
 """
 
@@ -20,27 +20,27 @@ class ClassUnits:
     factors: Mapping[Place, int]
 
     def fitted(self, question: str, ask: QuizAsk) -> QuizAsk | None:
-        """The ask in the class's unit; None where four decimals do not keep its right answer right
-        in any.
+        """The ask in the class's unit; None where its right answer is wrong with four decimals in
+        every unit.
         """
-        own = fitting_factor(ask.unit, _right(ask))
-        if own is None:
+        factor = fitting_factor(ask.unit, _right(ask))
+        if factor is None:
             return None
-        return _finer(ask, max(own, self.factors.get((question, ask.identifier), 1)))
+        return _finer(ask, max(factor, self.factors.get((question, ask.identifier), 1)))
 
 
 def class_units(asks: Iterable[tuple[str, QuizAsk]]) -> ClassUnits:
-    """The units for a class with these asks: for each the finest that somebody's answer takes."""
+    """The units for a class with these asks: for each the finest that any answer needs."""
     factors: dict[Place, int] = {}
     for question, ask in asks:
         place = question, ask.identifier
-        own = fitting_factor(ask.unit, _right(ask)) or 1
-        factors[place] = max(own, factors.get(place, 1))
+        factor = fitting_factor(ask.unit, _right(ask)) or 1
+        factors[place] = max(factor, factors.get(place, 1))
     return ClassUnits(factors)
 
 
 def edges_kept(ask: QuizAsk) -> bool:
-    """Whether four decimals are enough for answers at the edges of what is right, too."""
+    """Whether four decimals are enough for answers at the limits of the tolerance, too."""
     return _right(ask).fits
 
 
@@ -49,7 +49,7 @@ def _right(ask: QuizAsk) -> RightRange:
 
 
 def _finer(ask: QuizAsk, factor: int) -> QuizAsk:
-    """The ask in a unit so many times finer, without what known mistakes lead to."""
+    """The ask in a unit that is finer by a factor, without the answers of known mistakes."""
     if factor == 1:
         return ask
     unit = next(unit for unit, each in units(ask.unit) if each == factor)

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Literal
 
-DIGITS = 17  # as many as a double can tell apart
+DIGITS = 17  # as many as it takes to distinguish doubles
 Rounding = Literal["nearest", "down", "up"]
 _ROUNDINGS: dict[Rounding, str] = {
     "nearest": ROUND_HALF_EVEN,
@@ -19,10 +19,9 @@ _ROUNDINGS: dict[Rounding, str] = {
 
 
 def decimal_text(number: Fraction, rounding: Rounding = "nearest", digits: int = DIGITS) -> str:
-    """A number, exactly where so many significant digits hold it, else rounded to them.
+    """A number with that many significant digits: exactly where they are enough, otherwise rounded.
 
-    "down" is to minus infinity.
-
+    "down" is towards minus infinity.
 
     >>> decimal_text(Fraction(-5, 2)), decimal_text(Fraction(1, 3))
     ('-2.5', '0.33333333333333333')
@@ -34,7 +33,7 @@ def decimal_text(number: Fraction, rounding: Rounding = "nearest", digits: int =
 
 
 def rounded(number: Fraction, rounding: Rounding, digits: int) -> Fraction:
-    """A number rounded to so many significant digits.
+    """A number rounded to that many significant digits.
 
     >>> rounded(Fraction(2, 3), "up", 2)
     Fraction(67, 100)

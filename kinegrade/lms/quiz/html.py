@@ -1,7 +1,7 @@
 """The texts of a quiz as HTML, for every writer of this package: prose, math, units, plain text,
 figures, asks.
 
-Those of prose and math are of `kinegrade.exam.quiz_prose`, which writes the worked solutions too.
+Prose and math come from `kinegrade.exam.quiz_prose`, which writes the worked solutions too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from kinegrade.exam.rules import plain
 from kinegrade.exam.words import words_of
 from kinegrade.language import Language
 
-PIXELS = 5.0  # for a millimetre on paper: symbols then are as large as the text around the figure
+PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
 PLACES = {"en": (": ", " ({})"), "zh": ("：", "（{}）")}
 
 __all__ = [
@@ -29,7 +29,7 @@ __all__ = [
 
 
 def figure_html(figure: QuizFigure, source: str) -> str:
-    """A paragraph with the figure at an address, never wider than the page."""
+    """A paragraph with the figure at the address `source`, never wider than the page."""
     return (
         f'<p><img src="{plain_html(source)}" alt="{plain_html(figure.description)}" '
         f'width="{round(figure.width * PIXELS)}" style="max-width:100%;height:auto"/></p>\n'
@@ -40,7 +40,7 @@ def ask_html(ask: QuizAsk, language: Language, field: str = "") -> str:
     r"""A paragraph that asks for one number: what it is, its sense, and where to write it, with the
     unit.
 
-    `field` is HTML of the box; where the system puts the box elsewhere, a question mark stands in
+    `field` is the HTML of the box; where the system puts the box elsewhere, a question mark takes
     its place.
     """
     where = f"ask {ask.identifier}"

@@ -1,5 +1,5 @@
-"""What is right, as a quiz file can say it: one closed interval, or one for each turn of an
-angle.
+"""What counts as right, as a quiz file can express it: one closed interval, or one for each turn of
+an angle.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from fractions import Fraction
 from kinegrade.exam.quiz_document import QuizAsk
 from kinegrade.lms.quiz.decimals import decimal_text
 
-TURNS = 2  # of zero: as far from it a quiz takes an angle, and says so
-_EVEN = Fraction(1, 10**15)  # no system that computes in doubles can tell such margins apart
+TURNS = 2  # a quiz accepts angles within this many turns of zero, and says so
+_EVEN = Fraction(1, 10**15)  # no system that computes in doubles distinguishes such margins
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class RightInterval:
 
     @property
     def symmetric(self) -> bool:
-        """Whether the value stands in the middle, as far as double precision can see."""
+        """Whether the value is in the middle, within double precision."""
         below, above = self.value - self.low, self.high - self.value
         return abs(below - above) <= _EVEN * (below + above)
 
@@ -40,7 +40,7 @@ class RightInterval:
 
     @property
     def low_text(self) -> str:
-        """The lower bound; what must be rounded is rounded outwards, so that nothing right becomes
+        """The lower bound, rounded outwards where it must be, so that no right answer becomes
         wrong.
         """
         return decimal_text(self.low, "down")
@@ -52,13 +52,13 @@ class RightInterval:
 
     @property
     def margin_texts(self) -> tuple[str, str]:
-        """How far below and above the value as it is written the interval reaches."""
+        """How far the interval reaches below and above the value as it is written."""
         written = Fraction(self.value_text)
         return decimal_text(written - self.low, "up"), decimal_text(self.high - written, "up")
 
 
 def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
-    """The interval of the key first; of an angle also those whole turns away, as `turned` has
+    """The interval of the key first; for an angle also those whole turns away, as `turned` gives
     them.
     """
     return turned(RightInterval(ask.value, ask.low, ask.high), ask.period)
@@ -67,8 +67,8 @@ def right_intervals(ask: QuizAsk) -> tuple[RightInterval, ...]:
 def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInterval, ...]:
     """The interval first, then those whole turns away with a part within TURNS turns of zero.
 
-    Without a period it stands alone. A turn more or less than an angle within one turn of zero is
-    there.
+    Without a period there is one interval. For an angle within one turn of zero, one turn more and
+    one turn less are included.
     """
     if period is None:
         return (interval,)
@@ -86,7 +86,7 @@ def turned(interval: RightInterval, period: Fraction | None) -> tuple[RightInter
 
 
 def within_half_a_turn(ask: QuizAsk) -> RightInterval:
-    """The one interval whose value lies within half a turn of zero, where only one can be said."""
+    """The one interval whose value is within half a turn of zero, for systems that take one."""
     if ask.period is None:
         return RightInterval(ask.value, ask.low, ask.high)
     shift = -((ask.value + ask.period / 2) // ask.period) * ask.period

@@ -1,6 +1,6 @@
-"""Questions for Moodle (Question bank > Import > Moodle XML format), one paper after the other.
+"""Questions for Moodle (Question bank > Import > Moodle XML format), one paper after another.
 
-`moodle_xml_questions` lays them out. Moodle's import adds questions and never replaces any.
+`moodle_xml_questions` writes them. Moodle's import adds questions and never replaces any.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from kinegrade.lms.quiz.moodle_xml_questions import (
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n'
 FOOT = "</quiz>\n"
 MILLION = 10**6
-# MB that a site takes in one upload, unless it says otherwise; also far below what stops the import
+# MB that a site takes in one upload by default; also far below what stops the import
 USUAL_LIMIT = 2
 LARGE = (
     "moodle-xml: the file has {} MB, and many sites take no more than 2 MB in one upload - add "
@@ -34,30 +34,30 @@ LARGE = (
 )
 PARTS = tuple(f"quiz-{number}.xml" for number in range(1, 10000))
 TOO_LARGE = (
-    "quiz: paper {} takes {} MB of Moodle XML alone - expected to fit into a file of {} MB - ask "
-    "for larger files with --split"
+    "quiz: paper {} alone takes {} MB of Moodle XML - expected to fit into a file of {} MB - give "
+    "--split a larger number"
 )
 SCALED = (
     "marks in Moodle are {} times the points, because a Cloze question has whole marks only; the "
-    "maximum grade of the quiz sets that right"
+    "maximum grade of the quiz corrects that"
 )
 POOLS = (
-    "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are worth "
-    "- set the mark of each there: {}"
+    "moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its variants are "
+    "worth - set the mark of each there: {}"
 )
 NO_ROUTE = (
-    "moodle-xml: the questions of a Moodle quiz are the same for everybody, so there is no way "
-    "to put every student's own paper - these categories serve to look at papers one by one - "
-    "put a pool with --variants 20, or set the exam with versions in the bank, a quiz for each"
+    "moodle-xml: the questions of a Moodle quiz are the same for all students, so it cannot give "
+    "each student their own paper - these categories serve to look at papers one by one - write a "
+    "pool with --variants 20, or set the exam with versions in the bank, a quiz for each"
 )
 
 
 def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False) -> list[str]:
-    """Write the questions of a quiz, with `force` over an existing plain file, and give what a
-    person should know.
+    """Writes the questions of a quiz, with `force` over an existing plain file; gives what the
+    instructor should know.
 
-    Raises ExportError for a quiz without papers and for credits that Moodle has no share for,
-    TypesetError for texts that cannot be shown, OutputError; then `target` is as it was.
+    Raises ExportError for a quiz without papers and for credits for which Moodle has no share,
+    TypesetError for texts that cannot be shown, OutputError; `target` is then unchanged.
     """
     with (
         output_file(target, force=force) as partial,
@@ -75,11 +75,11 @@ def write(quiz: Quiz, target: Path, *, form: Form = "cloze", force: bool = False
 def write_parts(
     quiz: Quiz, target: Path, megabytes: Fraction, *, form: Form = "cloze", force: bool = False
 ) -> list[str]:
-    """The same as a folder of files quiz-1.xml, quiz-2.xml ... of at most so many million bytes,
-    each complete.
+    """The same as a folder of files quiz-1.xml, quiz-2.xml ..., each complete and of at most
+    `megabytes` million bytes.
 
-    With `force` a folder of such files is replaced. Raises ExportError also for a paper that takes
-    more alone.
+    With `force` a folder of such files is replaced. Raises ExportError also for a paper that alone
+    takes more.
     """
     with output_folder(target, marker=PARTS[0], contents=PARTS, force=force) as folder:
         questions = _Questions(quiz, form)
@@ -89,7 +89,7 @@ def write_parts(
 
 
 def _parts(papers: Iterable[str], megabytes: Fraction) -> Iterator[bytes]:
-    """Whole files of as many papers as fit."""
+    """Complete files, each of as many papers as fit."""
     frame = len(HEAD) + len(FOOT)
     most, size = megabytes * MILLION - frame, 0
     waiting: list[bytes] = []
@@ -116,12 +116,12 @@ def _shown(size: Fraction | int) -> str:
 
 @dataclass
 class _Questions:
-    """The questions of a quiz, and what is seen of them while they are written."""
+    """The questions of a quiz, and what is noted of them while they are written."""
 
     quiz: Quiz
     form: Form
     scale: int = 1
-    owned: bool = False  # whether there are students' own papers
+    personal: bool = False  # whether any paper is a student's
     marks: dict[str, Fraction] = field(default_factory=dict)  # of the pools, by their names
 
     def papers(self) -> Iterator[str]:
@@ -130,7 +130,7 @@ class _Questions:
         first = next(papers, None)
         if first is None:
             raise ExportError(
-                "quiz: no paper - expected at least one - choose an exam that somebody sits"
+                "quiz: no paper - expected at least one - choose an exam that has students"
             )
         quiz = self.quiz
         sheet = sheet_of(quiz.language, self.form, quiz.title, quiz.identifier, first)
@@ -140,16 +140,16 @@ class _Questions:
             yield "".join(paper_questions(paper, sheet))
 
     def _look_at(self, paper: QuizPaper, sheet: Sheet) -> None:
-        self.owned = self.owned or bool(paper.student)
+        self.personal = self.personal or bool(paper.student)
         if not (paper.student or paper.name):
             for question in paper.questions:
                 self.marks.update(pool_marks(question, sheet))
 
     def remarks(self) -> list[str]:
-        """What is left to a person, once all is written."""
+        """What is left for the instructor to do, once all is written."""
         listed = ", ".join(f"{name} {decimal_text(mark)}" for name, mark in self.marks.items())
         return [
             *([SCALED.format(self.scale)] if self.scale > 1 else []),
             *([POOLS.format(listed)] if listed else []),
-            *([NO_ROUTE] if self.owned else []),
+            *([NO_ROUTE] if self.personal else []),
         ]

@@ -1,13 +1,13 @@
-"""The answers of a numerical question for Moodle: numbers with how far from them counts, and what
-share it earns.
+"""The answers of a numerical question for Moodle: numbers with their tolerances, and the share of
+the points that they earn.
 
-Moodle takes the first that fits, so what is right stands first, and what several mistakes lead to
-before what one does. It knows symmetric intervals only, closed at both ends; an interval that is
-not symmetric about the right number is given twice, as the part that is, so that Moodle shows the
-right number, and whole, about its middle.
+Moodle takes the first that fits, so what is right comes first, and what several mistakes lead to
+before what one does. Its intervals are symmetric and closed at both ends. An interval that is not
+symmetric about the right number is therefore given twice: its symmetric part, so that Moodle shows
+the right number, and the whole, about its middle.
 
 Moodle keeps fourteen significant digits of every number. Those written here have no more, and the
-room is rounded up so that nothing right is lost at either end.
+tolerance is rounded up so that nothing right is lost at either end.
 """
 
 from __future__ import annotations
@@ -54,10 +54,10 @@ SHARES = tuple(
     )
 )
 _GUARDS = str.maketrans({"}": r"\}", "#": r"\#", "~": "&#126;", "{": "&#123;", "\\": "&#92;"})
-NEAR = Fraction(1, 10**5)  # per cent: how near to one of its shares Moodle wants a share to be
+NEAR = Fraction(1, 10**5)  # per cent: how near a share must be to one of Moodle's
 KEPT_DIGITS = 14
-# Moodle makes a box of a Cloze question as wide as its longest number, which would tell the length
-# of the right one. This one is longer than any that Moodle keeps, and nobody types it.
+# Moodle makes a box of a Cloze question as wide as its longest number, which would give away the
+# length of the right one. This one is longer than any that Moodle keeps, and no student types it.
 WIDEST = "%0%-1.2345678901234E+300:0"
 
 
@@ -75,19 +75,19 @@ class MoodleAnswer:
 
 def moodle_answers(ask: QuizAsk) -> tuple[MoodleAnswer, ...]:
     """The answers of an ask in the order in which Moodle tries them. Raises ExportError for a share
-    it has not.
+    that Moodle does not have.
     """
     return (*_right(ask), *_wrong(ask))
 
 
 def cloze_field(ask: QuizAsk, mark: int) -> str:
-    """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that
-    has decimals there.
+    """The box of an ask inside the text of a Cloze question. Raises ExportError for a share that is
+    not a whole per cent.
     """
     answers = moodle_answers(ask)
     if any(answer.share.denominator != 1 for answer in answers):
         raise ExportError(
-            f"ask {ask.identifier}: a share of the points that is no whole per cent - expected "
+            f"ask {ask.identifier}: a share of the points that is not a whole per cent - expected "
             "one in Cloze questions - choose 50, 25 or 20 per cent, or --as numerical"
         )
     return f"{{{mark}:NUMERICAL:{'~'.join((*map(_alternative, answers), WIDEST))}}}"
@@ -121,7 +121,7 @@ def _wrong(ask: QuizAsk) -> Iterator[MoodleAnswer]:
 def _covering(
     about: Fraction, interval: RightInterval, share: Fraction, feedback: str = ""
 ) -> MoodleAnswer:
-    """The narrowest answer that Moodle keeps as it is written and that holds the whole interval."""
+    """The narrowest answer that Moodle keeps unchanged and that covers the whole interval."""
     value = rounded(about, "nearest", KEPT_DIGITS)
     room = max(value - interval.low, interval.high - value)
     return MoodleAnswer(value, rounded(room, "up", KEPT_DIGITS), share, feedback)
@@ -129,14 +129,13 @@ def _covering(
 
 @lru_cache(maxsize=256)
 def _share(credit: Fraction) -> Fraction:
-    """The share of Moodle's that a credit is."""
+    """The share in Moodle that equals a credit."""
     for share in SHARES:
         if abs(100 * credit - share) <= NEAR:
             return share
     raise ExportError(
         f"credit of {decimal_text(credit * 100)} per cent for known mistakes: Moodle has no such "
-        "share - "
-        f"expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one"
+        f"share - expected one of {', '.join(decimal_text(share) for share in SHARES)} - choose one"
     )
 
 
@@ -147,5 +146,5 @@ def _alternative(answer: MoodleAnswer) -> str:
 
 
 def _guarded(feedback: str) -> str:
-    """Feedback without what means something in a Cloze field."""
+    """Feedback with the characters escaped that have a meaning in a Cloze field."""
     return feedback.replace("&#x27;", "’").translate(_GUARDS)

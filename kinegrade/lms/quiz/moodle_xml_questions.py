@@ -3,10 +3,10 @@ answers.
 
 A mechanism is one Cloze question with a box for every ask, or a numerical question for each. There
 is a category for each paper, or for each question of the bank where variants are pooled, and for
-each ask of it where every ask is a question: a random question then draws variants of one thing.
+each of its asks where every ask is a question: a random question then draws variants of one thing.
 Marks in Cloze questions are whole numbers; where points are not, all marks of the quiz are the same
-multiple of them. Figures are embedded, formulas stand between `\(` and `\)`. `idnumber`s are the
-same whenever the same exam is written, so that what is there already can be told.
+multiple of them. Figures are embedded, formulas are enclosed in `\(` and `\)`. `idnumber`s are the
+same whenever the same exam is written, so questions that are in Moodle already can be recognised.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ from kinegrade.lms.quiz.typing_words import MOODLE
 
 Form = Literal["cloze", "numerical"]
 FIGURE = "figure.svg"
-BOX = "\x00"  # stands for a box while the text around it is guarded; no text holds it
+BOX = "\x00"  # stands for a box while the text around it is escaped; no text contains it
 LONGEST_NAME, LONGEST_IDENTIFIER = 200, 100  # characters
 MULTIPLIED = {
     "en": "The marks of this question are {} times its points.",
     "zh": "本题分值为所示分数的 {} 倍。",
 }
-_FIELD = re.compile(r"\{(?=#|[0-9]*:)")  # what Moodle would take for a box, or for the place of one
+_FIELD = re.compile(r"\{(?=#|[0-9]*:)")  # what Moodle would take for a box or its place
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Sheet:
     language: Language
     form: Form
     scale: int  # marks for a point
-    category: str  # in which those of the papers, or of the pools, stand; Moodle's mark-up
+    category: str  # the parent of those of the papers, or of the pools; in Moodle's mark-up
 
 
 def sheet_of(
@@ -54,8 +54,8 @@ def sheet_of(
 ) -> Sheet:
     """What holds for a quiz with that first paper; points are the same on all papers.
 
-    The exam's identifier keeps exams of one title apart, whose questions one random question would
-    draw else.
+    The exam's identifier separates exams with the same title; otherwise one random question would
+    draw from all of them.
     """
     match form:
         case "cloze":
@@ -65,12 +65,12 @@ def sheet_of(
             scale = 1
         case _:
             assert_never(form)
-    told = f" ({plain_html(identifier)})" if identifier else ""
-    return Sheet(language, form, scale, f"{_level(title)}{told}")
+    suffix = f" ({plain_html(identifier)})" if identifier else ""
+    return Sheet(language, form, scale, f"{_level(title)}{suffix}")
 
 
 def paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
-    """The categories and questions of a paper, one element after the other."""
+    """The categories and questions of a paper, one element after another."""
     owner = " · ".join(text for text in (paper.student, paper.name) if text)
     if owner:
         yield _category(sheet, [paper.code], owner)
@@ -79,9 +79,7 @@ def paper_questions(paper: QuizPaper, sheet: Sheet) -> Iterator[str]:
 
 
 def pool_marks(question: QuizQuestion, sheet: Sheet) -> Iterator[tuple[str, Fraction]]:
-    """What every pool of a question counts: its name as in the categories' names, and the mark of
-    one variant.
-    """
+    """The pools of a question, each with its name in the categories and the mark of one variant."""
     match sheet.form:
         case "cloze":
             yield question.question, question.points * sheet.scale
@@ -108,9 +106,7 @@ def _level(name: str) -> str:
 def _questions(
     question: QuizQuestion, paper: QuizPaper, sheet: Sheet, *, pooled: bool
 ) -> Iterator[str]:
-    """The question of a mechanism, or one for each of its asks; pools stand in categories of their
-    own.
-    """
+    """The question of a mechanism, or one for each of its asks; each pool has its own category."""
     pool = f"{question.question} {_plain_title(question)}"
     name = f"{paper.code} {pool}"
     tags = ["kinegrade", question.question, *([paper.code] if paper.student else [])]
@@ -144,7 +140,7 @@ def _numerical(
 
 
 def _cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
-    """The text with its boxes; nothing else in it looks like one."""
+    """The text with its boxes; nothing else in it looks like a box."""
     asks = "".join(
         _guarded(_asked(ask, sheet, BOX)).replace(
             BOX, cloze_field(ask, int(ask.points * sheet.scale))
@@ -163,12 +159,12 @@ def _cloze_text(question: QuizQuestion, sheet: Sheet) -> str:
 
 
 def _asked(ask: QuizAsk, sheet: Sheet, field: str = "") -> str:
-    """What is asked for, where the box stands, and which turns of an angle count."""
+    """What is asked for, the box, and which turns of an angle count."""
     return ask_html(ask, sheet.language, field) + warnings_html(ask, ask, WORDS[sheet.language])
 
 
 def _head(name: str, text: str, question: QuizQuestion) -> str:
-    """What all kinds of questions begin with: name, text with the figure, worked solution."""
+    """The beginning of questions of all kinds: name, text with the figure, worked solution."""
     return (
         f"<name><text>{_cut(name)}</text></name>\n"
         f'<questiontext format="html"><text>{_data(text)}</text>{_file(question)}</questiontext>\n'
@@ -219,7 +215,7 @@ def _plain_title(question: QuizQuestion) -> str:
 
 
 def _cut(name: str) -> str:
-    """A name of a length that Moodle keeps whole."""
+    """A name cut to the length that Moodle keeps."""
     return plain_html(name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…")
 
 

@@ -1,8 +1,8 @@
 """Packages as learning management systems take them: zip files whose bytes depend on nothing but
-what is in them.
+their contents.
 
-Entries go to disk one by one; in memory stays only the zip's own directory, some hundred bytes for
-each.
+Entries are written to disk one by one; only the zip's directory stays in memory, some hundred bytes
+for each.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from typing import IO
 from kinegrade.errors import ExportError
 from kinegrade.files import output_file
 
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest a zip can say
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,79}", re.ASCII)
 _UNFIT = re.compile(r"[^A-Za-z0-9_-]+", re.ASCII)
 
 
 def stable_name(identifier: str) -> str:
-    """An identifier that XML, file systems and URLs take: itself where it is one, else made of it,
-    always the same.
+    """An identifier that XML, file systems and URLs accept: unchanged where it is one, otherwise
+    always the same one made from it.
 
     >>> stable_name("exam1-q1.v_B"), stable_name("../a b")
     ('exam1-q1.v_B', 'i_a_b-2c2c791a06')
@@ -39,7 +39,7 @@ def stable_name(identifier: str) -> str:
 
 
 def pool_name(exam: str) -> str:
-    """The name of an exam's pool, which is of the exam alone and of none of its variants.
+    """The name of an exam's pool, which depends on the exam alone, not on its variants.
 
     >>> pool_name("4f0b")
     'pool-4f0b'
@@ -60,8 +60,8 @@ class Package:
             entry.write(content)
 
     def copy(self, name: str, stream: IO[bytes]) -> None:
-        """Writes an entry from the beginning of a stream, piece by piece. Raises ExportError as
-        `add` does.
+        """Writes the whole of a stream as an entry, piece by piece. Raises ExportError as `add`
+        does.
         """
         stream.seek(0)
         with self._entry(name) as entry:
@@ -71,7 +71,7 @@ class Package:
         if name in self._names:
             raise ExportError(
                 f'quiz: the name "{name}" stands for two things - expected one for each paper and '
-                "question - set the exam anew"
+                "question - set the exam again"
             )
         self._names.add(name)
         entry = zipfile.ZipInfo(name, FIRST_DATE)

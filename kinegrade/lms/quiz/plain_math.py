@@ -125,7 +125,7 @@ _BLANKS = re.compile(r"\s+")
 def plain_math(latex: str, where: str = "text") -> str:
     r"""A formula in one line of plain text.
 
-    Raises TypesetError where it holds anything but the math that every press prints.
+    Raises TypesetError where it contains anything but the math that every typesetter prints.
 
     >>> plain_math(r"v_B = \frac{2\sqrt{3}}{3}\,\unit{m/s^2}"), plain_math(r"30^\circ")
     ('v_B = (2√3)/3 m/s²', '30°')
@@ -137,7 +137,7 @@ def plain_math(latex: str, where: str = "text") -> str:
 
 
 def _sequence(tokens: Iterator[str]) -> str:
-    """All that stands up to the closing brace."""
+    """The text up to the closing brace."""
     written = ""
     for token in tokens:
         if token == "}":

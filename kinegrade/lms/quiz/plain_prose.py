@@ -16,7 +16,7 @@ _BLANKS = re.compile(r"[\s\u2028\u2029]+")
 
 
 def one_plain_line(text: str) -> str:
-    r"""Plain text without line breaks, tabs and whatever XML cannot hold.
+    r"""Plain text without line breaks, tabs and characters that XML does not allow.
 
     >>> one_plain_line("a\tb\n\x00c")
     'a b c'
@@ -26,8 +26,8 @@ def one_plain_line(text: str) -> str:
 
 @lru_cache(maxsize=256)
 def plain_prose(markdown: str, where: str = "text", *, inline: bool = False) -> str:
-    """Markdown with `$...$` math in one line; `inline`: it is one line already. Raises
-    TypesetError.
+    """Markdown with `$...$` math in one line of plain text; `inline` where it is one line already.
+    Raises TypesetError.
 
     >>> plain_prose("The **crank** $OA$ turns.\\n\\nFind $v_B$.")
     'The crank OA turns. Find v_B.'

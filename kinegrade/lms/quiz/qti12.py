@@ -1,9 +1,9 @@
 """Quizzes as QTI 1.2 packages for Canvas, Classic and New Quizzes: a numerical question for every
 ask.
 
-Canvas knows no question of several numbers, so every ask has its own with the statement and the
-figure. A paper is an assessment; pooled questions are one assessment that draws, for every ask, one
-of the variants.
+Canvas has no question with several numbers, so every ask is a question with the statement and the
+figure. A paper is an assessment; pooled questions are one assessment that draws one of the variants
+for every ask.
 """
 
 from __future__ import annotations
@@ -36,12 +36,11 @@ HEAD = (
 )
 FOOT = "</section>\n</assessment>\n</questestinterop>\n"
 FOR_ONE = (
-    "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - assign "
-    "each quiz to its students, and to nobody else, before you publish it"
+    "qti12: every paper is a quiz of its own, which no student sees until it is assigned - assign "
+    "each quiz to its students, and to no others, before you publish it"
 )
 DRAWN_APART = (
-    "qti12: Canvas draws every question by itself - the asks of one mechanism may come with "
-    "different "
+    "qti12: Canvas draws every question by itself - the asks of one mechanism may have different "
     "numbers, each complete in itself - write papers instead of variants to keep them together"
 )
 UNEVEN = (
@@ -51,11 +50,11 @@ UNEVEN = (
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the package, with `force` over an existing plain file; what an instructor should know
-    about it, a line each.
+    """Writes the package, with `force` over an existing plain file; gives what the instructor
+    should know about it, one line for each point.
 
-    Raises ExportError with everything that Canvas cannot keep, OutputError; then `target` is as it
-    was.
+    Raises ExportError with everything that Canvas cannot keep, OutputError; `target` is then
+    unchanged.
     """
     with (
         package(target, force=force) as parts,
@@ -66,7 +65,7 @@ def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
 
 
 class _Writer:
-    """What is at hand while papers come one after another."""
+    """The state while papers are written one after another."""
 
     def __init__(self, quiz: Quiz, parts: Package, groups: Groups, manifest: Manifest) -> None:
         self._quiz, self._parts, self._groups, self._manifest = quiz, parts, groups, manifest
@@ -113,7 +112,7 @@ class _Writer:
     def _items(
         self, question: QuizQuestion, *, pooled: bool
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
-        """The items of a question, whose figure goes into the package first."""
+        """The items of a question; its figure is written into the package first."""
         found = numerical_items(question, self._asking, solution_with_each=pooled)
         if question.figure is not None and found:
             place = picture_name(question)

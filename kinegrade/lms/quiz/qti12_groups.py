@@ -1,5 +1,5 @@
 """Pooled questions of QTI 1.2: for every ask a group of variants, kept on disk until all papers
-have been seen.
+have been read.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ FOOT = "</section>\n"
 
 
 class Groups:
-    """Variants by question and ask, in the order in which these were first met; a context, for its
-    temporary files.
+    """Variants by question and ask, in the order of their first appearance; a context manager, for
+    its temporary files.
     """
 
     def __init__(self, identifier: str) -> None:
@@ -40,7 +40,7 @@ class Groups:
             stream.close()
 
     def add(self, place: tuple[str, str], item: NumericalItem) -> Fraction:
-        """Appends a variant; what the first one of its group is worth."""
+        """Appends a variant; gives the points of the first one in its group."""
         if place not in self._first:
             self._first[place] = item
             self._streams[place] = TemporaryFile()  # noqa: SIM115 - closed on leaving the context
@@ -53,7 +53,7 @@ class Groups:
 
     @property
     def points(self) -> Fraction:
-        """What one variant of each is worth together."""
+        """The points of one variant of each group, added up."""
         return sum((item.points for item in self._first.values()), Fraction(0))
 
     def write(self, target: IO[bytes]) -> None:

@@ -1,4 +1,4 @@
-"""A numerical question of QTI 1.2 as Canvas writes it itself, which Classic and New Quizzes both
+"""A numerical question of QTI 1.2 as Canvas itself writes it, which Classic and New Quizzes both
 read.
 """
 
@@ -13,8 +13,8 @@ from kinegrade.lms.quiz.intervals import RightInterval
 from kinegrade.lms.quiz.xml_text import Xml, element
 
 RESPONSE = "response1"
-HAIR = Fraction(1, 10**12)  # of the larger bound: more than doubles lose, less than anybody types
-SOLUTION = "general_fb"  # the name by which Canvas knows feedback that comes whatever the answer
+HAIR = Fraction(1, 10**12)  # of the larger bound: more than doubles lose, less than students type
+SOLUTION = "general_fb"  # Canvas's name of the feedback that is shown whatever the answer
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def _processing(item: NumericalItem) -> Xml:
 
 
 def _conditions(item: NumericalItem) -> Iterator[Xml]:
-    """The solution whatever the answer, then all points for what lies in one of the intervals."""
+    """The solution whatever the answer, then all points for a number in one of the intervals."""
     if item.solution:
         shown = element("displayfeedback", feedbacktype="Response", linkrefid=SOLUTION)
         yield element(
@@ -94,8 +94,8 @@ def _conditions(item: NumericalItem) -> Iterator[Xml]:
 
 
 def _condition(interval: RightInterval) -> Iterator[Xml]:
-    """An answer with its margin where that is even; Canvas and New Quizzes would take different
-    ones of two.
+    """An answer with its margin where the interval is symmetric; of two different margins, Canvas
+    and New Quizzes would not use the same one.
     """
     if interval.symmetric:
         exact = element("varequal", interval.value_text, respident=RESPONSE)
@@ -113,10 +113,10 @@ def _bounds(low: str, high: str) -> tuple[Xml, Xml]:
 
 
 def _hair_lower(interval: RightInterval) -> str:
-    """The lower bound a hair below where it is; Classic Quizzes take the margin from the upper one.
+    """The lower bound, lowered by a hair; Classic Quizzes take the margin from the upper one.
 
-    New Quizzes take the margin as the answer less the lower bound, in doubles, which loses every
-    third right answer at an edge. An exact answer has no margin, and nothing to lose.
+    New Quizzes compute the margin as the answer minus the lower bound, in doubles, which would lose
+    every third right answer at a bound. An exact answer has no margin, and loses nothing.
     """
     if interval.low == interval.high:
         return interval.low_text

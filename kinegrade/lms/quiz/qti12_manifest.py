@@ -1,5 +1,5 @@
-"""What stands around the quizzes of a package for Canvas: the resources of its manifest, and the
-data of each quiz.
+"""What surrounds the quizzes of a package for Canvas: the resources of its manifest, and the
+settings of each quiz.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 def quiz_meta(identifier: str, title: str, points: Fraction, *, assigned: bool) -> bytes:
     """The `assessment_meta.xml` of a quiz: graded, one attempt, in the order given.
 
-    One that is `assigned` is seen by nobody but those whom a person assigns it to; any other by the
-    whole course.
+    An `assigned` quiz is visible only to the students to whom the instructor assigns it; any other
+    to the whole course.
     """
     texts = {
         "title": title,

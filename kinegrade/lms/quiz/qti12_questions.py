@@ -1,8 +1,8 @@
-"""From a question with several asks to numerical questions that Canvas keeps: one for each,
+"""From a question with several asks to numerical questions that Canvas can hold: one for each ask,
 complete in itself.
 
-Each ends in its column of the answer sheet, like [q1.v_B], by which `kinegrade grade --from canvas`
-knows it again.
+Each ends with its column of the answer sheet, like [q1.v_B], by which `kinegrade grade --from
+canvas` recognises it.
 """
 
 from __future__ import annotations
@@ -31,27 +31,24 @@ NO_BANDS = (
     "were left out - give them with kinegrade grade, from the students' responses"
 )
 CHANGED = (
-    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, of the whole "
-    "class, because that is too coarse for some answers"
+    "qti12: Canvas keeps four decimals - {} is asked for in {} instead of {}, in the whole class, "
+    "because that is too coarse for some answers"
 )
 TOO_FINE = (
     "{}: {} = {} {}, right from {} to {}, is no longer right with the four decimals that Canvas "
-    "keeps - expected an "
-    'answer that is - set the exam with lms = "canvas" in the bank, which refuses such draws, or '
-    "allow more"
+    'keeps - expected an answer that is - set the exam with lms = "canvas" in the bank, which '
+    "refuses such draws, or allow a wider tolerance"
 )
 EDGES = (
-    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the edge of "
-    "what is right may be "
-    "marked the other way there - mark with kinegrade grade, from the students' responses"
+    "qti12: Canvas keeps four decimals, too few for {} on some papers: an answer near the limit of "
+    "the tolerance may be marked the other way there - mark with kinegrade grade, from the "
+    "students' responses"
 )
 
 
 @dataclass(frozen=True)
 class Asking:
-    """What holds for all questions of a quiz: their language, the class's units, and where remarks
-    go.
-    """
+    """What holds for all questions of a quiz: the language, the class's units, and the remarks."""
 
     language: Language
     units: ClassUnits
@@ -61,8 +58,8 @@ class Asking:
 def numerical_items(
     question: QuizQuestion, asking: Asking, *, solution_with_each: bool
 ) -> list[tuple[QuizAsk, NumericalItem]]:
-    """The question's asks, each with its item; what cannot be said is left out and stands in the
-    remarks.
+    """The question's asks, each with its item; what Canvas cannot express is left out and reported
+    in the remarks.
     """
     try:
         text = question_html(question, FILES + picture_name(question), CANVAS, asking.language)
@@ -79,7 +76,7 @@ def numerical_items(
 
 
 def picture_name(question: QuizQuestion) -> str:
-    """Where the question's figure stands in the package."""
+    """The name of the question's figure in the package."""
     return f"images/{stable_name(question.identifier)}.svg"
 
 
@@ -107,7 +104,7 @@ def _item(question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking) -> Nu
 
 
 def _remark(place: str, on_paper: QuizAsk, now: QuizAsk, remarks: Remarks) -> None:
-    """What Canvas cannot do, or does in another unit."""
+    """Reports what Canvas cannot do, or asks in another unit."""
     if on_paper.mistakes:
         remarks.complain(NO_BANDS)
     if now.unit != on_paper.unit:

@@ -24,9 +24,8 @@ HEAD = (
 )
 FOOT = "</resources>\n</manifest>\n"
 MATH = (
-    r"qti21: formulas are LaTeX between \( and \) - a platform that sets no LaTeX shows them as "
-    r"typed - "
-    "look at one question there before the exam"
+    r"qti21: formulas are LaTeX between \( and \) - a platform that does not render LaTeX shows "
+    "them as typed - look at one question there before the exam"
 )
 CANVAS = (
     "qti21: Canvas turns these questions into texts to be matched and drops the tolerance - "
@@ -35,18 +34,18 @@ CANVAS = (
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[str]:
-    """Writes the package, with `force` over an existing plain file; what an instructor should know
-    about it, a line each.
+    """Writes the package, with `force` over an existing plain file; gives what the instructor
+    should know about it, one line for each point.
 
-    Raises ExportError with every text that cannot be shown, OutputError; then `target` is as it
-    was.
+    Raises ExportError with every text that cannot be shown, OutputError; `target` is then
+    unchanged.
     """
     with package(target, force=force) as parts, Manifest(HEAD, FOOT) as manifest:
         return _Writer(quiz, parts, manifest).write()
 
 
 class _Writer:
-    """What is at hand while papers come one after another."""
+    """The state while papers are written one after another."""
 
     def __init__(self, quiz: Quiz, parts: Package, manifest: Manifest) -> None:
         self._quiz, self._parts, self._manifest = quiz, parts, manifest
@@ -81,7 +80,7 @@ class _Writer:
             )
 
     def _item(self, question: QuizQuestion) -> bool:
-        """Writes the question and its figure; whether its texts could be shown."""
+        """Writes the question and its figure; gives whether its texts could be shown."""
         name = stable_name(question.identifier)
         picture = f"images/{name}.svg"
         try:

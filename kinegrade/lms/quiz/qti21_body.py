@@ -1,4 +1,4 @@
-"""HTML as QTI 2.1 takes it: of the attributes only those that its schema knows."""
+"""HTML as QTI 2.1 takes it: with only those attributes that its schema allows."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ATTRIBUTE = re.compile(r' ([A-Za-z-]+)="[^"]*"')
 
 
 def flow(html: str) -> Xml:
-    """The paragraphs, lists and tables of well-formed HTML, without styles and numbering of lists.
+    """The paragraphs, lists and tables of well-formed HTML, without styles and list numbering.
 
     >>> flow('<ol start="3"><li>x</li></ol>')
     '<ol><li>x</li></ol>'

@@ -34,7 +34,7 @@ BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 
 def item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
-    """The item's file; the figure stands at the address `picture`. Raises TypesetError."""
+    """The item's file; `picture` is the address of the figure. Raises TypesetError."""
     title = plain_prose(question.title, question.question, inline=True)
     parts = on_lines(
         (

@@ -34,7 +34,7 @@ def mistake_name(place: int, mistake: int) -> str:
 
 def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
     """Responses with the right numbers, then the outcomes: feedback, points of each ask, total and
-    what it can be.
+    maximum.
     """
     for place, ask in enumerate(asks, start=1):
         right = element("correctResponse", element("value", decimal_text(ask.value)))
@@ -56,7 +56,7 @@ def declarations(asks: tuple[QuizAsk, ...]) -> Iterator[Xml]:
 
 
 def processing(asks: tuple[QuizAsk, ...], *, solved: bool) -> Xml:
-    """The conditions of all asks, the total, and the solution if there is one to be shown."""
+    """The conditions of all asks, the total, and the solution where it is to be shown."""
     rules = [_condition(place, ask) for place, ask in enumerate(asks, start=1)]
     points = (
         element("variable", identifier=points_name(place)) for place in range(1, len(asks) + 1)
@@ -80,7 +80,7 @@ def _number(name: str, default: Fraction, most: Fraction) -> Xml:
 
 
 def _condition(place: int, ask: QuizAsk) -> Xml:
-    """Right, or else the known mistakes that the answer shows."""
+    """Right, or else the known mistakes that lead to the answer."""
     branches = [
         element("responseIf", _any(place, right_intervals(ask)), _points(place, ask.points))
     ]
@@ -98,7 +98,7 @@ def _any(place: int, intervals: tuple[RightInterval, ...]) -> Xml:
 
 
 def _equal(place: int, interval: RightInterval) -> Xml:
-    """The test for a closed interval, which may reach further on one side."""
+    """The test for a closed interval, which may extend further on one side of the value."""
     margins = interval.margin_texts
     mode = (
         {"toleranceMode": "exact"}

@@ -1,4 +1,4 @@
-"""A question as HTML, as far as Canvas and QTI 2.1 share it."""
+"""A question as HTML: the parts that Canvas and QTI 2.1 share."""
 
 from __future__ import annotations
 
@@ -12,9 +12,7 @@ from kinegrade.lms.quiz.typing_words import Typing, rules
 
 
 def question_html(question: QuizQuestion, picture: str, typing: Typing, language: Language) -> str:
-    """The statement, its figure, which stands at the address `picture`, and the rules. Raises
-    TypesetError.
-    """
+    """The statement, its figure at the address `picture`, and the rules. Raises TypesetError."""
     figure = figure_html(question.figure, picture) if question.figure is not None else ""
     return (
         prose_html(question.statement, question.question)
@@ -35,8 +33,8 @@ def _rules_html(text: str) -> str:
 
 
 def warnings_html(asked: QuizAsk, on_paper: QuizAsk, words: QuestionWords) -> str:
-    """What to mind: a unit that is not that of the paper, turns that may be added; "" where there
-    is nothing.
+    """What students must note: a unit that differs from the paper's, turns that may be added; ""
+    where there is nothing.
     """
     lines = []
     if asked.unit != on_paper.unit:

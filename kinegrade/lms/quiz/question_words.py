@@ -1,5 +1,5 @@
-"""What has to be said beside a question where a system cannot do all that the exam does; plain text
-and HTML alike.
+"""Notes beside a question where a system cannot do all that the exam does; for plain text and for
+HTML.
 """
 
 from __future__ import annotations

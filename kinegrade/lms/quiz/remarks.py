@@ -1,6 +1,4 @@
-"""What a person must know about a quiz file that was written, and what keeps one from being
-written.
-"""
+"""What the instructor must know about a quiz file that was written, and what prevents a file."""
 
 from __future__ import annotations
 
@@ -10,8 +8,8 @@ MOST_SHOWN = 40
 
 
 class Remarks:
-    """Complaints and faults, each said once however many papers it is about, in the order they were
-    met.
+    """Complaints and faults in the order in which they were found, each once, however many papers
+    it is about.
     """
 
     def __init__(self) -> None:
@@ -21,15 +19,15 @@ class Remarks:
 
     @property
     def complaints(self) -> list[str]:
-        """What was left out or must be done by hand, a line each."""
+        """What was left out or must be done by hand, one line for each."""
         return list(self._complaints)
 
     def complain(self, line: str) -> None:
-        """Something that an instructor should know about the file."""
+        """Adds something that the instructor should know about the file."""
         self._complaints[line] = None
 
     def refuse(self, line: str) -> None:
-        """Something that cannot be said in this format, so that no file is written."""
+        """Adds something that this format cannot express, so that no file is written."""
         if line in self._faults:
             return
         if len(self._faults) < MOST_SHOWN:
@@ -38,7 +36,7 @@ class Remarks:
             self._hidden += 1
 
     def refuse_texts(self, fault: TypesetError) -> None:
-        """Texts that cannot be shown faithfully."""
+        """Adds texts that cannot be shown faithfully."""
         for line in fault.problems:
             self.refuse(line)
 

@@ -1,10 +1,10 @@
 """How a number is typed, system by system: what each of them reads differently from what a paper
 allows.
 
-Measured in the systems themselves. Moodle: a comma, a superscript, a typographic minus or a
-full-width digit earns nothing, a unit is dropped unread; the decimal point is right in every
-language of it. Canvas reads by the user's locale, in which 1.293 may be 1293, keeps four decimals,
-and has no unit beside its box.
+Tested in the systems themselves. Moodle: a comma, a superscript, a typographic minus or a
+full-width digit earns nothing, a unit is ignored; the decimal point is right in all its languages.
+Canvas reads numbers in the user's locale, in which 1.293 may be 1293, keeps four decimals, and
+shows no unit beside its box.
 """
 
 from __future__ import annotations

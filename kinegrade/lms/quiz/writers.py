@@ -1,8 +1,9 @@
-"""Every form a quiz can be written in, by name: one function each, from a quiz and a file's path to
-remarks.
+"""Every format in which a quiz can be written, by name: one function each, from a quiz and a file's
+path to remarks.
 
-A writer takes papers one after the other, writes the file whole or not at all, and gives what an
-instructor should know, a line each. A new system is a function more, and its name here.
+A writer takes papers one after another, writes the file whole or not at all, and gives what the
+instructor should know, one line for each point. A new system needs one more function, and its name
+here.
 """
 
 from __future__ import annotations

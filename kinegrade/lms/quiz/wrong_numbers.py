@@ -1,9 +1,9 @@
 """What wrong numbers show: the known mistakes that lead to them, all of them where several lead to
 one number.
 
-A system that takes the first of its answers that fits would name one mistake alone where two lead
-close to each other. So every set of mistakes that lead to some number together stands here with
-what they have in common.
+A system that takes the first answer that fits would name only one mistake where two lead to nearly
+the same number. So every set of mistakes that lead to some number together is listed here with the
+interval that they share.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from kinegrade.lms.quiz.intervals import RightInterval, turned
 
 @dataclass(frozen=True)
 class WrongNumbers:
-    """Mistakes that lead to the same numbers, and these: one interval, or one for each turn of an
-    angle.
+    """Mistakes that lead to the same numbers, and those numbers: one interval, or one for each turn
+    of an angle.
     """
 
     mistakes: tuple[QuizMistake, ...]
@@ -34,7 +34,7 @@ class WrongNumbers:
 
 @dataclass(frozen=True)
 class _Lead:
-    """One interval that a mistake leads to; `mistake` is its place among the ask's."""
+    """One interval that a mistake leads to; `mistake` is its index among the ask's."""
 
     mistake: int
     interval: RightInterval
@@ -44,8 +44,8 @@ class _Lead:
 
 
 def wrong_numbers(ask: QuizAsk) -> tuple[WrongNumbers, ...]:
-    """The sets of mistakes that some number shows; the first set whose intervals hold a number
-    names all that lead to it.
+    """The sets of mistakes that some number shows; the first set whose intervals contain a number
+    names all the mistakes that lead to it.
 
     What two sets have in common belongs to a larger one, and larger ones come first.
     """
@@ -72,7 +72,7 @@ def _leads(ask: QuizAsk) -> list[_Lead]:
 
 
 def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
-    """Those that overlap, directly or by others between them; as a rule each stands alone."""
+    """Groups that overlap, directly or through others; usually each interval is alone."""
     cluster: list[_Lead] = []
     for lead in leads:
         if cluster and lead.interval.low > max(each.interval.high for each in cluster):
@@ -84,8 +84,8 @@ def _clusters(leads: Sequence[_Lead]) -> Iterator[list[_Lead]]:
 
 
 def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
-    """Every set of leads that hold some number together: an end of an interval, or one between two
-    ends.
+    """Every set of leads that contain some number together: an end of an interval, or a number
+    between two ends.
     """
     if len(cluster) == 1:
         return [tuple(cluster)]
@@ -99,7 +99,7 @@ def _sets(cluster: Sequence[_Lead]) -> list[tuple[_Lead, ...]]:
 
 
 def _shared(together: Sequence[_Lead]) -> RightInterval:
-    """What the intervals of all of them hold."""
+    """The interval that all of them share."""
     if len(together) == 1:
         return together[0].interval
     low = max(lead.interval.low for lead in together)

@@ -1,6 +1,4 @@
-"""XML written piece by piece: texts are escaped, what is XML already is not, and no tree is
-kept.
-"""
+"""XML written piece by piece: texts are escaped, what is already XML is not; no tree is kept."""
 
 from __future__ import annotations
 
@@ -20,8 +18,8 @@ class Xml(str):
 
 
 def element(tag: str, *children: str, **attributes: str) -> Xml:
-    """An element of texts and elements; a trailing underscore of an attribute's name is not part of
-    it.
+    """An element of texts and elements; a trailing underscore is dropped from the name of an
+    attribute.
 
     >>> print(element("p", "a < b", element("br"), class_='"x"'))
     <p class="&quot;x&quot;">a &lt; b<br/></p>
@@ -34,12 +32,12 @@ def element(tag: str, *children: str, **attributes: str) -> Xml:
 
 
 def _quotable(value: str) -> str:
-    """An attribute's value; most need nothing done to them."""
+    """An attribute's value, escaped; most need no change."""
     return escape(value, _QUOTED) if _SPECIAL.search(value) else value
 
 
 def on_lines(elements: Iterable[Xml]) -> Xml:
-    """Elements each on a line of its own, where blanks between elements mean nothing."""
+    """Elements, each on its own line, where white space between elements has no meaning."""
     return Xml("".join(f"\n{one}" for one in elements) + "\n")
 
 

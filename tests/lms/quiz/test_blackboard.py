@@ -65,9 +65,8 @@ def test_an_uneven_interval_stands_about_its_middle_and_that_is_said(tmp_path: P
     fields, complaints = one_ask(a_quiz.UNEVEN, tmp_path)
     assert fields[2:] == ["10.75", "1.75"]
     assert (
-        "blackboard: q1.v_E is not in the middle of what is right - the middle stands there as the "
-        "answer, so that "
-        "the tolerance is exactly the exam's - tell the students the answer from the key"
+        "blackboard: q1.v_E is not in the middle of what counts as right - the middle is given "
+        "there as the answer, so that the tolerance is exactly the exam's - tell the students the answer from the key"
     ) in complaints
 
 
@@ -96,8 +95,10 @@ def test_the_figure_is_on_a_students_paper_but_pooled_questions_have_none(tmp_pa
     assert "(The figure is on your paper.)" in fields[1]
     write(many(1), tmp_path / "pool.txt")
     assert "figure" not in (tmp_path / "pool.txt").read_text("utf-8")
-    assert complaints[0].startswith("blackboard: its text upload carries no figures")
-    assert complaints[-1] == "blackboard: points do not travel - set them there: q1.v_B 2.5"
+    assert complaints[0].startswith("blackboard: its text upload has no figures")
+    assert (
+        complaints[-1] == "blackboard: its text upload has no points - set them there: q1.v_B 2.5"
+    )
 
 
 def test_more_questions_than_blackboard_takes_are_refused(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ def test_the_whole_class_is_asked_in_the_same_unit(tmp_path: Path) -> None:
     exam = set_exam(tmp_path, SPEED, STUDENTS[0])
     assert sorted(right_answers(exam, "v_y")) == [0.004, 2]
     put = kinegrade("quiz", exam, "--to", "qti12", "-o", tmp_path / "quiz.zip")
-    assert "q1.v_y is asked for in mm/s instead of m/s, of the whole class" in put.stderr
+    assert "q1.v_y is asked for in mm/s instead of m/s, in the whole class" in put.stderr
     quizzes = [text for text in files_of(tmp_path / "quiz.zip").values() if "<item " in text]
     assert [re.findall(r"\? (\S+) \(1 point\)", text) for text in quizzes] == [["mm/s"]] * 2
     assert ["mm/s here, not m/s" in text for text in quizzes] == [True, True]

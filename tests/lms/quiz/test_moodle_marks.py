@@ -191,8 +191,8 @@ def test_exams_of_one_title_do_not_share_their_pools(small_class: Path, tmp_path
 def test_the_mark_of_each_pool_is_said(tmp_path: Path) -> None:
     *_, cloze = write(pooled(), tmp_path / "cloze.xml")
     assert cloze == (
-        "moodle-xml: a random question comes into a quiz at mark 1, whatever its variants are "
-        "worth - set the mark of each there: q1 17, q2 10"
+        "moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its variants "
+        "are worth - set the mark of each there: q1 17, q2 10"
     )
     *_, numerical = write(pooled(), tmp_path / "numerical.xml", form="numerical")
     assert numerical.endswith(
@@ -210,7 +210,7 @@ def test_a_pool_of_numerical_questions_draws_variants_of_one_ask(tmp_path: Path)
 
 
 def test_that_moodle_has_no_way_to_put_own_papers_is_said(tmp_path: Path) -> None:
-    no_route = "moodle-xml: the questions of a Moodle quiz are the same for everybody"
+    no_route = "moodle-xml: the questions of a Moodle quiz are the same for all students"
     assert any(line.startswith(no_route) for line in write(quiz(), tmp_path / "own.xml"))
     versions = [replace(paper, student="", name="Version A") for paper in quiz().papers]
     for name, put in (("pool", pooled()), ("versions", replace(quiz(), papers=versions))):

@@ -240,7 +240,7 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
     assert "4 times its points" in question.text
     assert remarks[:1] == [
         "marks in Moodle are 4 times the points, because a Cloze question has whole marks only; "
-        "the maximum grade of the quiz sets that right"
+        "the maximum grade of the quiz corrects that"
     ]
     remarks = write(of_asks(*asks), target, form="numerical", force=True)
     assert not any("times the points" in remark for remark in remarks)
@@ -318,7 +318,8 @@ def test_credits_that_moodle_does_not_know_are_refused(target: Path) -> None:
     ):
         write(of_asks(credited(Fraction(33, 100))), target)
     with pytest.raises(
-        ExportError, match="v_B: a share of the points that is no whole per cent - expected one in"
+        ExportError,
+        match="v_B: a share of the points that is not a whole per cent - expected one in",
     ):
         write(of_asks(credited(Fraction(1, 3))), target)
     assert not list(target.parent.iterdir())
@@ -327,7 +328,7 @@ def test_credits_that_moodle_does_not_know_are_refused(target: Path) -> None:
 def test_an_empty_quiz_is_refused(target: Path) -> None:
     with pytest.raises(
         ExportError,
-        match="quiz: no paper - expected at least one - choose an exam that somebody sits",
+        match="quiz: no paper - expected at least one - choose an exam that has students",
     ):
         write(Quiz("en", "", "", ()), target)
 

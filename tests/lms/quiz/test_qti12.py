@@ -272,7 +272,7 @@ def test_an_answer_whose_unit_has_no_finer_one_is_refused_with_all_others(tmp_pa
         "exam-P-q1: ω_AB = 0.00004 rad/s, right from 0.0000392 to 0.0000408, is no longer right "
         "with the "
         "four decimals that Canvas keeps - expected an answer that is - set the exam with lms = "
-        '"canvas" in the bank, which refuses such draws, or allow more'
+        '"canvas" in the bank, which refuses such draws, or allow a wider tolerance'
     )
     assert second.startswith("exam-P-q2: A = 0.00004 m^2, ")
     assert list(tmp_path.iterdir()) == []
@@ -304,7 +304,7 @@ def test_answers_that_may_be_lost_at_an_edge_are_named(tmp_path: Path) -> None:
     ask = a_quiz.relative("omega", Fraction("0.0055"), unit="rad/s", share=Fraction(1, 100))
     assert write(one_ask(ask), tmp_path / "quiz.zip")[0] == (
         "qti12: Canvas keeps four decimals, too few for q1.omega on some papers: an answer near "
-        "the edge of what is right may be marked the other way there - mark with kinegrade "
+        "the limit of the tolerance may be marked the other way there - mark with kinegrade "
         "grade, from the students' responses"
     )
 
@@ -407,10 +407,10 @@ def test_what_was_left_out_and_what_is_to_be_done_is_said(tmp_path: Path) -> Non
     assert write(a_quiz.quiz(), tmp_path / "quiz.zip") == [
         "qti12: Canvas gives a number all points or none - credit and comments for known "
         "mistakes were left out - give them with kinegrade grade, from the students' responses",
-        "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s, of the "
+        "qti12: Canvas keeps four decimals - q2.v_F is asked for in mm/s instead of m/s, in the "
         "whole class, because that is too coarse for some answers",
-        "qti12: every paper is a quiz of its own, which nobody sees until it is assigned - "
-        "assign each quiz to its students, and to nobody else, before you publish it",
+        "qti12: every paper is a quiz of its own, which no student sees until it is assigned - "
+        "assign each quiz to its students, and to no others, before you publish it",
     ]
     assert "CORIOLIS" not in listing(tmp_path / "quiz.zip").upper()
 

@@ -35,7 +35,7 @@ def test_an_error_in_between_leaves_what_was_there(write: Writer, tmp_path: Path
     with pytest.raises(
         ExportError,
         match='the name "[^"]*" stands for two things - expected one for each paper and '
-        "question - set the exam anew",
+        "question - set the exam again",
     ):
         write(Quiz("en", "", "Test", [paper, paper]), tmp_path / "quiz.zip", force=True)
     assert [path.name for path in tmp_path.iterdir()] == ["quiz.zip"]

@@ -63,7 +63,7 @@ def test_moodle_in_chinese_one_number_a_question_with_solutions(
     )
     assert result.exit_code == 1, result.stderr
     assert result.stderr.splitlines()[2:] == [
-        "complaint: moodle-xml: a random question comes into a quiz at mark 1, whatever its "
+        "complaint: moodle-xml: Moodle adds a random question to a quiz with mark 1, whatever its "
         "variants are worth - set the "
         "mark of each there: q1 v_B 3, q1 a_B 2.5, q2 v_x 1, q2 v_y 2, q3 omega_AB 3, q3 alpha_AB 4"
     ]
@@ -172,10 +172,9 @@ def test_parts_that_are_too_small_or_of_another_system_are_refused(
     wanted = small_class / "EXAM", "-o", tmp_path / "parts", "--split"
     small = put(*wanted, "0.01", "--to", "moodle-xml")
     assert small.exit_code == 2
-    assert small.stderr.startswith("error: quiz: paper 1 takes 0.0")
+    assert small.stderr.startswith("error: quiz: paper 1 alone takes 0.0")
     assert small.stderr.endswith(
-        "MB of Moodle XML alone - expected to fit into a file of 0.01 MB - ask for larger files "
-        "with --split\n"
+        "MB of Moodle XML - expected to fit into a file of 0.01 MB - give --split a larger number\n"
     )
     package = put(*wanted, "2", "--to", "qti12")
     assert package.exit_code == 2
