@@ -17,8 +17,8 @@ __all__ = ["__version__", "template"]
 
 
 def template(name: str) -> Problem:
-    """The problem of that name (see `kinegrade list`), or of the path of a template file; raises
-    TemplateError.
+    """The problem with that name (see `kinegrade list`), or from that path of a template file.
+    Raises TemplateError.
     """
     from kinegrade.problem.problem import Problem
 

@@ -1,4 +1,4 @@
-"""Where the process begins: `python -m kinegrade` is `kinegrade`."""
+"""The entry point of the process: `python -m kinegrade` is `kinegrade`."""
 
 from __future__ import annotations
 
@@ -9,9 +9,7 @@ INTERRUPTED = 130  # 128 and the number of SIGINT, as shells count
 
 
 def start() -> NoReturn:
-    """Run the command line and exit with its status; Ctrl-C is obeyed while it is still being
-    loaded.
-    """
+    """Run the command line and exit with its status; Ctrl-C works even while it is being loaded."""
     try:
         from kinegrade.cli import main
     except KeyboardInterrupt:

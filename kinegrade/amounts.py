@@ -1,4 +1,4 @@
-"""How points are added, and written: the shortest decimal with at most four places."""
+"""How points are added and written: as the shortest decimal with at most four places."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def amount_text(amount: Fraction, places: int = PLACES) -> str:
     return _amount_text(amount.numerator, amount.denominator, places)
 
 
-# By whole numbers, because to hash a fraction takes longer than to write it
+# By whole numbers, because hashing a fraction takes longer than writing it
 @lru_cache(maxsize=4096)
 def _amount_text(numerator: int, denominator: int, places: int) -> str:
     whole, decimals = divmod(
@@ -41,8 +41,8 @@ def change_text(change: Fraction, places: int = PLACES) -> str:
 
 
 def added(amounts: Iterable[Fraction]) -> Fraction:
-    """Their sum: by whole numbers over the common denominator, several times faster than one after
-    the other.
+    """The sum of the amounts: whole numbers over the common denominator, several times faster than
+    adding fractions one by one.
     """
     listed = tuple(amounts)
     common = lcm(*[amount.denominator for amount in listed])

@@ -10,8 +10,8 @@ ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "betw
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
-    """Whether the expression has the dimension of an angle, given the names that have it; `pi`
-    has.
+    """Whether the expression has the dimension of an angle, given the names that have it; `pi` is
+    an angle.
     """
     return angular_degree(tree, angles) == 1
 
@@ -35,7 +35,7 @@ def angular_degree(tree: Expression, angles: frozenset[str]) -> int:
 
 
 def _degree_of(sign: Operator, left: int, right: int) -> int:
-    """The power of "angle" in a combination of two expressions with theirs."""
+    """The power of "angle" in a combination of two expressions, given the power in each."""
     match sign:
         case "+" | "-":
             return max(left, right)

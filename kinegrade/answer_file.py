@@ -1,8 +1,8 @@
-"""A file of answers as it goes from reading to marking: its table, and what only a download can
-tell of its rows.
+"""A file of answers on its way from reading to marking: its table, and what only a download can say
+about its rows.
 
-`kinegrade.lms.responses` makes it of a download, `kinegrade.grading.sheet` reads one or several of
-them as one class.
+`kinegrade.lms.responses` makes it from a download, `kinegrade.grading.sheet` reads one or several
+as one class.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.tables import Complaint, Table
 
-Sources = tuple[str, ...]  # for each answer, whose line of the key it is marked by; "" is one's own
+Sources = tuple[str, ...]  # for each answer, whose line of the key marks it; "": the student's
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class LeftOut:
     """A row of a student of the exam that is not marked, and why; `attempted` where answers may be
     missing here.
 
-    Somebody without an attempt in one file may have one in another; nothing is said of that then.
+    A student without an attempt in one file may have one in another; this is then not reported.
     """
 
     student: str
@@ -32,8 +32,8 @@ class LeftOut:
 class AnswerFile:
     """One file of answers.
 
-    `put` says of a row, by its line, from whose paper its questions came, for every column of the
-    table but the first; rows that are not there hold answers to the student's own paper.
+    `put` maps the line of a row to the students from whose papers its questions came, for every
+    column of the table but the first; other rows hold answers to the student's own paper.
     """
 
     table: Table

@@ -1,10 +1,10 @@
-"""Numbers of things as messages say them: "1 student", "12 students"."""
+"""Numbers of things as messages write them: "1 student", "12 students"."""
 
 from __future__ import annotations
 
 
 def counted(number: int, thing: str) -> str:
-    """The number with the English word for what is counted, which takes an s.
+    """The number with the English word for what is counted, whose plural takes an s.
 
     >>> counted(1, "student"), counted(0, "complaint")
     ('1 student', '0 complaints')

@@ -1,5 +1,5 @@
-"""CSV as kinegrade writes it: UTF-8, LF, comma; for people with a byte-order mark, or spreadsheets
-garble names.
+"""CSV as kinegrade writes it: UTF-8, LF, comma; files for people have a byte-order mark, because
+spreadsheets garble names without it.
 
 `neutralised` keeps a typed cell from running as a formula in a spreadsheet, `restored` undoes it.
 """
@@ -19,10 +19,10 @@ _HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?
 
 
 def neutralised(text: str) -> str:
-    """A cell that no spreadsheet runs as a formula: one apostrophe goes before = + - @, tab or line
-    break.
+    """A cell that no spreadsheet runs as a formula: = + - @, a tab or a line break at its beginning
+    is preceded by an apostrophe.
 
-    Plain numbers and a lone dash stay as they are. `restored` is exact, because apostrophes typed
+    Plain numbers and a lone dash are unchanged. `restored` is exact, because apostrophes typed
     before such a sign get one more.
 
     >>> neutralised("=1+1"), neutralised("-12"), neutralised("O'Neil")
@@ -34,16 +34,14 @@ def neutralised(text: str) -> str:
 
 
 def restored(text: str) -> str:
-    """The cell that `neutralised` was given."""
+    """The cell from which `neutralised` made this one."""
     return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
 
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A CSV text with LF line ends; cells are texts already, so that no number changes its
-    digits.
-    """
-    # CR LF as the terminator makes the csv module quote a cell that holds a lone CR; it is then cut
-    # off.
+    """A CSV text with LF line ends; cells are already texts, so no number changes its digits."""
+    # CR LF as the terminator makes the csv module quote a cell with a lone CR; the terminator is
+    # then cut off.
     lines = _Lines()
     csv.writer(lines, lineterminator="\r\n").writerows(chain([header], rows))
     text = "".join(lines.written)
@@ -53,7 +51,7 @@ def csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def csv_cell(text: str) -> str:
-    """A cell as `csv_text` writes it among others: in quotation marks only where it has to be.
+    """A cell as `csv_text` writes it among others: in quotation marks only where necessary.
 
     >>> csv_cell("0.5"), csv_cell("0,5"), csv_cell("v = 0,5")
     ('0.5', '"0,5"', '"v = 0,5"')
@@ -75,7 +73,7 @@ def write_for_people(path: Path, header: Sequence[str], rows: Iterable[Sequence[
 
 
 def for_people(text: str) -> bytes:
-    """A CSV text as a file that people open: its byte-order mark tells a spreadsheet that it is
+    """A CSV text as a file that people open: by its byte-order mark, a spreadsheet recognises
     UTF-8.
 
     >>> for_people("id\\n")
@@ -85,14 +83,12 @@ def for_people(text: str) -> bytes:
 
 
 def encoded(text: str) -> bytes:
-    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written out as an
-    escape.
-    """
+    """A text as kinegrade writes it into files: UTF-8; a lone surrogate is written as an escape."""
     return text.encode("utf-8", "backslashreplace")
 
 
 class _Lines:
-    """Takes the csv module's output a record at a time."""
+    """Collects the csv module's output, one record at a time."""
 
     def __init__(self) -> None:
         self.written: list[str] = []

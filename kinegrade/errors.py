@@ -1,4 +1,4 @@
-"""The family of errors: every message says where - what - what was expected - what to do, in one
+"""The family of errors: every message states where - what - what was expected - what to do, in one
 line.
 
 Bad input raises one of these and nothing else; the command line prints each problem on its own line
@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-SUGGESTIONS = 3  # names that a hint offers for a wrong one
+SUGGESTIONS = 3  # names that a hint suggests for a wrong one
 LONGEST_PART = 300  # characters of each part of a message
-LISTED = 8  # known names that a hint lists whole: of more, only the nearest are shown
+LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
 
 
 class KinegradeError(Exception):
-    """Something a person can mend; `problems` holds one line for each fault.
+    """Something a person can fix; `problems` holds one line for each fault.
 
     >>> str(KinegradeError("bank.toml: no title", "bank.toml: no questions"))
     'bank.toml: no title\\nbank.toml: no questions'
@@ -32,8 +32,8 @@ class ExpressionError(KinegradeError):
 
 
 class SyntaxFault(KinegradeError):
-    """A text that is not in the language of its file; `line` is the line of the slip, from 1, or
-    None where the parser names none.
+    """A text that breaks the syntax of its file; `line` is the line of the error, counted from 1,
+    or None where the parser names none.
     """
 
     def __init__(self, problem: str, line: int | None = None) -> None:
@@ -42,15 +42,15 @@ class SyntaxFault(KinegradeError):
 
 
 class TomlError(SyntaxFault):
-    """A text that is not TOML; the message names the slip."""
+    """A text that is not TOML; the message names the error."""
 
 
 class JsonError(SyntaxFault):
-    """A text that is not JSON; the message names the slip."""
+    """A text that is not JSON; the message names the error."""
 
 
 class FieldError(KinegradeError):
-    """A value that is not what its key needs: what stands there, what was expected, what to do."""
+    """A value that is not what its key needs: what was found, what was expected, what to do."""
 
     def __init__(self, what: str, expected: str = "", do: str = "") -> None:
         self.what, self.expected, self.do = what, expected, do
@@ -58,17 +58,15 @@ class FieldError(KinegradeError):
 
 
 class TemplateError(KinegradeError):
-    """A template file, or a value given for one of its parameters, is at fault."""
+    """A template file, or a value given for one of its parameters, is faulty."""
 
 
 class MechanismError(KinegradeError):
-    """The mechanism cannot be assembled, is loose, is contradictory or stands at a dead point."""
+    """The mechanism cannot be assembled, is loose, is contradictory or is at a dead point."""
 
 
 class AtInfinity(MechanismError):
-    """A point that is asked for lies at infinity, such as the velocity pole of a body that does not
-    turn.
-    """
+    """A requested point is at infinity, such as the velocity pole of a body that does not turn."""
 
 
 class DrawError(KinegradeError):
@@ -76,11 +74,11 @@ class DrawError(KinegradeError):
 
 
 class BankError(KinegradeError):
-    """An exam blueprint is at fault."""
+    """An exam blueprint is faulty."""
 
 
 class PolicyError(KinegradeError):
-    """A policy by which answers are to be marked is at fault."""
+    """A marking policy is faulty."""
 
 
 class TableError(KinegradeError):
@@ -88,11 +86,11 @@ class TableError(KinegradeError):
 
 
 class ExamError(KinegradeError):
-    """An exam folder is missing, incomplete or at fault."""
+    """An exam folder is missing, incomplete or faulty."""
 
 
 class OutputError(KinegradeError):
-    """An output cannot be written where it was asked for."""
+    """An output cannot be written at the requested place."""
 
 
 class TypesetError(KinegradeError):
@@ -100,15 +98,15 @@ class TypesetError(KinegradeError):
 
 
 class WorkerError(KinegradeError):
-    """A process that works for this one was ended from outside."""
+    """A worker process was ended from outside."""
 
 
 class ExportError(KinegradeError):
-    """A quiz, or grades, cannot be said in the format that another system takes."""
+    """A quiz, or grades, cannot be expressed in the format of another system."""
 
 
 def message(where: str, what: str, expected: str = "", do: str = "") -> str:
-    """A fault in one line: where it is, what stands there, what was expected, what to do.
+    """A fault in one line: where it is, what was found, what was expected, what to do.
 
     >>> message("bank.toml:3: points", "0", "a number above zero", "write points = 1")
     'bank.toml:3: points: 0 - expected a number above zero - write points = 1'
@@ -121,8 +119,7 @@ def message(where: str, what: str, expected: str = "", do: str = "") -> str:
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:
-    """A closing hint for an unknown word: the nearest known ones, and all of them where they are
-    few.
+    """A closing hint for an unknown word: the nearest known ones, and all of them if they are few.
 
     >>> did_you_mean("phy", ["phi", "omega"])
     'did you mean "phi"? (known here: omega, phi)'
@@ -142,7 +139,7 @@ def did_you_mean(word: str, choices: Iterable[str]) -> str:
 
 
 def nearest(word: str, choices: Iterable[str]) -> list[str]:
-    """The choices that a word was probably meant to be, the nearest first; few, or none.
+    """The choices that a word probably stands for, the nearest first; a few, or none.
 
     >>> nearest("0O7", ["007", "0012"])
     ['007']
@@ -155,8 +152,7 @@ def nearest(word: str, choices: Iterable[str]) -> list[str]:
 
 
 def misspelt(unknown: Iterable[str], missing: Iterable[str]) -> frozenset[str]:
-    """Those of the missing names that an unknown one was probably meant to be: one slip, to be
-    reported once.
+    """The missing names that an unknown one probably stands for: one slip, to be reported once.
 
     >>> misspelt(["titel", "colour"], ["title", "course"])
     frozenset({'title'})
@@ -180,7 +176,7 @@ def either(words: Sequence[str]) -> str:
 
 
 def one_line(text: str) -> str:
-    """A text from a file as a message can hold it: what does not print is shown by a dot.
+    """A text from a file as a message shows it: unprintable characters become dots.
 
     >>> one_line("1 +\\n2")
     '1 +·2'
@@ -189,7 +185,7 @@ def one_line(text: str) -> str:
 
 
 def short_line(text: str, longest: int = LONGEST_PART) -> str:
-    """A text as one line of a message can hold it, cut where it is longer.
+    """A text as a part of a one-line message, cut where it is too long.
 
     >>> short_line("a very long text", 10)
     'a very lo…'

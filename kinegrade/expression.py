@@ -1,4 +1,4 @@
-"""Safe reading of arithmetic: a small grammar of our own, bounded in size and power, never Python's
+"""Safe reading of arithmetic: with a small grammar, bounded in size and power, never with Python's
 `eval`.
 
     sum     = product (("+" | "-") product)*
@@ -7,7 +7,7 @@
     power   = atom ["**" signed]
     atom    = number | name | name "(" [sum ("," sum)*] ")" | "(" sum ["," sum] ")"
 
-`read` gives a tree, `evaluate` works it out in any arithmetic (`Field`, `Balls`, `Floats`).
+`read` gives a tree, `evaluate` computes its value in any arithmetic (`Field`, `Balls`, `Floats`).
 Templates, the command line and the key are read with it; points and constructions are names and
 calls like any other.
 """
@@ -34,7 +34,7 @@ TOKEN = re.compile(
     re.ASCII,
 )
 DEGREES = "the number alone where the unit is deg, and parts of pi elsewhere: 30 degrees is pi/6"
-# What is expected in place of a character that our grammar does not have.
+# What is expected in place of a character that the grammar does not have.
 SLIPS: Mapping[str, str] = {
     "°": DEGREES,
     "º": DEGREES,
@@ -89,7 +89,7 @@ Expression = Number | Name | Operation | Call
 
 
 def parts(tree: Expression) -> tuple[Expression, ...]:
-    """The expressions of which an expression is made, in order; none for a number or a name."""
+    """The direct parts of an expression, in order; none for a number or a name."""
     match tree:
         case Number() | Name():
             return ()
@@ -102,14 +102,14 @@ def parts(tree: Expression) -> tuple[Expression, ...]:
 
 
 def every_part(tree: Expression) -> Iterator[Expression]:
-    """The expression itself and, depth first, all that it is made of."""
+    """The expression itself and, depth first, all its parts."""
     yield tree
     for part in parts(tree):
         yield from every_part(part)
 
 
 def read(text: str) -> Expression:
-    """The tree of an expression. Raises ExpressionError naming the place and what was expected
+    """The tree of an expression. Raises ExpressionError with the position and what was expected
     there.
 
     >>> read("2*(x - 1)").sign
@@ -139,7 +139,7 @@ class Reader:
         if match is None:
             self.start = len(self.text) - len(self.text[self.place :].lstrip())
             self.kind, self.token = (
-                ("end", "") if self.start == len(self.text) else ("odd", self.text[self.start])
+                ("end", "") if self.start == len(self.text) else ("unknown", self.text[self.start])
             )
             return
         self.kind, self.token = str(match.lastgroup), str(match.group(str(match.lastgroup)))
@@ -154,7 +154,7 @@ class Reader:
         )
 
     def take(self, *marks: _Taken) -> _Taken | None:
-        """The mark just here if it is one of `marks`, gone past; else None."""
+        """The mark at this place if it is one of `marks`, and moves past it; else None."""
         for mark in marks:
             if self.kind == "mark" and self.token == mark:
                 self.advance()
@@ -162,7 +162,7 @@ class Reader:
         return None
 
     def finish(self) -> None:
-        """Nothing may follow."""
+        """Raises ExpressionError where anything follows."""
         if self.kind != "end":
             raise self.fail("an operator or the end")
 
@@ -251,11 +251,11 @@ def evaluate(
     functions: Mapping[str, Callable[..., Any]],
     arithmetic: Any,
 ) -> Any:
-    """The value of the tree; `values` names what is known, `functions` what may be called.
+    """The value of the tree; `values` gives the known names, `functions` what may be called.
 
     Raises ExpressionError for unknown names and functions, wrong numbers of arguments, division by
     zero, roots of negative numbers and combinations that make no sense (a point plus a number);
-    Inexact for exact values that no small field holds.
+    Inexact for exact values that no small field contains.
     """
     match tree:
         case Number():
@@ -284,7 +284,7 @@ def evaluate(
 
 
 def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[..., Any]]) -> Any:
-    """A function's value, its refusals turned into ExpressionErrors."""
+    """A function's value; its errors become ExpressionErrors."""
     if not name and name not in functions:
         raise ExpressionError("a pair (x, y): expected a number or an angle here")
     if name not in functions:
@@ -295,7 +295,7 @@ def called(name: str, arguments: list[Any], functions: Mapping[str, Callable[...
         return functions[name](*arguments)
     except (TypeError, AttributeError) as error:
         raise ExpressionError(
-            f"{name or 'a pair'} cannot be made of what stands in its brackets: "
+            f"{name or 'a pair'} cannot be made from the arguments in its brackets: "
             "check their number, order and kind"
         ) from error
     except ValueError as error:
@@ -322,8 +322,8 @@ def powered(base: Any, exponent: Expression, arithmetic: Any) -> Any:
 
 
 def whole_power(exponent: Expression) -> int:
-    """The whole number that an exponent is. Raises ExpressionError for anything else, and for more
-    than MAX_POWER.
+    """The whole number of an exponent. Raises ExpressionError for anything else, and for more than
+    MAX_POWER.
     """
     negative = (
         isinstance(exponent, Operation)
@@ -362,9 +362,7 @@ def combined(mark: Mark, left: Any, right: Any, tree: Expression) -> Any:
 
 
 def is_literal_zero(tree: Expression) -> bool:
-    """Whether the tree is the sign of what follows: 0 - x, which holds for points and vectors
-    too.
-    """
+    """Whether the tree is the zero of a sign: 0 - x, which points and vectors may have too."""
     return isinstance(tree, Operation) and tree.left == Number(fmpq(0))
 
 

@@ -1,14 +1,14 @@
 """Output that appears whole or not at all.
 
-A folder (or a file) is built beside its place under a hidden name, brought to disk, and put in
-place in one atomic step. A process killed at any moment leaves the old output or the new one. What
-it was building stays behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target on
-the same machine clears it.
+A folder (or a file) is built beside its place under a hidden name, flushed to disk, and put in
+place in one atomic step. A process killed at any moment leaves the old output or the new one. Its
+unfinished output stays behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target
+on the same machine removes it.
 
 A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)`
 on macOS. Where the system or the file system has neither, two renames are made: a process killed
-between the two leaves the old output whole beside its place, as `.NAME.previous-TOKEN`, and nobody
-deletes that but a person.
+between the two leaves the old output whole beside its place, as `.NAME.previous-TOKEN`, which is
+never deleted automatically.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 @dataclass(frozen=True)
 class Access:
-    """Who may read a folder: the modes of its folders and files, whatever the umask of the process
-    is.
+    """Who may read a folder: the modes of its folders and files, regardless of the umask of the
+    process.
 
-    The names at its top in `ordinary` are left as they were made; whoever may not enter the folder
-    cannot reach them.
+    The names at its top in `ordinary` keep the mode with which they were created; users who may not
+    enter the folder cannot reach them.
     """
 
     folder: int
@@ -59,11 +59,11 @@ def output_folder(
 ) -> Iterator[Path]:
     """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
 
-    `marker` is the file by which kinegrade knows its own folders, None where they hold none;
-    `contents` is all it writes at their top. With `force` an existing folder is replaced only if it
-    is empty, or holds the marker and no name beyond `contents`, so that nobody's own files are
-    lost. With `access` the folder is closed to all others from its first moment; without, the mode
-    of a folder that is replaced is kept. Raises OutputError.
+    `marker` is the file by which kinegrade recognises its own folders, None where they have none;
+    `contents` are all the names that it writes at their top. With `force` an existing folder is
+    replaced only if it is empty, or contains the marker and no name beyond `contents`, so that no
+    file of the user's is lost. With `access` the folder is closed to all other users from the
+    start; without it, the mode of a replaced folder is kept. Raises OutputError.
     """
     target = _place(path)
     with _partial(path, target) as partial:
@@ -75,7 +75,7 @@ def output_folder(
         if access is not None:
             _restrict(partial, access)
         _bring_to_disk(partial)
-        # Somebody may have written there meanwhile
+        # Another process may have written there in the meantime
         _check_folder(path, target, marker, contents, force)
         _publish(path, partial, target)
 
@@ -90,11 +90,11 @@ def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
 
 @contextmanager
 def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
-    """Gives a hidden name to write a file at; it becomes `path` when the block ends without an
+    """Gives a hidden name for a file to write; it becomes `path` when the block ends without an
     error.
 
     With `force` an existing plain file is replaced. Raises OutputError, before the block where
-    something stands at `path` that is not to be replaced.
+    `path` exists and must not be replaced.
     """
     target = _place(path)
     with _partial(path, target) as partial:
@@ -170,10 +170,10 @@ def _unwritable(path: Path, fault: Exception) -> OutputError:
 
 @contextmanager
 def _partial(path: Path, target: Path) -> Iterator[Path]:
-    """A hidden name beside `target`; whatever stands under it at the end is removed.
+    """A hidden name beside `target`; whatever has this name at the end is removed.
 
-    What killed runs left behind is cleared first, their temporary folders too: they may hold the
-    key.
+    The leftovers of killed runs are removed first, including their temporary folders, which may
+    contain the key.
     """
     partial = target.with_name(own_name(_beginning(target)))
     try:
@@ -192,7 +192,7 @@ def _beginning(target: Path) -> str:
 
 
 def _restrict(folder: Path, access: Access) -> None:
-    """Give every folder and file its mode; what is ordinary keeps its own."""
+    """Give every folder and file its mode; ordinary ones keep theirs."""
     for entry in folder.iterdir():
         if entry.name in access.ordinary:
             continue
@@ -204,8 +204,8 @@ def _restrict(folder: Path, access: Access) -> None:
 
 
 def _bring_to_disk(folder: Path) -> None:
-    """Flushes every file and folder, so that a power failure after the renaming finds them whole as
-    well.
+    """Flushes every file and folder, so that they are whole even if the power fails after the
+    renaming.
     """
     for place, _, names in os.walk(folder):
         for name in names:
@@ -240,7 +240,7 @@ def _publish(path: Path, partial: Path, target: Path) -> None:
 
 
 def _move_to_free_place(path: Path, partial: Path, target: Path) -> None:
-    """Refuses if something took the place while the output was being made."""
+    """Refuses if the place was taken while the output was being made."""
     try:
         if not _rename_atomically(partial, target, exchange=False):
             if target.exists():

@@ -1,5 +1,5 @@
-"""The languages in which exams are set, told and marked: every text of the package has one form in
-each of them.
+"""The languages in which exams are set and marked: every text of the package exists in each of
+them.
 """
 
 from __future__ import annotations

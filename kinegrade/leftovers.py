@@ -1,5 +1,5 @@
-"""What a killed process leaves behind, known by its name, and cleared away by the next one on the
-same machine.
+"""What a killed process leaves behind: recognised by its name, and removed by the next process on
+the same machine.
 """
 
 from __future__ import annotations
@@ -14,14 +14,12 @@ from pathlib import Path
 
 
 def own_name(beginning: str) -> str:
-    """A new name that says which process of which machine uses it: BEGINNING-HOST-PID-TOKEN."""
+    """A new name that states which process on which machine uses it: BEGINNING-HOST-PID-TOKEN."""
     return f"{_of_this_host(beginning)}{os.getpid()}-{secrets.token_hex(4)}"
 
 
 def clear_leftovers(folder: Path, beginning: str) -> None:
-    """Remove what stands in the folder under such a name, of processes that run no more. Raises
-    OSError.
-    """
+    """Remove what ended processes left in the folder under such names. Raises OSError."""
     shape = re.compile(re.escape(_of_this_host(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
     for entry in list(folder.iterdir()):
         found = shape.fullmatch(entry.name)

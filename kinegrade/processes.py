@@ -1,10 +1,10 @@
 """Work for other processes, or for this one: one Executor for a whole command, and the results of
 many tasks in order.
 
-A command opens `executor` and passes it down; whoever has tasks calls `mapped`. The processes are
-started by the first task: as copies of this one, with all that it has loaded, as long as it surely
-has no other thread, which a copy would lack; else afresh. (A typesetter that has worked has
-threads.) None of them outlives this process, whatever ends it.
+A command opens `executor` and passes it down; code that has tasks calls `mapped`. The first task
+starts the processes: as copies of this one, with everything that it has loaded, where it certainly
+has no other thread, which a copy would lack; otherwise from scratch. (A typesetter that has been
+used has threads.) None of them outlives this process, however it ends.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from kinegrade.worker_process import begin_work
 
 Start = Literal["fork", "spawn"]
 
-AHEAD = 2 * (os.cpu_count() or 1)  # tasks under way, or done and not yet asked for
+AHEAD = 2 * (os.cpu_count() or 1)  # tasks running, or done with results waiting
 
-_PATIENCE = 0.2  # seconds for a dismissed process to stop its typesetter and to clear away
+_PATIENCE = 0.2  # seconds for a dismissed process to stop its typesetter and to remove its files
 _KEPT = 4  # shared values that a process keeps: a command has one or two
 
 _Given = ParamSpec("_Given")
@@ -42,11 +42,12 @@ _Value = TypeVar("_Value")
 
 @contextmanager
 def executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Executor]:
-    """What does the tasks of a command: up to `jobs` processes, or for 1 this process, at once.
+    """The executor of a command's tasks: up to `jobs` processes; for 1, this process, which does a
+    task at once.
 
-    Processes still at work when the block ends by an exception are dismissed at once. `start` says
-    how they are started where that is not to be found out. Raises WorkerError, which names the
-    command, where one of them was ended from outside.
+    Processes still at work when the block ends with an exception are dismissed at once. `start`
+    fixes how they are started; by default that is decided at the first task. Raises WorkerError,
+    which names the command, where one of them was ended from outside.
     """
     if jobs == 1:
         yield THIS_PROCESS
@@ -72,9 +73,9 @@ def mapped(
     items: Iterable[_Item],
     ahead: int = AHEAD,
 ) -> Generator[_Result, None, None]:
-    """The result of the task for each item, in order, as results are asked for.
+    """The result of the task for each item, in order, as they are requested.
 
-    At most `ahead` tasks are under way or wait to be asked for, so memory does not grow with the
+    At most `ahead` tasks are running or have results waiting, so memory does not grow with the
     number of items. A single item is not worth another process. Raises what the task raises.
     """
     remaining = iter(items)
@@ -148,7 +149,7 @@ THIS_PROCESS: Executor = _ThisProcess()
 
 
 class _OtherProcesses(Executor):
-    """Starts processes when the first task comes, as only then it is known how they can be."""
+    """Starts processes at the first task, because only then is it known how they can be started."""
 
     def __init__(self, jobs: int, start: Start | None) -> None:
         self._jobs = jobs
@@ -163,9 +164,7 @@ class _OtherProcesses(Executor):
     def submit(
         self, task: Callable[_Given, _Result], /, *given: _Given.args, **named: _Given.kwargs
     ) -> Future[_Result]:
-        """Hand out a task. A process that starts for it is not hit by Ctrl-C before it is set
-        up.
-        """
+        """Hand out a task. Ctrl-C does not reach a process started for it before it is set up."""
         with _interruption_deferred():
             return self._pool.submit(task, *given, **named)
 
@@ -174,7 +173,7 @@ class _OtherProcesses(Executor):
         self._pool.shutdown(wait, cancel_futures=cancel_futures)
 
     def dismiss(self) -> None:
-        """Ask the processes to end, after a while end them, and clear away what they left."""
+        """Ask the processes to end, after a while kill them, and remove what they left behind."""
         processes = [each for each in active_children() if each not in self._strangers]
         for process in processes:
             process.terminate()
@@ -188,7 +187,7 @@ class _OtherProcesses(Executor):
 
 
 def _alone() -> bool:
-    """Whether this process surely has no thread but one; only Linux tells."""
+    """Whether this process certainly has only one thread; only Linux reports that."""
     try:
         return len(os.listdir("/proc/self/task")) == 1
     except OSError:
@@ -197,7 +196,7 @@ def _alone() -> bool:
 
 @contextmanager
 def _interruption_deferred() -> Iterator[None]:
-    """Ctrl-C waits for the end of the block; where the system cannot do that, it does not wait."""
+    """Ctrl-C waits for the end of the block, where the system can do that."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

@@ -1,10 +1,10 @@
-"""The number by which people know a question: files name it q3, whatever people read says 3."""
+"""The number of a question: files name it q3, texts for people say 3."""
 
 from __future__ import annotations
 
 
 def bank_number(identifier: str) -> str:
-    """The number of a question in the bank's order; an identifier of another shape is its own
+    """The number of a question in the bank's order; an identifier of another form is its own
     number.
 
     >>> bank_number("q3"), bank_number("bonus")
@@ -20,5 +20,5 @@ def other_number(identifier: str, number: int) -> str | None:
     >>> other_number("q3", 1), other_number("q3", 3)
     ('3', None)
     """
-    own = bank_number(identifier)
-    return None if own == str(number) else own
+    in_bank = bank_number(identifier)
+    return None if in_bank == str(number) else in_bank

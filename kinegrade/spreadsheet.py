@@ -1,9 +1,9 @@
-"""Tables as spreadsheet programs keep them: the first filled sheet of an .xlsx workbook, read as if
-it were a CSV file.
+"""Tables from spreadsheet programs: the first filled sheet of an .xlsx workbook, read as if it were
+a CSV file.
 
-`read_workbook` is called where people send answers. Numbers come out as they were typed, texts as
-they are; what a spreadsheet may have changed (a date made of an answer, the last digits of a long
-number) becomes a complaint. A hostile file is refused before it takes memory or time.
+`read_workbook` is called for answers that people send. Numbers come out as they were typed, texts
+unchanged; what a spreadsheet may have changed (an answer turned into a date, the last digits of a
+long number) becomes a complaint. A hostile file is refused before it takes memory or time.
 """
 
 from __future__ import annotations
@@ -52,10 +52,10 @@ _SAVE = "save the sheet as .xlsx or CSV (UTF-8)"
 
 @dataclass(frozen=True, slots=True)
 class _Cell:
-    """A cell as text; `oddity` is what a person should know about it."""
+    """A cell as text; `remark` is what a person should know about it."""
 
     text: str
-    oddity: str = ""
+    remark: str = ""
 
 
 _BLANK = _Cell("")
@@ -64,7 +64,7 @@ _Line = tuple[int, list[_Cell]]
 
 
 class _Room:
-    """What may still be read of a workbook, all its sheets together."""
+    """How much may still be read of a workbook, all sheets together."""
 
     def __init__(self) -> None:
         self.rows = MOST_ROWS
@@ -73,7 +73,7 @@ class _Room:
 
 
 def is_workbook(path: Path) -> bool:
-    """Whether a file begins as workbooks do, new or old, whatever it is called."""
+    """Whether a file begins like a workbook, new or old, whatever its name."""
     try:
         with path.open("rb") as stream:
             return stream.read(4) in (_ZIP, _COMPOUND)
@@ -82,8 +82,7 @@ def is_workbook(path: Path) -> bool:
 
 
 def read_workbook(path: Path) -> Table:
-    """The first filled sheet of a workbook that people can see; `Row.line` is the row's number
-    there.
+    """The first visible filled sheet of a workbook; `Row.line` is the row's number there.
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
@@ -111,8 +110,8 @@ def _padded(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
 
 
 def _inspected(path: Path) -> bool:
-    """Whether the workbook has formulas. Raises TableError if the file is no workbook, or one that
-    bursts.
+    """Whether the workbook has formulas. Raises TableError if the file is not a workbook, or
+    unpacks to too much.
     """
     try:
         with path.open("rb") as stream:
@@ -157,9 +156,7 @@ def _is_parsed(part: str) -> bool:
 
 
 def _formulas_found(path: Path, archive: ZipFile, parts: Sequence[str]) -> bool:
-    """Whether a part has formulas; counts what a parser would make of all of them, before one
-    does.
-    """
+    """Whether any part has formulas; counts what a parser would have to build before it does."""
     has_formulas = False
     room = {True: MOST_TAGS, False: MOST_STYLE_TAGS}
     for part in filter(_is_parsed, parts):
@@ -183,9 +180,7 @@ def _chunks(archive: ZipFile, part: str) -> Iterator[bytes]:
 
 
 def _refuse_foreign(path: Path, part: str, piece: bytes, *, first: bool) -> None:
-    """Raises TableError for what no spreadsheet program writes, and a parser may be made to choke
-    on.
-    """
+    """Raises TableError for what no spreadsheet program writes and what could exhaust a parser."""
     if _DOCUMENT_TYPE in piece:
         raise TableError(
             f"{path.name}: {part} declares a document type - expected none, as every spreadsheet "
@@ -213,7 +208,7 @@ def _too_many_tags(path: Path, *, cells: bool) -> TableError:
 
 @contextmanager
 def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
-    """An open workbook; whatever its parser stumbles over is one TableError."""
+    """An open workbook; every error of its parser becomes one TableError."""
     workbook = None
     try:
         with warnings.catch_warnings():
@@ -222,7 +217,7 @@ def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
             yield workbook
     except TableError:
         raise
-    except Exception as fault:  # the parser answers a damaged file by any exception there is
+    except Exception as fault:  # the parser may raise any exception for a damaged file
         raise _damaged(path, fault) from fault
     finally:
         if workbook is not None:
@@ -259,19 +254,16 @@ def _filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
         if longest > LONGEST_TEXT or room.characters < 0:
             raise TableError(
                 f"{path.name}: sheet {sheet.title}, row {line}: holds more text than a spreadsheet "
-                "program "
-                f"keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
+                f"program keeps ({longest} characters in a cell) - expected answers - {_SAVE}"
             )
-        while cells and not trimmed(cells[-1].text) and not cells[-1].oddity:
+        while cells and not trimmed(cells[-1].text) and not cells[-1].remark:
             cells.pop()
         if any(trimmed(cell.text) for cell in cells):
             yield line, cells
 
 
 def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[Any]]]:
-    """The rows as they stand, whatever size the sheet says it has; stops where that would take for
-    ever.
-    """
+    """The rows of a sheet, whatever size it declares. Raises TableError for too many of them."""
     sheet.reset_dimensions()
     for line, row in enumerate(sheet.iter_rows(), 1):
         room.rows -= 1
@@ -279,8 +271,7 @@ def _rows(path: Path, sheet: Any, room: _Room) -> Iterator[tuple[int, Sequence[A
         if room.rows < 0 or room.cells < 0:
             raise TableError(
                 f"{path.name}: sheet {sheet.title} reaches beyond {MOST_ROWS} rows or {MOST_CELLS} "
-                "cells "
-                "- expected a class - delete what stands below and beside the table"
+                "cells - expected a class - delete everything below and beside the table"
             )
         yield line, row
 
@@ -297,7 +288,7 @@ def _read(cell: Any) -> _Cell:
 
 
 def _number(value: int | float, number_format: str) -> _Cell:
-    """The shortest digits that mean the number: what was typed, up to zeros at its end."""
+    """The shortest digits of the number: what was typed, except for trailing zeros."""
     whole = (
         int(value)
         if isinstance(value, int) or (value.is_integer() and abs(value) < LONGEST_NUMBER)
@@ -314,7 +305,7 @@ def _number(value: int | float, number_format: str) -> _Cell:
 
 
 def _formulas_told(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
-    """The lines, with an oddity for each cell that a formula computes."""
+    """The lines, with a remark for each cell that a formula computes."""
     with _workbook(path, values=False) as workbook:
         computed = {
             (line, place): str(getattr(cell.value, "text", cell.value))
@@ -341,14 +332,14 @@ def _told(cell: _Cell, formula: str | None) -> _Cell:
 def _oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> Iterator[Complaint]:
     for line, cells in lines:
         for place, cell in enumerate(cells):
-            if cell.oddity:
+            if cell.remark:
                 column = titles[place] if place < len(titles) else ""
                 yield Complaint(
                     file,
                     line,
                     column,
                     shortened(cell.text),
-                    f"the cell {cell.oddity}",
+                    f"the cell {cell.remark}",
                     "taken as its content stands here",
                 )
 

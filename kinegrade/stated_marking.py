@@ -21,7 +21,7 @@ _MISTAKES = '{ coriolis-halved = "1/2" }'
 
 @dataclass(frozen=True, slots=True)
 class StatedTolerance:
-    """A tolerance as it is stated; None for what is not. `relative` is a share, `absolute` in the
+    """A tolerance as stated; None for what is not stated. `relative` is a share, `absolute` in the
     ask's unit, `figures` a number of significant figures.
     """
 
@@ -40,7 +40,7 @@ class StatedTolerance:
 
 @dataclass(frozen=True, slots=True)
 class StatedCredit:
-    """Shares of the points, from 0 to 1, as they are stated; None for what is not.
+    """Shares of the points, from 0 to 1, as stated; None for what is not stated.
 
     `follow_through` is for what follows from an earlier mistake, `wrong_unit` for the right number
     in a wrong unit, `mistakes` for known mistakes by identifier.
@@ -59,9 +59,7 @@ class StatedCredit:
         )
 
     def record(self) -> dict[str, object]:
-        """As exam.json keeps it, from which `read_credit` reads it again; empty where nothing is
-        stated.
-        """
+        """The credit as exam.json keeps it and `read_credit` reads it; empty if none is stated."""
         record: dict[str, object] = {}
         if self.follow_through is not None:
             record["follow-through"] = str(self.follow_through)

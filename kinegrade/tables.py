@@ -1,8 +1,8 @@
 """Tables as people send them: CSV in any usual encoding and separator, read without losing a line
 or a cell.
 
-`read_table` is called by the roster and by grading; both report `Complaint`s. What is written as
-CSV is in `csv_writing`, what a marks folder holds in `marks_folder`.
+`read_table` is called by the roster and by grading; both report `Complaint`s. CSV is written by
+`csv_writing`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
 _SURROUNDING = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
 _END = "\x00end of table"
 _MOST_STRAY_QUOTES = (
-    20  # each costs a second reading of the rest; a file with more is read without quotation marks
+    20  # each takes a second reading of the rest; a file with more is read without quotation marks
 )
 _CONTROL_SHARE = 4  # a file of which more than a quarter is control characters is not text
 _CONTROLS = bytes(set(range(32)) - set(b"\t\n\r\f")) + b"\x7f"
@@ -51,7 +51,7 @@ _OTHER_FORMATS = (
 
 @dataclass(frozen=True, slots=True)
 class Complaint:
-    """Something a person should look at; `line` is None where no line is to blame."""
+    """Something a person should check; `line` is None where no single line is concerned."""
 
     file: str
     line: int | None
@@ -67,7 +67,7 @@ class Complaint:
 
 
 class Row(NamedTuple):
-    """One record; `line` is the physical line, counted from 1, at which it begins."""
+    """One record; `line` is the physical line, counted from 1, on which it begins."""
 
     line: int
     cells: tuple[str, ...]
@@ -79,7 +79,7 @@ class Row(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table as it stood in the file: cells untouched, ragged rows kept, rows of only blanks left
+    """A table as it is in the file: cells unchanged, ragged rows kept, rows of only blanks left
     out.
     """
 
@@ -140,7 +140,7 @@ def trimmed(text: str) -> str:
 
 
 def header_key(text: str) -> str:
-    """A column name as it is compared: no full-width forms, one blank for many, no upper case.
+    """A column name for comparison: no full-width forms, single blanks, no upper case.
 
     >>> header_key(" Q1\\uff0ev_B ")
     'q1.v_b'
@@ -149,8 +149,7 @@ def header_key(text: str) -> str:
 
 
 def without_headers(table: Table) -> tuple[Row, ...]:
-    """The rows that are not the header once more, as they stand in files that were put together of
-    several.
+    """The rows that do not repeat the header, as in files that were put together from several.
 
     >>> [row.line for row in without_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
     [2, 4]
@@ -166,7 +165,7 @@ def _is_header(row: Row, header: Sequence[str]) -> bool:
 
 
 def shortened(text: str) -> str:
-    """A cell fit for a report: what is longer than SHOWN_CHARACTERS is cut and says so."""
+    """A cell for a report: one longer than SHOWN_CHARACTERS is cut, which is stated."""
     if len(text) <= SHOWN_CHARACTERS:
         return text
     return f"{text[:SHOWN_CHARACTERS]}… (cut; {len(text)} characters)"
@@ -226,7 +225,7 @@ def _decoded(content: bytes, file: str) -> tuple[str, str, list[Complaint]]:
 
 
 def _assumed(body: bytes) -> tuple[str, str]:
-    """What most people's spreadsheets write when it is not UTF-8, in China and in Europe."""
+    """The text and its encoding: what most spreadsheets in China and Europe write if not UTF-8."""
     for encoding, is_likely in (("GB18030", _is_chinese), ("Windows-1252", bool)):
         try:
             text = body.decode(encoding)
@@ -256,9 +255,7 @@ def _cells_of_any_size(text: str) -> Iterator[None]:
 
 
 def _separator(text: str) -> tuple[str, int]:
-    """The separator that makes most columns of the header (a comma when there is one), and how
-    many.
-    """
+    """The separator that gives the header the most columns (a comma if any), and how many."""
 
     def columns(separator: str) -> int:
         records = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
@@ -278,11 +275,11 @@ def _separator(text: str) -> tuple[str, int]:
 def _records(
     text: str, separator: str, width: int
 ) -> tuple[list[tuple[int, list[str]]], list[int]]:
-    """All records with the lines they begin at, and the lines with a stray quotation mark.
+    """All records with the lines on which they begin, and the lines with a stray quotation mark.
 
     A quotation mark is stray if it is never closed, or closed on a later line so that the record
-    has not the header's width or is not proper CSV. Such a line is read by itself, or it would
-    swallow those after it.
+    does not have the header's width or is not proper CSV. Such a line is read by itself; otherwise
+    it would swallow those after it.
     """
     lines = list(io.StringIO(text, newline=""))
     records: list[tuple[int, list[str]]] = []

@@ -1,5 +1,5 @@
-"""Folders for what is needed only while a command runs. Those of killed runs are cleared by the
-next run.
+"""Folders that are needed only while a command runs. Those of killed runs are removed by the next
+run.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _BEGINNING = "kinegrade"
 
 @contextmanager
 def temporary_folder() -> Iterator[Path]:
-    """A new folder for this user's eyes only, removed when the block ends. Raises OutputError."""
+    """A new folder that only this user can read, removed after the block. Raises OutputError."""
     place = Path(tempfile.gettempdir())
     clear_temporary_folders()
     folder = place / own_name(_BEGINNING)
@@ -26,7 +26,7 @@ def temporary_folder() -> Iterator[Path]:
     except OSError as fault:
         raise OutputError(
             f"{place}: no temporary folder can be made ({fault.strerror}) - expected room and "
-            "permission - make room, or name another place by TMPDIR"
+            "permission - make room, or name another place with TMPDIR"
         ) from fault
     try:
         yield folder
@@ -35,6 +35,6 @@ def temporary_folder() -> Iterator[Path]:
 
 
 def clear_temporary_folders() -> None:
-    """Remove what processes left behind that run no more."""
+    """Remove what processes that no longer run left behind."""
     with suppress(OSError):  # a folder that may not be listed
         clear_leftovers(Path(tempfile.gettempdir()), _BEGINNING)

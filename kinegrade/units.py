@@ -1,8 +1,8 @@
 """Units as textbooks write them: factors to SI, and how they print.
 
-Inside, everything is in SI with angles in radians; degrees and millimetres live only at the edges.
-A unit is a product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per second and is not
-known here.
+Internally, everything is in SI with angles in radians; degrees and millimetres are used only for
+input and output. A unit is a product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per
+second and is not known here.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?",
 class Unit:
     """A unit: its text, its factor to SI (degrees excepted: see `degrees`), and its dimension.
 
-    `length` and `time` are exponents; `angle` tells radians from plain numbers.
+    `length` and `time` are exponents; `angle` distinguishes radians from plain numbers.
     """
 
     text: str
@@ -69,7 +69,7 @@ class Unit:
 
 
 def read_unit(text: str) -> Unit:
-    """The unit written as `text`. Raises ExpressionError naming what is not known.
+    """The unit written as `text`. Raises ExpressionError for an unknown unit.
 
     >>> read_unit("mm/s^2").factor, read_unit("rad/s").angle
     (1/1000, 1)

@@ -1,6 +1,7 @@
-"""What a process that works for another one does first: it prepares to end with it, or before it.
+"""What a worker process does first: it prepares to end with the process that it works for, or
+earlier.
 
-This file loads next to nothing, so that a new process is set up before it loads what it works with.
+This file loads next to nothing, so that a new process is set up before it loads the rest.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ from types import FrameType
 
 from kinegrade.garbage_collection import NEW_OBJECTS
 
-PATIENCE = 1.0  # seconds to stop a typesetter and to clear away files
+PATIENCE = 1.0  # seconds to stop a typesetter and to remove files
 
 
 def begin_work() -> None:
-    """Let this process leave Ctrl-C to the one it works for, end with it, and rarely collect
+    """Make this process leave Ctrl-C to the one that it works for, end with it, and rarely collect
     garbage.
     """
     gc.set_threshold(NEW_OBJECTS)
@@ -32,8 +33,8 @@ def begin_work() -> None:
 
 
 def _end_with_parent() -> None:
-    """Wait until the process that this one works for is gone, then end, with the typesetter that
-    may be running.
+    """Wait until the process that this one works for has ended, then end, together with a
+    typesetter that may be running.
     """
     parent = parent_process()
     if parent is None:
@@ -47,5 +48,5 @@ def _end_with_parent() -> None:
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
-    """Clear away on the way out what was begun."""
+    """Remove unfinished output before leaving."""
     sys.exit(128 + number)

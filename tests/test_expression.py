@@ -163,10 +163,10 @@ def test_what_is_no_expression_is_told_with_its_place(text: str, message: str) -
         ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
         (
             "sin()",
-            "sin cannot be made of what stands in its brackets: check their number, order and kind",
+            "sin cannot be made from the arguments in its brackets: check their number, order and kind",
         ),
-        ("sqrt(1, 2)", "sqrt cannot be made of what stands in its brackets"),
-        ("sqrt(pi)", "sqrt cannot be made of what stands in its brackets"),
+        ("sqrt(1, 2)", "sqrt cannot be made from the arguments in its brackets"),
+        ("sqrt(pi)", "sqrt cannot be made from the arguments in its brackets"),
         ("sqrt(-1)", "sqrt(...): square root of a negative number: check the values given"),
         ("asin(2)", "asin(...): square root of a negative number: check the values given"),
         ("atan2(0, 0)", "atan2(...): the direction of a zero vector: check the values given"),

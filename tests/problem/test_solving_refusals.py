@@ -28,12 +28,12 @@ from tests.problem.turning_crank import CRANK, solving
         ),
         (
             ('"pin O: ground OA"', '"pin O: ground OA", "A of OA slides on line(O, right)"'),
-            "crank: A of OA slides on line(O, right): line cannot be made of what stands in its "
+            "crank: A of OA slides on line(O, right): line cannot be made from the arguments in its "
             "brackets",
         ),
         (
             ('"pin O: ground OA"', '"pin O: ground OA", "A of OA slides on line(r, 0)"'),
-            "crank: A of OA slides on line(r, 0): line cannot be made of what stands in its "
+            "crank: A of OA slides on line(r, 0): line cannot be made from the arguments in its "
             "brackets",
         ),
         (
