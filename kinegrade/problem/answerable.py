@@ -1,7 +1,7 @@
-"""Whether each ask of a template can be answered at its drawn values, also those that are asked on
-request alone.
+"""Whether each ask of a template can be answered at its drawn values, including those that are
+asked only on request.
 
-`check` looks at each by itself, as a bank may ask for any of them.
+`check` examines each by itself, because a bank may ask for any of them.
 """
 
 from __future__ import annotations
@@ -20,12 +20,11 @@ from kinegrade.problem.template import Template
 
 @dataclass
 class Answerable:
-    """What was found of a template's asks.
+    """What was found about a template's asks.
 
-    `failed` has those that cannot be worked out at some drawn values, with these and the reason;
-    `fit` counts the instances in which an ask has an answer to be asked for, `unfit` says why it
-    had none. `solved` counts the instances that meet the conditions and move, `stuck` is why none
-    did.
+    `failed` has those that cannot be worked out at some drawn values, with these values and the
+    reason; `fit` counts the instances in which an ask has a proper answer, `unfit` says why it had
+    none. `solved` counts the instances that meet the conditions and move, `stuck` is why none did.
     """
 
     template: Template
@@ -68,8 +67,8 @@ class Answerable:
             try:
                 self.note(name, self.solution(values, (name,)))
             except KinegradeError as error:
-                own = error.problems[0].removeprefix(f"{self.template.name}: {name}: ")
-                self.failed[name] = f"at {stated(values)}: {own}"
+                problem = error.problems[0].removeprefix(f"{self.template.name}: {name}: ")
+                self.failed[name] = f"at {stated(values)}: {problem}"
 
     def solution(self, values: Mapping[str, str], asks: Iterable[str]) -> Solution:
         """The instance solved for some asks. Raises MechanismError."""
@@ -78,7 +77,7 @@ class Answerable:
         return found
 
     def note(self, name: str, solution: Solution) -> None:
-        """Count an answer, or keep the reason why it is none to ask for."""
+        """Count an answer, or keep the reason why it is not a proper one."""
         refusal = unfit(self.template.asks[name], solution[name])
         if refusal is None:
             self.fit[name] += 1
@@ -86,7 +85,7 @@ class Answerable:
             self.unfit.setdefault(name, str(refusal))
 
     def faults(self) -> list[str]:
-        """A line for every ask that is no good at some values, or at all of them."""
+        """A line for every ask that is unusable at some values, or at all of them."""
         lines = [f"asks.{name}: {problem}" for name, problem in self.failed.items()]
         for name in self.sound:
             if self.solved and not self.fit[name]:
@@ -98,7 +97,7 @@ class Answerable:
 
 
 def answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> Answerable:
-    """What can be said of the template's asks at these values."""
+    """What is found about the template's asks at these values."""
     found = Answerable(template)
     for values in draws:
         found.look(values)

@@ -51,7 +51,7 @@ def parameter_value(parameter: Parameter, tree: Expression, arithmetic: Any) -> 
     """A parameter in SI from an expression in its unit; degrees may also be given as an angle like
     atan(3/4).
 
-    Raises ExpressionError for what is no number, Inexact where the exact field does not hold it.
+    Raises ExpressionError for what is not a number, Inexact where no exact field contains it.
     """
     value = evaluate(tree, {"pi": arithmetic.turns(1)}, elementary(arithmetic), arithmetic)
     angular = is_angle(tree, frozenset())
@@ -116,8 +116,8 @@ def assemble(
 
 
 def measure(value: Any) -> Any:
-    """A coordinate, radius or rate as it is. Raises ExpressionError for what is no number, Inexact
-    for pi in it.
+    """A coordinate, radius or rate, unchanged. Raises ExpressionError for what is not a number,
+    Inexact for pi in it.
     """
     if isinstance(value, (Vector, Line, Round, str)):
         raise ExpressionError("expected a number")
@@ -127,21 +127,21 @@ def measure(value: Any) -> Any:
 
 
 def measured(place: Vector) -> Vector:
-    """A point of its own, told from any other that lies there; its coordinates as `measure` takes
+    """A new point, distinct from any other at the same place; its coordinates as `measure` takes
     them.
     """
     return Vector(measure(place.x), measure(place.y))
 
 
 def bounded(value: Any) -> Any:
-    """A value as it is. Raises Inexact for an exact number of absurdly many digits."""
+    """A value, unchanged. Raises Inexact for an exact number with far too many digits."""
     if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
         raise Inexact("a number of too many digits")
     return value
 
 
 def located(place: str, make: Callable[..., Any], *arguments: Any) -> Any:
-    """What `make` gives of its arguments; a refusal is told with its place in the template."""
+    """What `make` gives for its arguments; an error is reported with its place in the template."""
     try:
         return make(*arguments)
     except MechanismError as error:
@@ -219,7 +219,7 @@ class Parts:
                 assert_never(sentence.kind)
 
     def direction(self, tree: Expression | None) -> Vector:
-        """The unit vector of an angle. Raises ExpressionError for what is no angle."""
+        """The unit vector of an angle. Raises ExpressionError for what is not an angle."""
         along = None if tree is None else self.value(tree)
         if along is None or isinstance(along, (Vector, Line, Round, str)):
             raise ExpressionError(

@@ -46,7 +46,7 @@ class Centrodes:
     known: dict[tuple[str, str], Round] = field(default_factory=dict)
 
     def functions(self, arithmetic: Any) -> dict[str, Callable[..., Any]]:
-        """What a quantity may say of centrodes."""
+        """The functions of centrodes that a quantity may call."""
         return {
             "circle_of_poles": lambda body, angle: self.circle(body, angle, arithmetic),
             "radius": lambda circle: circle.radius,
@@ -56,8 +56,8 @@ class Centrodes:
     def circle(self, body: Any, angle: Any, arithmetic: Any) -> Round:
         """The circle on which the pole of `body` moves while the parameter `angle` changes.
 
-        Raises MechanismError when fewer than four configurations can be reached, or the curve is no
-        circle.
+        Raises MechanismError when fewer than four configurations can be reached, or the curve is
+        not a circle.
         """
         if not isinstance(body, BodyName):
             raise ExpressionError(

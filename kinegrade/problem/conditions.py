@@ -41,7 +41,7 @@ def read_condition(text: str) -> Condition:
 
 
 def mixed(condition: Condition, angles: frozenset[str]) -> bool:
-    """Whether a condition holds an angle against a number other than zero."""
+    """Whether a condition compares an angle with a number other than zero."""
     sides = (condition.left, condition.right)
     zero = any(isinstance(side, Number) and side.value == 0 for side in sides)
     return not zero and is_angle(sides[0], angles) != is_angle(sides[1], angles)

@@ -90,7 +90,7 @@ def given(draft: Draft) -> dict[str, Kind]:
 
 @dataclass(frozen=True)
 class Consistency:
-    """Looks through one draft; `parameters` are the kinds of its parameters."""
+    """Checks one draft; `parameters` are the kinds of its parameters."""
 
     draft: Draft
     parameters: Mapping[str, Kind]
@@ -123,7 +123,7 @@ class Consistency:
         return Scope(names, functions, frozenset(self.draft.bodies), self.draft.angles)
 
     def lengths(self, values: dict[str, Kind]) -> Iterator[Inconsistency]:
-        """The named lengths, added to `values` one after the other."""
+        """The named lengths, added to `values` one after another."""
         for name, tree in self.draft.lengths.items():
             scope = self.scope(dict(values), CONSTRUCTIONS)
             values[name] = Unknown()
@@ -134,8 +134,8 @@ class Consistency:
         values[name] = scope.kind(tree)
 
     def points(self, places: dict[str, Kind]) -> Iterator[Inconsistency]:
-        """The points, added to `places` one after the other; each is a point, even where its
-        expression is at fault.
+        """The points, added to `places` one after another; each is a point, even where its
+        expression is faulty.
         """
         for name, tree in self.draft.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
@@ -200,8 +200,8 @@ class Consistency:
     def published(self, number: int, result: Published) -> Iterator[Inconsistency]:
         """Published results, of the dimension of what they are results of.
 
-        Where the source states values with units that a result does not name, they are in its
-        numbers: then no dimension can be told.
+        Where the source states values with units that a result does not name, they are contained
+        in its numbers: the dimension is then unknown.
         """
         for name, tree in result.gives.items():
             hidden = bool(self.stated(result) - set(names(tree)))
@@ -219,9 +219,7 @@ class Consistency:
         }
 
     def result(self, scope: Scope, tree: Expression, ask: Ask | None) -> None:
-        """A published result: a number, of the dimension of the ask's unit where that can be
-        told.
-        """
+        """A published result: a number, of the dimension of the ask's unit where that is known."""
         kind = number(scope.kind(tree))
         if ask is not None:
             require_unit(kind, ask)

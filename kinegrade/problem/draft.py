@@ -29,8 +29,8 @@ from kinegrade.problem.template import (
 class Draft:
     """The parts of a template that could be read, by name or by their position in the file.
 
-    `faulty` are the names that the file declares by something that cannot be read: that is reported
-    once, there, and not again wherever the name is used.
+    `faulty` are the names whose declaration cannot be read: that is reported once, there, and not
+    again wherever the name is used.
     """
 
     about: About | None

@@ -1,4 +1,4 @@
-"""What follows for an ask from somebody's own answers to earlier ones: the same plan, run on from
+"""What follows for an ask from a student's answers to earlier ones: the same plan, run on from
 there, in doubles.
 
 `followed` is called by `kinegrade.exam.follow_through` for the answers of a class; `Follower` keeps
@@ -52,12 +52,12 @@ def followed(
     later: str,
     plan: Plan | None = None,
 ) -> float | None:
-    """What follows for the ask `later`, in its unit, from own answers to other asks (each in its
-    unit).
+    """What follows for the ask `later`, in its unit, from a student's answers to other asks (each
+    in its unit).
 
     `values` are the parameters in SI, in any arithmetic. None where `later` does not depend on
-    those answers, or nothing follows from them: they are zero, beyond any sense, or out of the
-    plan's reach.
+    those answers, or nothing follows from them: they are zero, far from any sensible value, or out
+    of the plan's reach.
     """
     return Follower(
         template, {name: as_float(value) for name, value in values.items()}, plan
@@ -66,8 +66,8 @@ def followed(
 
 @dataclass(frozen=True)
 class Follower:
-    """One instance, to be followed from own answers: its parameters in SI as doubles, and a plan
-    that may serve.
+    """One instance, to be followed from a student's answers: its parameters in SI as doubles, and a
+    plan that may be suitable.
     """
 
     template: Template
@@ -75,17 +75,18 @@ class Follower:
     suggested: Plan | None = None
 
     def value(self, earlier: Mapping[str, float], later: str) -> float | None:
-        """What follows for `later`, as `followed` tells; all the earlier answers are put in at
-        once.
-        """
-        own = {
+        """What follows for `later`, as in `followed`; earlier answers are all put in at once."""
+        answers = {
             name: value
             for name, value in earlier.items()
             if self.sensible(name, value) and name != later
         }
-        if not own:
+        if not answers:
             return None
-        found, perturbed = self.result(own, later), self.result(perturbed_values(own), later)
+        found, perturbed = (
+            self.result(answers, later),
+            self.result(perturbed_values(answers), later),
+        )
         right = self.right(later)
         if (
             found is None
@@ -97,8 +98,8 @@ class Follower:
         return found if abs(perturbed - found) > SAME * max(abs(found), abs(right)) else None
 
     def sensible(self, name: str, value: float) -> bool:
-        """Whether an own answer may be put in: it is of the size of the right one, give or take a
-        thousand times.
+        """Whether a student's answer may be put in: it is within a factor of a thousand of the
+        right one.
         """
         right = self.right(name)
         return (
@@ -107,9 +108,9 @@ class Follower:
             and 1 / FARTHEST <= abs(value / right) <= FARTHEST
         )
 
-    def result(self, own: Mapping[str, float], later: str) -> float | None:
-        """The answer of `later` with own answers put in, None where there is none."""
-        motion = self.motion(own)
+    def result(self, answers: Mapping[str, float], later: str) -> float | None:
+        """The answer of `later` with the student's answers put in, None where there is none."""
+        motion = self.motion(answers)
         return None if motion is None else self.read(self.template.asks[later], motion)
 
     def right(self, name: str) -> float | None:
@@ -125,8 +126,8 @@ class Follower:
         """The motion as it is, None where there is none."""
         return self.motion({})
 
-    def motion(self, own: Mapping[str, float]) -> FollowedMotion | None:
-        """The motion with own answers put in; None where nothing moves or no step can be solved."""
+    def motion(self, answers: Mapping[str, float]) -> FollowedMotion | None:
+        """The motion with the student's answers put in; None where it cannot be solved."""
         if not self.template.scheme.drivers:
             return None
         doubles = Doubles()
@@ -134,8 +135,8 @@ class Follower:
             try:
                 values = [
                     value
-                    for name in own
-                    for value in self.own_values(self.template.asks[name], own[name])
+                    for name in answers
+                    for value in self.student_values(self.template.asks[name], answers[name])
                 ]
                 return followed_motion(self.still.frames, self.plan, values, doubles)
             except (KinegradeError, ArithmeticError):
@@ -195,13 +196,13 @@ class Follower:
 
     @cached_property
     def fixed(self) -> Mapping[str, Callable[..., Any]]:
-        """What a quantity may say that own answers do not change."""
+        """The functions of a quantity that the student's answers do not change."""
         centrodes = CloseCentrodes(self.template, self.values, self.plan)
         return {**self.assembly.functions, **centrodes.functions(Doubles())}
 
-    def own_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
-        """An own answer as it is put into a motion; nothing for what is not read off one moving
-        thing.
+    def student_values(self, ask: Ask, number: float) -> Iterator[OwnValue]:
+        """A student's answer as it is put into a motion; nothing for what is not read off a single
+        moving thing.
         """
         calls = set(motion_calls(self.quantities[ask.name]))
         call = calls.pop() if len(calls) == 1 else None
@@ -215,7 +216,7 @@ class Follower:
             )
 
     def place(self, call: Call) -> Place | None:
-        """The body and point of whose own velocity or acceleration a call is."""
+        """The body and point whose velocity or acceleration a call gives."""
         if call.function not in ("velocity", "acceleration"):
             return None
         point, *bodies = (named(argument) for argument in call.arguments)
@@ -286,9 +287,11 @@ def connected(follower: Follower) -> Iterator[tuple[str, str]]:
                 yield earlier, later
 
 
-def perturbed_values(own: Mapping[str, float]) -> dict[str, float]:
-    """Own answers, each a little different, and no two of them in the same way."""
-    return {name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(own.items())}
+def perturbed_values(answers: Mapping[str, float]) -> dict[str, float]:
+    """The answers, each changed a little, and no two of them by the same share."""
+    return {
+        name: value * (1 + (place + 1) / 97) for place, (name, value) in enumerate(answers.items())
+    }
 
 
 def in_plan_order(template: Template, asks: Iterable[str]) -> tuple[str, ...]:

@@ -59,7 +59,7 @@ def meets(relation: Relation, sign: int) -> bool:
 
 
 def half_turns(angle: Angle) -> Any:
-    """An angle over pi, as a rational. Raises Inexact where it is none."""
+    """An angle over pi, as a rational. Raises Inexact where it is not one."""
     if angle.parts:
         raise Inexact("the sign of an arctangent")
     return angle.half_turns

@@ -1,7 +1,7 @@
-"""How far an honest student can be off who works rightly and writes every intermediate value down
+"""How far off a student can be who works correctly and writes every intermediate value down
 rounded.
 
-Three ways of working are followed, because none is the sternest everywhere:
+Three ways of working are followed, because none is the strictest everywhere:
 
 by coordinates, where each constructed point is written down and used for the next; by arms, where
 positions stay in the calculator, and lengths, directions and every term of a vector equation are
@@ -40,7 +40,7 @@ from kinegrade.problem.template import Ask
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective
 
 DEGREES = 180 / pi  # as `math.degrees` has it
-DISPLAY = 10  # significant figures that a calculator shows and somebody may type
+DISPLAY = 10  # significant figures that a calculator shows and a student may type
 # Of a unit of the last figure written: what rounding changes at most, and the rounding of doubles
 SAFELY = 0.5000001
 LOST = (
@@ -53,8 +53,8 @@ LOST = (
 
 @dataclass(frozen=True)
 class Stray:
-    """An answer that honest work leaves too far off: what came out with so many significant
-    figures, in the ask's unit; None where rounding leaves nothing to be worked out.
+    """An answer that honest work leaves too far off: the result with that many significant figures,
+    in the ask's unit; None where rounding makes it impossible to find.
     """
 
     ask: str
@@ -164,7 +164,7 @@ def workings(
 
 
 def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
-    """The answers of one who writes every constructed point down and goes on from there."""
+    """The answers of a student who writes every constructed point down and continues from it."""
     template = solution.template
     givens = {name: plain(solution.assembly.values[name]) for name in template.parameters}
     try:
@@ -178,8 +178,8 @@ def by_coordinates(solution: Solution, rounded: Rounded) -> dict[str, float]:
 
 
 def by_arms(solution: Solution, motion: Motion, rounded: Rounded) -> dict[str, float]:
-    """The answers of one who keeps positions in the calculator; `rounded` says what else is written
-    down.
+    """The answers of a student who keeps positions in the calculator; `rounded` determines what
+    else is written down.
     """
     values = {
         name: in_double(value)

@@ -1,5 +1,5 @@
-"""What Canvas leaves of a typed number, four decimals, and the unit in which that tells right from
-wrong.
+"""What Canvas keeps of a typed number, four decimals, and the unit in which they distinguish right
+from wrong.
 
 A draw is refused by this rule where the bank says that the exam goes to Canvas
 (`problem.draw_filter`), and the quiz is written by it (`lms.quiz.canvas_units`). Numbers are
@@ -53,9 +53,7 @@ class RightRange:
 
     @property
     def _bounds_kept(self) -> bool:
-        """Whether rounding makes nothing wrong that is right, for the bounds are kept as they
-        are.
-        """
+        """Whether rounding makes no right answer wrong, because the bounds are kept unchanged."""
         whole = all((bound / KEPT).denominator == 1 for bound in (self.low, self.high))
         return whole and self.high - self.low >= 2 * KEPT
 
@@ -84,7 +82,7 @@ def units(unit: str) -> Iterator[tuple[str, int]]:
 
 
 def fitting_factor(unit: str, right: RightRange) -> int | None:
-    """How many times finer a unit it takes: the nearest one in which the range fits, else the
+    """How many times finer the unit must be: the nearest one in which the range fits, else the
     finest one.
 
     None where not even the right answer itself is right in the finest one.

@@ -54,7 +54,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Unknown:
-    """What a fault that is reported elsewhere leaves open; it goes with everything."""
+    """The kind of an expression whose fault is reported elsewhere; it goes with everything."""
 
 
 Kind = Scalar | Arrow | Straight | Ring | BodyKind | Side | Unknown
@@ -93,11 +93,11 @@ def united(where: str, *kinds: Kind) -> Dimension | None:
     """
     found: Dimension | None = None
     for kind in kinds:
-        own = kind.dimension if isinstance(kind, Scalar | Arrow) else None
-        if own is None:
+        dimension = kind.dimension if isinstance(kind, Scalar | Arrow) else None
+        if dimension is None:
             continue
-        if found is not None and own != found:
-            what = f"{where}: {found} and {own} do not go together"
+        if found is not None and dimension != found:
+            what = f"{where}: {found} and {dimension} do not go together"
             raise FieldError(what, do="check the units")
-        found = own
+        found = dimension
     return found

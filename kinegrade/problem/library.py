@@ -52,10 +52,10 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
 
 
 def kept_template(name: str, folder: Path) -> Template:
-    """The template of that name which an exam keeps in `folder`; rules that came after the exam do
-    not refuse it.
+    """The template of that name which an exam keeps in `folder`; rules that are newer than the exam
+    do not refuse it.
 
-    Raises TemplateError when it is not there or cannot be read.
+    Raises TemplateError when it is missing or cannot be read.
     """
     return load_template(name, folder, kept=True)
 

@@ -187,21 +187,21 @@ def scaled(sign: Literal["*", "/"], left: Kind, right: Kind) -> Kind:
         raise misfit(sign, left, right)
     if isinstance(right, Arrow) and (sign == "/" or isinstance(left, Arrow)):
         raise misfit(sign, left, right)
-    own, other = left.dimension, right.dimension
+    first, second = left.dimension, right.dimension
     found = None
-    if own is not None or other is not None:
-        found = multiplied(sign, own or NUMBER, other or NUMBER)
+    if first is not None or second is not None:
+        found = multiplied(sign, first or NUMBER, second or NUMBER)
     vectorial = isinstance(left, Arrow) or isinstance(right, Arrow)
     return Arrow(found) if vectorial else Scalar(found)
 
 
-def multiplied(sign: Literal["*", "/"], own: Dimension, other: Dimension) -> Dimension:
+def multiplied(sign: Literal["*", "/"], first: Dimension, second: Dimension) -> Dimension:
     """The dimension of a product or a quotient."""
     match sign:
         case "*":
-            return own * other
+            return first * second
         case "/":
-            return own / other
+            return first / second
         case _:
             assert_never(sign)
 

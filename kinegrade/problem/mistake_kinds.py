@@ -2,8 +2,8 @@
 answer.
 
 A mistake is data: shares of terms (`kinegrade.mechanics.slips`), a change of the givens, or a
-factor of the answer. Its identifier is stable: banks set credits by it, and marks tell it. Its
-sentence stands in `mistake_words.toml`.
+factor of the answer. Its identifier is stable: banks set credits by it, and marks name it. Its
+sentence is in `mistake_words.toml`.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ UNSIGNED = frozenset(CONVENTIONS[keyword].en for keyword in ("magnitude", "unsig
 
 
 def factors(ask: Ask) -> dict[str, Any]:
-    """By what the answer itself is wrong after each mistake in writing it; only a signed one can be
+    """The factor by which each mistake in writing changes the answer; only a signed one can be
     reversed.
     """
     return {
@@ -162,7 +162,7 @@ def unconverted_rates(template: Template) -> list[str]:
 
 
 def candidates(template: Template, asks: Mapping[str, Ask]) -> Iterator[Mistake]:
-    """The mistakes that the template gives an occasion for, where these asks are put."""
+    """The mistakes that are possible in the template, where these quantities are asked for."""
     occasions, others = occasions_of_shares(template, asks), occasions_of_givens(template, asks)
     for mistake in MISTAKES:
         if others.get(
@@ -234,7 +234,7 @@ def sentences() -> dict[str, dict[Language, str]]:
 
 
 def mistake_sentence(identifier: str, language: Language) -> str:
-    """What a mistake is, in one sentence for whoever made it.
+    """What a mistake is, in one sentence for the student who made it.
 
     >>> mistake_sentence("coriolis-halved", "en")
     'The factor 2 of the Coriolis acceleration was forgotten.'

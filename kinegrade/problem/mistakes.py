@@ -133,15 +133,15 @@ class Reader:
 
     def answer(self, ask: Ask, arithmetic: Any) -> Any:
         """The answer of one ask, None where there is no value."""
-        own = arithmetic.fork()
+        forked = arithmetic.fork()
         values = {**body_names(self.assembly.mechanism), **self.assembly.values}
         functions = {
             **self.assembly.functions,
-            **quantities(self.motion, own),
-            **self.centrodes.functions(own),
+            **quantities(self.motion, forked),
+            **self.centrodes.functions(forked),
         }
         try:
-            number = evaluate(ask.quantity, values, functions, own)
+            number = evaluate(ask.quantity, values, functions, forked)
         except (KinegradeError, AtInfinity):
             return None
         return self.in_unit(number, ask, arithmetic)
@@ -179,7 +179,7 @@ class Outcomes:
     """What mistakes lead to in an array of instances.
 
     `answers` has for every ask a row for the right answer, then one for each mistake, in the ask's
-    unit; NaN where there is no value. `scales` has for every ask the instances' own scale of such
+    unit; NaN where there is no value. `scales` has for every ask each instance's scale of such
     quantities, in the ask's unit.
     """
 

@@ -1,9 +1,9 @@
 """The values of a parameter at which a template is probed: those that can be drawn, and their near
 neighbours.
 
-A neighbour is an eighth of the way to the next drawable value, so it is near on the parameter's own
-scale, be that micrometres or kilometres, and it never leaves the range that the author gave. Values
-of one size and two senses, such as 1 and -1, are a choice between the two: they have no neighbours.
+A neighbour is an eighth of the way to the next drawable value, so it is near on the scale of the
+parameter, whether micrometres or kilometres, and it never leaves the author's range. Values of one
+size and two senses, such as 1 and -1, are a choice between the two: they have no neighbours.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ def probed(template: Template, parameter: Parameter) -> list[str]:
 
 
 def neighbours(sizes: list[float]) -> list[str]:
-    """What lies near to each of some sorted values on the side of the next one, in enough decimals
-    to tell.
+    """The neighbour of each of some sorted values on the side of the next one, with enough decimals
+    to distinguish it.
 
     >>> neighbours([0.002, 0.004]), neighbours([15.0, 30.0])
     (['0.00225', '0.00375'], ['16.9', '28.1'])

@@ -1,8 +1,8 @@
-"""How an ask is read off a motion into which own values are put, and what of the motion it is read
-off.
+"""How an ask is read off a motion into which a student's values are put, and which parts of the
+motion it depends on.
 
-`follow_through` uses it. A quantity can be put in where it says of one moving thing only: a body, a
-point, a relative motion, a Coriolis or a normal part. The difference of the velocities of two
+`follow_through` uses it. A quantity can be put in where it describes a single moving thing: a body,
+a point, a relative motion, a Coriolis or a normal part. The difference of the velocities of two
 points of one body is the body's rotation.
 """
 
@@ -38,7 +38,7 @@ MOTION = frozenset((*LEVELS, "pole", "circle_of_poles"))
 
 @dataclass(frozen=True)
 class OwnQuantities(Quantities):
-    """Reads quantities off a motion into which own values are put."""
+    """Reads quantities off a motion into which a student's values are put."""
 
     motion: FollowedMotion
 
@@ -57,12 +57,12 @@ class OwnQuantities(Quantities):
 
 
 def own_functions(motion: FollowedMotion, arithmetic: Any) -> dict[str, Callable[..., Any]]:
-    """What a quantity may say, read off such a motion."""
-    own = OwnQuantities(motion, arithmetic)
+    """The functions of a quantity, read off such a motion."""
+    reader = OwnQuantities(motion, arithmetic)
     return {
         **quantities(motion, arithmetic),
-        "normal_acceleration": own.normal,
-        ROTATION: own.rotation,
+        "normal_acceleration": reader.normal,
+        ROTATION: reader.rotation,
     }
 
 

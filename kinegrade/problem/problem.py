@@ -1,4 +1,4 @@
-"""A problem as a Python user meets it: load it by name, solve it at any values."""
+"""A problem for Python users: load it by name, solve it at any values."""
 
 from __future__ import annotations
 

@@ -24,8 +24,8 @@ class Quantity:
     """`number` counts units of `measure`: a rational, a surd, an Angle, or a ball when no small
     field holds it.
 
-    None stands for a coordinate or distance of a point at infinity. `consequences` tells what known
-    mistakes lead to in place of an answer, given its name and value.
+    None stands for a coordinate or distance of a point at infinity. `consequences` gives what known
+    mistakes lead to in place of an answer, from its name and value.
     """
 
     name: str
@@ -52,7 +52,7 @@ class Quantity:
 
     @cached_property
     def exact(self) -> str | None:
-        """The exact number as text that our grammar reads back, or None for an enclosure."""
+        """The exact number as text that `expression` reads back, or None for an enclosure."""
         if not self.is_exact:
             return None
         if self.at_infinity:

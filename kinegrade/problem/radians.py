@@ -1,4 +1,4 @@
-"""Plain numbers where an angle is due: `polar(O, r, 60)` is 60 radians, and its author meant 60
+"""Plain numbers in place of angles: `polar(O, r, 60)` is 60 radians where its author meant 60
 degrees.
 """
 

@@ -1,7 +1,7 @@
 """From the TOML text of a template to a Template; every fault of the file is reported at once.
 
-TOML is pure data; expressions are read by our own grammar. So a template from a stranger is safe to
-open. `sections` reads the tables of the file, a module each.
+TOML is pure data, and expressions have a small grammar. So a template from a stranger is safe to
+open. `sections` reads the tables of the file, one module for each.
 """
 
 from __future__ import annotations

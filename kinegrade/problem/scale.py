@@ -1,4 +1,4 @@
-"""The mechanism's own scale: the largest length, velocity, rotation ... that occurs, by dimension.
+"""The scale of a mechanism: the largest length, velocity, rotation ... that occurs, by dimension.
 
 Where an exact answer is zero, a relative tolerance would leave no room at all; the room is then a
 share of the largest quantity of the same kind in the mechanism.

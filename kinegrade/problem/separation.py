@@ -3,8 +3,8 @@ right answer.
 
 Decided in doubles for many instances at once. A mistaken value is too near when it, written to
 three significant figures, might be taken for right; the margin of half a unit of the third figure
-also keeps rounding in doubles from deciding anything. What most instances of a question cannot tell
-apart (a term that is identically zero there) is not asked of any of them.
+also keeps rounding in doubles from deciding anything. What most instances of a question cannot
+distinguish (a term that is identically zero there) is required of none of them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from kinegrade.problem.template import Ask, Template
 from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance
 
 WRITTEN = 0.005  # relative: what three significant figures may be off
-HALF = 0.5  # a mistake that more instances cannot tell from the truth is inseparable from it
+HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
 SCARCE = (
     0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
 )
@@ -43,8 +43,8 @@ class Comparison:
     """Instances held against what mistakes lead to: for every ask a row for each mistake, by
     `identifiers`.
 
-    `near` tells where a mistaken value might be taken for right, `changed` where it is another
-    value at all; `fit` tells which instances may be drawn at all, as far as doubles know.
+    `near` marks where a mistaken value might be taken for right, `changed` where it is another
+    value at all; `fit` marks the instances that may be drawn, as far as doubles can decide.
     """
 
     identifiers: Mapping[str, tuple[str, ...]]
@@ -99,7 +99,7 @@ class Separation:
         return Comparison(identifiers, near, changed, self.fit(found, arrays))
 
     def inseparable(self) -> dict[str, tuple[str, ...]]:
-        """For each ask the mistakes that the sample cannot tell from the truth.
+        """For each ask the mistakes that the sample cannot distinguish from the truth.
 
         They change nothing although their term is of consequence (it is zero at this instant), or
         almost nothing in most instances; draws do not keep them apart.

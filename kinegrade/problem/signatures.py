@@ -102,34 +102,34 @@ def line(name: str, kinds: Sequence[Kind]) -> Kind:
 
 def first(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of the first argument's dimension."""
-    own = kinds[0]
-    match own:
+    kind = kinds[0]
+    match kind:
         case Scalar(dimension) | Arrow(dimension):
             return Scalar(dimension)
         case Straight() | Ring() | BodyKind() | Side() | Unknown():
             return Unknown()
         case _:
-            assert_never(own)
+            assert_never(kind)
 
 
 def same(name: str, kinds: Sequence[Kind]) -> Kind:
     """A vector of the first argument's dimension."""
-    own = kinds[0]
-    match own:
+    kind = kinds[0]
+    match kind:
         case Arrow(dimension):
             return Arrow(dimension)
         case Scalar() | Straight() | Ring() | BodyKind() | Side() | Unknown():
             return Unknown()
         case _:
-            assert_never(own)
+            assert_never(kind)
 
 
 def root(name: str, kinds: Sequence[Kind]) -> Kind:
     """A number of half the dimension."""
-    own = kinds[0]
-    if not isinstance(own, Scalar) or own.dimension is None:
-        return own
-    return Scalar(own.dimension ** Fraction(1, 2))
+    kind = kinds[0]
+    if not isinstance(kind, Scalar) or kind.dimension is None:
+        return kind
+    return Scalar(kind.dimension ** Fraction(1, 2))
 
 
 def ratio(name: str, kinds: Sequence[Kind]) -> Kind:

@@ -54,7 +54,7 @@ def pieces(text: str) -> tuple[str | Slot, ...]:
 
 
 def slots_in_formulas(text: str) -> tuple[Slot, ...]:
-    """The slots that stand between dollar signs; what is filled in has dollar signs of its own.
+    """The slots between dollar signs; what is filled in brings its own dollar signs.
 
     >>> slots_in_formulas("$r$ is {{ r.value }}, and $v = {{ v.value }}$")
     (Slot(name='v', value=True),)
@@ -104,7 +104,7 @@ def slot_faults(
 
 
 def _slot(match: re.Match[str]) -> Slot | None:
-    """The slot that braces are; None where they are none."""
+    """The slot in braces; None where they do not form one."""
     named = NAMED.fullmatch(match["inside"]) if match["other"] is None else None
     return Slot(named["name"], named["value"] is not None) if named else None
 

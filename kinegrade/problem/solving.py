@@ -229,11 +229,11 @@ def answer(
     ask: Ask, assembly: Assembly, motion: Motion, circles: Centrodes, arithmetic: Any
 ) -> Quantity:
     """The answer of one ask; roots that it alone needs stay out of the others' field."""
-    own = arithmetic.fork()
+    forked = arithmetic.fork()
     values = {**body_names(assembly.mechanism), **assembly.values}
-    functions = {**assembly.functions, **quantities(motion, own), **circles.functions(own)}
+    functions = {**assembly.functions, **quantities(motion, forked), **circles.functions(forked)}
     try:
-        number = evaluate(ask.quantity, values, functions, own)
+        number = evaluate(ask.quantity, values, functions, forked)
         require_number(number, ask)
         quantity = in_unit(ask.name, number, ask.unit)
     except AtInfinity:

@@ -21,8 +21,8 @@ def write_starter(name: str, path: Path | None = None, *, force: bool = False) -
     """Writes the starter as the template `name`, by default to NAME.toml in the current folder;
     gives its path.
 
-    Raises TemplateError for what is no template's name, and for a path that does not end in it;
-    OutputError where a file stands already, unless `force`.
+    Raises TemplateError for what cannot be a template's name, and for a path that does not end in
+    it; OutputError where the file exists, unless `force`.
     """
     text = starter_text()
     read_template(name, text)

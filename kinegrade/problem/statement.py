@@ -3,7 +3,7 @@
 Statements are Markdown with LaTeX math between dollar signs. `{{ r }}` becomes `$r =
 0.25\\,\\unit{m}$`, `{{ r.value }}` the number with its unit alone, and `{{ turning }}` the wording
 of `[[text.turning]]` that applies at these values. Nothing else is filled in: a template from a
-stranger can print its parameters and its own texts and no more.
+stranger can print its parameters and its own texts, and nothing more.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ def specimens(template: Template, language: Language) -> Iterator[tuple[str, str
 
 
 def in_slot(slot: Slot, givens: Mapping[str, Given], texts: Mapping[str, str]) -> str:
-    """What stands in place of a slot."""
+    """The text that replaces a slot."""
     if slot.name in texts:
         return texts[slot.name]
     given = givens[slot.name]
@@ -176,7 +176,7 @@ def written(template: Template, language: Language) -> Iterator[tuple[str, str]]
 
 
 def unused_texts(template: Template) -> list[str]:
-    """The texts that a statement lacks: its readers are not told what the other ones are."""
+    """The texts that no statement, or only that of the other language, uses."""
     faults = []
     for name in template.words.texts:
         lacking = [

@@ -133,7 +133,7 @@ class TemplateFile:
 
 @dataclass(frozen=True)
 class About:
-    """By what a template is found and chosen.
+    """The data by which a template is found and chosen.
 
     `tags` are the author's words, besides those that follow from what it asks. `method` is how its
     worked solution finds velocities where several methods serve.

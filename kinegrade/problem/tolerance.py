@@ -1,5 +1,5 @@
-"""How far from the exact value an answer is still right: the rule that a bank states and the paper
-prints.
+"""How far from the exact value an answer still counts as right: the rule that a bank states and the
+paper prints.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from kinegrade.mechanics.doubles import MotionInDoubles
 from kinegrade.problem.scale import scale
 from kinegrade.units import Unit
 
-CARRIED = 3  # significant figures that everybody carries through a calculation
+CARRIED = 3  # significant figures that every student carries through a calculation
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class Tolerance:
         return low, high
 
     def carried(self, exact: Fraction) -> int:
-        """The significant figures that a student must carry: 3, or as many more as it takes to tell
-        right from wrong.
+        """The significant figures that a student must carry: 3, or as many more as it takes to
+        distinguish right from wrong.
 
         A number written to n figures may be off by half a unit of the last; that must be less than
         what is allowed.
@@ -71,7 +71,7 @@ ONE_PER_CENT = Tolerance(Fraction(1, 100), Fraction(0))
 
 def effective(tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDoubles) -> Tolerance:
     """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's
-    share of the mechanism's own scale is allowed. Next to zero is what is smaller than that.
+    share of the mechanism's scale is allowed. Next to zero means smaller than that.
     """
     room = tolerance.share * own_scale(motion, unit)
     if abs(value) >= room:
@@ -81,7 +81,7 @@ def effective(tolerance: Tolerance, value: float, unit: Unit, motion: MotionInDo
 
 @lru_cache(maxsize=1024)
 def own_scale(motion: MotionInDoubles, unit: Unit) -> Fraction:
-    """The mechanism's own scale in a unit, to two figures."""
+    """The mechanism's scale in a unit, to two significant figures."""
     return two_figures(scale(motion, unit))
 
 

@@ -30,28 +30,30 @@ class Layer:
 class Layers:
     """The tables of a template's file over those of its mechanism, as one source of faults."""
 
-    own: Layer
+    template: Layer
     shared: Layer
 
     def content(self) -> dict[str, object]:
         """The tables together."""
-        own, shared = self.own.content, _sharable(self.shared.content)
-        both = {key: _laid_over(key, shared[key], own[key]) for key in shared if key in own}
-        return {**shared, **own, **both}
+        template, shared = self.template.content, _sharable(self.shared.content)
+        both = {
+            key: _laid_over(key, shared[key], template[key]) for key in shared if key in template
+        }
+        return {**shared, **template, **both}
 
     def where(self, place: Place) -> Where:
         """The file and the line of what stands at a place of the tables together; where both files
         have it, in the template's.
         """
-        own = self._own_place(place)
+        in_template = self._template_place(place)
         entry = 3 if place[:1] == ("parameters",) else 2
         shared_depth = _depth(self.shared.content, place[:entry])
-        if shared_depth > _depth(self.own.content, own[:entry]):
+        if shared_depth > _depth(self.template.content, in_template[:entry]):
             return self.shared.document.where(place)
-        return self.own.document.where(own)
+        return self.template.document.where(in_template)
 
-    def _own_place(self, place: Place) -> Place:
-        """A place as it is counted in the template's file; below 0 what stands before it."""
+    def _template_place(self, place: Place) -> Place:
+        """A place as counted in the template's file; below 0 where it is the mechanism's."""
         match place:
             case (str() as key, int() as number, *inside) if key in SHARED_LISTS:
                 listed = self.shared.content.get(key)
@@ -72,26 +74,28 @@ def _sharable(content: Content) -> Content:
     return {key: value for key, value in content.items() if is_sharable(key, value)}
 
 
-def _laid_over(key: str, shared: object, own: object) -> object:
+def _laid_over(key: str, shared: object, template: object) -> object:
     """A table or list over the mechanism's; one of the wrong kind is kept, to be refused later."""
-    match shared, own:
+    match shared, template:
         case list(), list():
-            return [*shared, *own]
+            return [*shared, *template]
         case dict(), dict():
-            merged = {name: {**shared[name], **own[name]} for name in _both(key, shared, own)}
-            return {**shared, **own, **merged}
+            merged = {
+                name: {**shared[name], **template[name]} for name in _both(key, shared, template)
+            }
+            return {**shared, **template, **merged}
         case _:
-            return own
+            return template
 
 
-def _both(key: str, shared: Content, own: Content) -> list[str]:
+def _both(key: str, shared: Content, template: Content) -> list[str]:
     """The parameters that both files describe."""
     if key != "parameters":
         return []
     return [
         name
         for name in shared
-        if isinstance(shared[name], dict) and isinstance(own.get(name), dict)
+        if isinstance(shared[name], dict) and isinstance(template.get(name), dict)
     ]
 
 

@@ -44,16 +44,18 @@ def no_mechanisms(name: str) -> str:
 def open_template(name: str, text: str, mechanisms: Mechanisms) -> Opened:
     """The tables of the template of that name.
 
-    Raises TemplateError where a file is no TOML, or where the mechanism cannot be had.
+    Raises TemplateError where a file is not TOML, or where the mechanism cannot be loaded.
     """
     if not _FILE_NAME.fullmatch(name):
         raise TemplateError(
             f"{name}.toml: a template's name is made of small letters, digits and hyphens"
         )
-    own = _toml(f"{name}.toml", text)
-    if "mechanism" in own:
-        return _laid_over(own, f"{name}.toml", text, _mechanism(own, mechanisms))
-    return Opened(_known(own, NEEDED), TemplateFile(text), (own.faults,), _strays(own))
+    template = _toml(f"{name}.toml", text)
+    if "mechanism" in template:
+        return _laid_over(template, f"{name}.toml", text, _mechanism(template, mechanisms))
+    return Opened(
+        _known(template, NEEDED), TemplateFile(text), (template.faults,), _strays(template)
+    )
 
 
 def _toml(file: str, text: str) -> Table:
@@ -77,33 +79,33 @@ def _strays(table: Table) -> frozenset[str]:
     return frozenset(name for value in unknown if isinstance(value, dict) for name in value)
 
 
-def _mechanism(own: Table, mechanisms: Mechanisms) -> MechanismFile:
-    """The file that a template shares. Raises TemplateError where it cannot be had, with what else
-    can be said of the template then.
+def _mechanism(template: Table, mechanisms: Mechanisms) -> MechanismFile:
+    """The file that a template shares. Raises TemplateError where it cannot be loaded, with the
+    other faults of the template that can then be found.
     """
 
     def load(value: object) -> MechanismFile:
         name = _mechanism_name(value)
         return MechanismFile(name, mechanisms(name))
 
-    mechanism = own.required("mechanism", load)
+    mechanism = template.required("mechanism", load)
     if mechanism is None:
-        raise TemplateError(*_outline_faults(own))
+        raise TemplateError(*_outline_faults(template))
     return mechanism
 
 
-def _shared(own: Table, file: str, mechanism: MechanismFile) -> Table:
-    """The tables of the mechanism's file. Raises TemplateError where it is no TOML."""
+def _shared(template: Table, file: str, mechanism: MechanismFile) -> Table:
+    """The tables of the mechanism's file. Raises TemplateError where it is not TOML."""
     try:
         return _toml(file, mechanism.text)
     except TemplateError as error:
-        raise TemplateError(*_outline_faults(own), *error.problems) from error
+        raise TemplateError(*_outline_faults(template), *error.problems) from error
 
 
-def _outline_faults(own: Table) -> tuple[str, ...]:
-    """What can be said of a template whose mechanism cannot be read."""
-    _known(own, [key for key in NEEDED if key not in SHARED])
-    return own.faults.raised().problems
+def _outline_faults(template: Table) -> tuple[str, ...]:
+    """The faults that can be found in a template whose mechanism cannot be read."""
+    _known(template, [key for key in NEEDED if key not in SHARED])
+    return template.faults.raised().problems
 
 
 def _mechanism_name(value: object) -> str:
@@ -114,20 +116,20 @@ def _mechanism_name(value: object) -> str:
     raise FieldError(found(value), expected)
 
 
-def _laid_over(own: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
+def _laid_over(template: Table, file: str, text: str, mechanism: MechanismFile) -> Opened:
     shared_file = f"{FOLDER}/{mechanism.name}.toml"
-    shared = _shared(own, shared_file, mechanism)
+    shared = _shared(template, shared_file, mechanism)
     for key, value in shared.content.items():
         if not is_sharable(key, value):
             _refuse(shared, key, value)
     layers = Layers(
-        Layer(own.content, Document(file, text, lines_of_toml)),
+        Layer(template.content, Document(file, text, lines_of_toml)),
         Layer(shared.content, Document(shared_file, mechanism.text, lines_of_toml)),
     )
     both = Table(Faults(layers, TemplateError), (), layers.content())
     table = _known(both, [key for key in NEEDED if key not in shared])
     faults = (table.faults, shared.faults)
-    return Opened(table, TemplateFile(text, mechanism), faults, _strays(own))
+    return Opened(table, TemplateFile(text, mechanism), faults, _strays(template))
 
 
 def _refuse(shared: Table, key: str, value: object) -> None:

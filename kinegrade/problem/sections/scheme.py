@@ -1,5 +1,5 @@
-"""The mechanism as it is written: lengths, points and bodies by name; joints, inputs and conditions
-by their position in the file.
+"""The mechanism as written: lengths, points and bodies by name; joints, inputs and conditions by
+their position in the file.
 """
 
 from __future__ import annotations

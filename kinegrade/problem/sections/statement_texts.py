@@ -28,7 +28,7 @@ _LAST = 'without "if" it applies at all values, so nothing after it does'
 
 
 def read_texts(table: Table) -> dict[str, dict[int, Wording]]:
-    """The texts by name, of each the wordings that can be read, by their position in the file."""
+    """The texts by name, each with the wordings that can be read, by their position in the file."""
     texts = table.table("text")
     if len(texts) > _MOST:
         table.fault(

@@ -20,7 +20,7 @@ from kinegrade.problem.template import Condition, Published, Translated, Wording
 
 @dataclass(frozen=True)
 class _Miss:
-    """A name that is used at a place and not there, and what to do."""
+    """A name that is used at a place and does not exist, and what to do."""
 
     place: Place
     what: str
@@ -41,7 +41,7 @@ def _more(places: int) -> str:
 
 @dataclass(frozen=True)
 class _Uses:
-    """Looks through one draft; `unknown` collects the names that are not there."""
+    """Checks one draft; `unknown` collects the names that do not exist."""
 
     draft: Draft
     faults: Faults
@@ -166,8 +166,8 @@ class _Uses:
                 self.miss(name, miss)
 
     def miss(self, name: str, miss: _Miss) -> None:
-        """Note that a name is used and not there, unless the file declares it by something that
-        cannot be read.
+        """Note that a name is used and does not exist, unless its declaration in the file cannot be
+        read.
         """
         if name not in self.draft.faulty:
             self.unknown.setdefault(name, []).append(miss)
