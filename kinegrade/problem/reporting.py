@@ -30,7 +30,7 @@ def report_lines(report: Report) -> Iterator[str]:
         )
     for name, mistakes in report.inseparable.items():
         if mistakes:
-            yield f"  {name}: cannot be told from the right answer: {', '.join(mistakes)}"
+            yield f"  {name}: cannot be distinguished from the right answer: {', '.join(mistakes)}"
     for remark in report.remarks:
         yield f"  remark: {remark}"
     for fault in report.faults:

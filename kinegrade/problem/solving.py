@@ -129,7 +129,7 @@ def certified(work: Callable[[Any], Result]) -> Result:
         except (Inexact, Undecided):
             continue
     raise MechanismError(
-        "at these values the configuration cannot be told from a degenerate one "
+        "at these values the configuration cannot be distinguished from a degenerate one "
         f"even with {PRECISIONS[-1]} bits: choose other values"
     )
 

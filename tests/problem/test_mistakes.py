@@ -287,9 +287,7 @@ def test_terms_that_vanish_identically_are_told() -> None:
 
 def test_the_report_of_a_check_tells_them() -> None:
     lines = list(report_lines(check(load_template("parallelogram-with-sliding-rod"), sample=20)))
-    told = (
-        "cannot be told from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
-    )
+    told = "cannot be distinguished from the right answer: coriolis-dropped, coriolis-halved, coriolis-reversed"
     assert f"  a_rel: {told}" in lines
     assert not [line for line in lines if line.startswith("  omega_AB: cannot")]
     assert re.search(r"refused: .*mistake \d+", "".join(lines))

@@ -154,7 +154,7 @@ def test_all_unknown_parameters_are_told_at_once_and_unknown_asks_too() -> None:
 def test_values_that_no_precision_tells_from_degenerate_ones_are_refused() -> None:
     # 2 cos(1 degree) cos(2 degrees) = cos(3 degrees) + cos(1 degree): zero, but not for balls
     zero = "2*cos(pi/180)*cos(pi/90) - cos(pi/60) - cos(pi/180)"
-    assert "cannot be told from a degenerate one" in solving(
+    assert "cannot be distinguished from a degenerate one" in solving(
         ('quantity = "magnitude(velocity(A))"', f'quantity = "y(velocity(A))/({zero})"')
     )
 
