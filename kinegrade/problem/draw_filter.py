@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import assert_never
 
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.deck import Combination, Deck
@@ -126,6 +127,11 @@ class DrawFilter:
 
     def _verdict(self, found: Solution | Refused) -> Verdict:
         """What is said of an instance that no mistake confuses."""
-        if isinstance(found, Refused):
-            return found.reason
-        return "decimals" if self.four_decimals and too_fine(found, self.tolerances) else None
+        match found:
+            case Refused(reason=reason):
+                return reason
+            case Solution():
+                fine = self.four_decimals and too_fine(found, self.tolerances)
+                return "decimals" if fine else None
+            case _:
+                assert_never(found)

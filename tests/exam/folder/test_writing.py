@@ -50,6 +50,7 @@ HEAD = ExamHead(
             template="slider-crank",
             points=Fraction(11, 2),
             combinations=21780,
+            good=1,
             refused={"mistake": 1},
             asks=(
                 Ask("q1", "v_B", "m/s", Fraction(3), "magnitude"),
