@@ -120,13 +120,7 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
             f"{RESTORING}"
         )
     papers = paper_digests(exam)
-    lacking = [student for student in exam.students if student not in papers]
-    if lacking:
-        raise ExamError(
-            f'{exam.key}: no line for student "{one_line(lacking[0])}" ({len(lacking)} of '
-            f"{len(exam.students)} are not there), so that a paper may be replaced unnoticed - "
-            f"{RESTORING}"
-        )
+    exam.require_one_line_each()
     kept = {line.student: line for line in exam.lines()}
     for line in kept.values():
         if line.place is not None and not 0 <= line.place < MOST_PLACES:

@@ -60,7 +60,10 @@ def copied(small_class: Path, tmp_path: Path) -> Path:
 
 
 def rewritten(exam: Path, line: dict[str, Any]) -> Path:
-    (exam / "key.jsonl").write_text(json.dumps(line) + "\n", encoding="utf-8")
+    """The exam with another first line of its key."""
+    key = exam / "key.jsonl"
+    others = key.read_text(encoding="utf-8").splitlines()[1:]
+    key.write_text("\n".join([json.dumps(line), *others]) + "\n", encoding="utf-8")
     return exam
 
 

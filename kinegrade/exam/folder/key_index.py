@@ -14,6 +14,7 @@ from pathlib import Path
 import msgspec
 
 from kinegrade.exam.folder.faults import broken, damaged, unreadable
+from kinegrade.exam.folder.ownership import repetitions
 
 _BEGINNING = re.compile(rb'\{"student": ?("(?:[^"\\]|\\.)*")')
 
@@ -47,26 +48,35 @@ class KeyIndex:
 
 
 def index_of(path: Path) -> KeyIndex:
-    """The index of a file. Raises ExamError."""
+    """The index of a file. Raises ExamError, also where a student has several lines."""
+    lines = _lines(path)
+    faults = [*repetitions([student for student, _ in lines])]
+    if faults:
+        raise broken(path, faults)
+    return KeyIndex(path, dict(lines))
+
+
+def owners_of(path: Path) -> list[str]:
+    """The students of the lines of a file, in its order. Raises ExamError."""
+    return [student for student, _ in _lines(path)]
+
+
+def _lines(path: Path) -> list[tuple[str, int]]:
+    """Whose each line is that is not empty, and where it begins. Raises ExamError."""
     try:
-        found: dict[str, int] = {}
-        for begin, student in _owners(path):
-            found.setdefault(student, begin)
-        return KeyIndex(path, found)
+        return [*_owners(path)]
     except OSError as fault:
         raise unreadable(path, fault) from fault
 
 
-def _owners(path: Path) -> Iterator[tuple[int, str]]:
-    """Where each line begins that is not empty, and whose it is; of a line as `generate` writes it
-    only the beginning is looked at.
-    """
+def _owners(path: Path) -> Iterator[tuple[str, int]]:
+    """The same, line by line; of a line as `generate` writes it only the beginning is looked at."""
     begin = 0
     with path.open("rb") as stream:
         for number, line in enumerate(stream, 1):
             if not line.isspace():
                 try:
-                    yield begin, _owner(line)
+                    yield _owner(line), begin
                 except (ValueError, RecursionError) as fault:
                     raise broken(path, [f"line {number}: {damaged(fault)}"]) from fault
             begin += len(line)

@@ -4,16 +4,15 @@ needs the memory of a few.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import broken, unreadable
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.ownership import ownership_faults
 from kinegrade.exam.folder.records import Candidate
 
 # Bytes: some lines, which are long, and not more than stays in the fast memory of a processor
@@ -74,7 +73,7 @@ class _Papers:
             while due is not None and due in self.early:
                 yield self._early(self.early[due])
                 due = next(waiting, None)
-        faults = self.faults or [*self._repetitions(), *self._strangers()]
+        faults = self.faults or [*ownership_faults(self.seen, self.candidates)]
         if faults:
             raise broken(self.path, faults)
 
@@ -116,15 +115,3 @@ class _Papers:
 
     def _place(self, line: _Line) -> str:
         return f"{self.path}: line {line.number}"
-
-    def _repetitions(self) -> Iterator[str]:
-        for student, count in Counter(self.seen).items():
-            if count > 1:
-                yield f'student "{student}" stands there {count} times - expected once'
-
-    def _strangers(self) -> Iterator[str]:
-        seen = set(self.seen)
-        for student in sorted(self.candidates.keys() - seen):
-            yield f'no line for student "{student}" - expected one'
-        for student in sorted(seen - self.candidates.keys()):
-            yield f'student "{student}" is not in {HEAD} - expected only its students'

@@ -1,0 +1,26 @@
+"""Whose lines a key holds: one for each candidate, and no others."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator
+
+from kinegrade.exam.folder.contents import HEAD
+
+
+def ownership_faults(owners: Collection[str], candidates: Collection[str]) -> Iterator[str]:
+    """What is wrong with the owners of the lines: those who have several, those who have none, and
+    strangers.
+    """
+    yield from repetitions(owners)
+    for student in sorted(set(candidates).difference(owners)):
+        yield f'no line for student "{student}" - expected one'
+    for student in sorted(set(owners).difference(candidates)):
+        yield f'student "{student}" is not in {HEAD} - expected only its students'
+
+
+def repetitions(owners: Collection[str]) -> Iterator[str]:
+    """The owners of several lines."""
+    for student, count in Counter(owners).items():
+        if count > 1:
+            yield f'student "{student}" stands there {count} times - expected once'
