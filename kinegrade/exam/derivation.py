@@ -1,8 +1,8 @@
 """A question of a paper derived again from what an exam folder keeps: its copy of the template and
 the values drawn.
 
-What follows is held against the key of the folder, by which marks are decided: a worked solution
-that contradicts the key is never made, whatever has changed since, the folder or this program.
+The result is compared with the folder's key, by which marks are decided: a worked solution that
+contradicts the key is never made, whether the folder or this program has changed since.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solving import Solution, solve_template
 
-# Relative: between certified decimals, between doubles, and where a value drawn is but a double
+# Relative: between certified decimals, between doubles, and where a drawn value is only a double
 _CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))
 _DOUBLE = Fraction(1, 10**15)
 _OF_DOUBLES = Fraction(1, 10**9)
@@ -38,7 +38,7 @@ def derive_question(
     """The question as it was set for a student whose line of the key says `kept`; `where` names
     that place in messages, `plan` is one that may serve.
 
-    Raises ExamError, with all differences, where something else follows than the key says.
+    Raises ExamError, with all differences, if the result is not what the key states.
     """
     solution = _solved(question, kept, where, plan)
     derived = set_drawn(question, Drawn(kept.values, solution))
@@ -53,12 +53,12 @@ def _solved(question: BankQuestion, kept: KeyQuestion, where: str, plan: Plan | 
     try:
         return solve_template(question.template, kept.values, asks, plan)
     except KinegradeError as error:
-        reasons = (f"does not follow any more ({problem})" for problem in error.problems)
+        reasons = (f"no longer follows ({problem})" for problem in error.problems)
         raise contradicted(where, reasons) from error
 
 
 def _differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[str]:
-    """What of a question is not as its key says, each with both."""
+    """The differences between a question and its key, each with both values."""
     parameters = derived.drawn.solution.parameters
     asks = {entry.ask.name: entry for entry in derived.asks}
     yield from _name_differences("parameters", parameters, kept.parameters)
@@ -90,8 +90,7 @@ def _listed(names: Collection[str]) -> str:
 def _value_differences(
     name: str, derived: Quantity, kept: StatedNumber | StatedAnswer, room: Fraction
 ) -> Iterator[str]:
-    """Where a quantity is not what the key says: in its unit, or in a way in which its value is
-    stated.
+    """Where a quantity differs from the key: in its unit, or in one of the forms of its value.
 
     An exact form that is no plain number is not compared: it may be printed in many ways, and
     marks go by its decimal.
@@ -112,7 +111,7 @@ def _value_differences(
 
 
 def _agree(way: str, found: Decimal | str, derived: Quantity, room: Fraction) -> bool:
-    """Whether a number of the key is the one derived, but for its last digits."""
+    """Whether a number of the key is the derived one, except for its last digits."""
     if derived.at_infinity:
         return False
     try:

@@ -27,7 +27,7 @@ template = "slider-crank"
 asks = { omega_AB = 3, a_B = 2 }
 """
 REMEDY = (
-    " - expected one and the same - restore the exam folder as it was generated, or use the "
+    " - expected both to agree - restore the exam folder as it was generated, or use the "
     "version of kinegrade that made it"
 )
 Damage = Callable[[Path], None]

@@ -127,10 +127,10 @@ TOLERANCE = StatedTolerance(Decimal("0.05"), Decimal(0))
 @pytest.mark.parametrize(
     ("change", "difference"),
     [
-        (changed_ask(decimal="5"), r"v_B is 5 by the key, and \S+ follows from the"),
-        (changed_ask(value=Decimal(5)), r"v_B is 5 by the key, and \S+ follows from the"),
-        (changed_ask(exact="5/2"), r"v_B is 5/2 by the key, and \S+ follows from the"),
-        (changed_ask(decimal="much"), r"v_B is much by the key, and"),
+        (changed_ask(decimal="5"), r"v_B is 5 by the key, but \S+ follows from the"),
+        (changed_ask(value=Decimal(5)), r"v_B is 5 by the key, but \S+ follows from the"),
+        (changed_ask(exact="5/2"), r"v_B is 5/2 by the key, but \S+ follows from the"),
+        (changed_ask(decimal="much"), r"v_B is much by the key, but"),
         (changed_ask(unit="mm/s"), "v_B is in mm/s by the key, in m/s by the template"),
         (
             changed_ask(exact=None, decimal=None, value=None),
@@ -143,8 +143,8 @@ TOLERANCE = StatedTolerance(Decimal("0.05"), Decimal(0))
         ),
         (changed_ask(points=Decimal(4)), "v_B: points is 4 by the key, 3 by the bank"),
         (changed_ask(period=Decimal(360)), "v_B: period is 360 by the key, none by the bank"),
-        (changed_parameter(value=Decimal(9)), r"r is 9 by the key, and \S+ follows"),
-        (changed_parameter(exact="9"), r"r is 9 by the key, and \S+ follows from the"),
+        (changed_parameter(value=Decimal(9)), r"r is 9 by the key, but \S+ follows"),
+        (changed_parameter(exact="9"), r"r is 9 by the key, but \S+ follows from the"),
         (changed_parameter(unit="mm"), "r is in mm by the key, in m by the template"),
         (without("asks", "v_B"), "the key has the asks a_B, the templates a_B, v_B"),
         (
@@ -185,7 +185,7 @@ def test_values_that_give_no_mechanism_are_refused(
     with pytest.raises(ExamError) as caught:
         derive_question(bank.questions[0], msgspec.structs.replace(kept[0], drawn=drawn), WHERE)
     message = str(caught.value)
-    assert message.startswith(f"{WHERE}: does not follow any more (slider-crank: ")
+    assert message.startswith(f"{WHERE}: no longer follows (slider-crank: ")
     assert reason in message
     assert message.endswith(REMEDY)
 

@@ -173,7 +173,7 @@ def test_where_the_key_says_otherwise_nothing_follows_but_a_refusal(
     with pytest.raises(ExamError) as caught:
         a_B(follow, "007")
     assert str(caught.value) == (
-        f'{tmp_path / "key.jsonl"}: student "007", q1: a_B is {stated["decimal"]} by the key, and '
+        f'{tmp_path / "key.jsonl"}: student "007", q1: a_B is {stated["decimal"]} by the key, but '
         f"-0.222222222222 follows from the values drawn - {REMEDY}"
     )
 

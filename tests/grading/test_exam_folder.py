@@ -84,7 +84,7 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda head, _: head["students"][1].update(student="００７"),
-        'student "007" stands there 2 times',
+        'student "007" appears 2 times',
     ),
     (
         lambda head, _: head["questions"][1].update(question="q1"),
@@ -118,7 +118,7 @@ CHANGES: list[tuple[Change, str]] = [
     (lambda _, papers: papers.append(paper("x")), 'key.jsonl: student "x" is not in exam.json'),
     (
         lambda _, papers: papers.append(paper("007")),
-        'key.jsonl: student "007" stands there 2 times',
+        'key.jsonl: student "007" appears 2 times',
     ),
     (
         lambda _, papers: asks(papers[1]).pop("v_B"),
@@ -134,11 +134,11 @@ CHANGES: list[tuple[Change, str]] = [
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"].update(value=1.8),
-        "q1.v_B: decimal, value say different numbers",
+        "q1.v_B: decimal, value state different numbers",
     ),
     (
         lambda _, papers: asks(papers[1], 1)["a_B"].update(exact="1/8"),
-        "q2.a_B: exact, decimal, value say different",
+        "q2.a_B: exact, decimal, value state different",
     ),
     (
         lambda _, papers: asks(papers[1])["v_B"].update(decimal="1e"),

@@ -358,7 +358,7 @@ def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:
     ):
         list(feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en"))
     with pytest.raises(
-        ExamError, match='no paper of student "8" - expected one for everybody who is marked'
+        ExamError, match='no paper of student "8" - expected one for every student who is marked'
     ):
         PaperRecords(open_exam(exam)).paper("8")
 

@@ -1,4 +1,4 @@
-"""What an exam folder holds: how its files and folders are called."""
+"""What an exam folder holds: the names of its files and folders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said where a key and what is derived again from its folder contradict each other."""
+"""The error for a key that contradicts what is derived again from its folder."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from collections.abc import Iterable
 from kinegrade.errors import ExamError
 
 REMEDY = (
-    "expected one and the same - restore the exam folder as it was generated, or use the version "
+    "expected both to agree - restore the exam folder as it was generated, or use the version "
     "of kinegrade that made it"
 )
 
 
 def contradicted(where: str, differences: Iterable[str]) -> ExamError:
-    """The refusal to derive anything where these differences from the key are found."""
+    """The refusal to derive anything that differs from the key in these ways."""
     return ExamError(*(f"{where}: {difference} - {REMEDY}" for difference in differences))
 
 
 def other_value(name: str, found: object, derived: str) -> str:
     """The difference between a value that the key states and the one derived."""
-    return f"{name} is {found} by the key, and {derived} follows from the values drawn"
+    return f"{name} is {found} by the key, but {derived} follows from the values drawn"

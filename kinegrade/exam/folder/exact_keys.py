@@ -1,5 +1,5 @@
-"""The exact keys of a paper from its line of key.jsonl, of whatever shape that may be, or what is
-wrong with it.
+"""The exact keys of a paper from its line of key.jsonl, whatever its shape, or what is wrong with
+it.
 
 `key_decoding` reads lines of the usual shape many times faster and leaves all others to this.
 """
@@ -26,7 +26,7 @@ _LINE = msgspec.json.Decoder(KeyLine)
 
 def key_line(text: bytes) -> KeyLine:
     """The record on a line. Raises FieldError, and UnicodeDecodeError where it is not UTF-8."""
-    text.decode("utf-8")  # msgspec takes any bytes in a text that it skips
+    text.decode("utf-8")  # msgspec accepts any bytes in a text that it skips
     try:
         return _LINE.decode(text)
     except (ValueError, ArithmeticError, RecursionError) as fault:
@@ -41,9 +41,10 @@ def exact_keys(asks: Sequence[Ask], line: KeyLine) -> list[Key]:
         for name, answer in question.asks.items()
     }
     if found.keys() != {ask.column for ask in asks}:
-        odd = ", ".join(sorted(found.keys() ^ {ask.column for ask in asks}))
+        differing = ", ".join(sorted(found.keys() ^ {ask.column for ask in asks}))
         raise FieldError(
-            f'student "{line.student}": the asks differ from {HEAD} in {odd} - expected the same'
+            f'student "{line.student}": the asks differ from {HEAD} in {differing} - expected the '
+            "same"
         )
     try:
         return [_key(ask, found[ask.column]) for ask in asks]
@@ -93,5 +94,5 @@ def exact_value(answer: StatedAnswer) -> Fraction:
     first, *others = values.values()
     # A check only: floats will do
     if not all(isclose(first, other, rel_tol=AGREEMENT) for other in others):
-        raise FieldError(f"{', '.join(values)} say different numbers - expected one and the same")
+        raise FieldError(f"{', '.join(values)} state different numbers - expected the same one")
     return first

@@ -2,7 +2,7 @@
 its bank.
 
 A command opens it once, by `open_exam`, and passes it on; nothing else knows the files. Only the
-head is read at once.
+head is read immediately.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ from kinegrade.language import Language
 if TYPE_CHECKING:
     from kinegrade.exam.folder.kept_templates import KeptTemplates
 
-_KEPT_LINES = 4  # an ask at a time comes back to its paper
+_KEPT_LINES = 4  # marking comes back to the same paper for each ask
 
 
 @dataclass(frozen=True)
 class ExamFolder:
-    """An exam folder, of which the head was read."""
+    """An exam folder whose head has been read."""
 
     path: Path
     head: ExamHead
@@ -81,7 +81,7 @@ class ExamFolder:
         return self.pool.exists()
 
     def papers(self) -> Iterator[Paper]:
-        """The papers in the order of the roster, read while they are asked for.
+        """The papers in the order of the roster, read as they are asked for.
 
         Raises ExamError with all faults of the key, after the last line is read.
         """
@@ -92,7 +92,7 @@ class ExamFolder:
         return {student: self._paper(student) for student in students}
 
     def variants(self) -> tuple[Paper, ...]:
-        """The papers of a pool that was made of the exam, none where none was made. Raises
+        """The papers of the pool that was made of the exam, none if there is no pool. Raises
         ExamError.
         """
         return tuple(self._variant(*line) for line in self.pool_texts())
@@ -108,14 +108,15 @@ class ExamFolder:
         return Exam(self.asks, tuple(map(examinee, self.papers())))
 
     def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
-        """The questions as they follow on papers, by student, where that is not the bank's order.
+        """The order of the questions on each paper, by student, where it is not the bank's.
 
         Raises ExamError.
         """
         return printed_orders(self.key, self.questions)
 
     def line_of(self, student: str) -> KeyLine:
-        """The key of a student's paper, or, of one who left the roster, that of a pool's variant.
+        """The key of a student's paper, or that of a pool's variant for a student who left the
+        roster.
 
         Raises ExamError where there is none.
         """
@@ -193,7 +194,7 @@ class ExamFolder:
 
     @cached_property
     def _indices(self) -> tuple[KeyIndex, ...]:
-        """Where lines are looked for: in the key, then in the pool."""
+        """The indices in which lines are looked up: the key's, then the pool's."""
         return (index_of(self.key), index_of(self.pool)) if self.has_pool else (index_of(self.key),)
 
     @cached_property
@@ -219,7 +220,7 @@ class ExamFolder:
             return self._decoder.paper(index.text(student), str(index.path))
 
     def _index(self, student: str) -> KeyIndex | None:
-        """Where the line of a student is found."""
+        """The index that holds the line of a student."""
         return next((index for index in self._indices if student in index.beginnings), None)
 
     def _no_paper(self, student: str) -> ExamError:
@@ -227,7 +228,7 @@ class ExamFolder:
             message(
                 str(self.key),
                 f'no paper of student "{student}"',
-                "one for everybody who is marked",
+                "one for every student who is marked",
                 "name the exam folder by which these marks were made",
             )
         )

@@ -1,4 +1,4 @@
-"""What is said of an exam folder that is missing, damaged or of an unknown format."""
+"""Messages about an exam folder that is missing, damaged or of an unknown format."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def damaged(fault: Exception) -> str:
 
 @contextmanager
 def decoding(path: Path, where: str) -> Iterator[None]:
-    """Raises ExamError for a part of a file, such as a line, that is read here and at fault."""
+    """Raises ExamError if the part of a file that is decoded here, such as a line, is at fault."""
     try:
         yield
     except FieldError as fault:

@@ -26,8 +26,8 @@ from kinegrade.fields.values import Read, found
 from kinegrade.language import LANGUAGES, Language
 from kinegrade.marks_folder.layout import GRADES
 
-FORMAT = 2  # which this kinegrade writes
-FORMATS = (1, FORMAT)  # which it reads
+FORMAT = 2  # the one that this version writes
+FORMATS = (1, FORMAT)  # those that it reads
 _MOST_BYTES = 10**9  # a class of any size
 _HEAD_FILE = FileKind("an exam folder made by kinegrade generate", ExamError, _MOST_BYTES, REMEDY)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
@@ -94,7 +94,7 @@ def _question(value: object) -> ExamQuestion:
 
 
 def _with_its_asks(item: object) -> object:
-    """A question whose asks say to which question they belong."""
+    """A question whose asks name the question to which they belong."""
     if not isinstance(item, dict) or not isinstance(item.get("asks"), list):
         return item
     whose = {"question": item.get("question")}
@@ -139,7 +139,7 @@ def _require_identifier(name: str, value: str) -> None:
 
 
 def _require_once(table: Table, key: str, kind: str, names: Iterable[str]) -> None:
-    """A fault for each name that stands in a list more than once."""
+    """A fault for each name that appears in a list more than once."""
     for name, count in Counter(names).items():
         if count > 1:
-            table.fault(key, f'{kind} "{name}" stands there {count} times', "each once")
+            table.fault(key, f'{kind} "{name}" appears {count} times', "each once")

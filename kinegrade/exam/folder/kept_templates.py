@@ -1,6 +1,7 @@
 """The templates of which an exam folder keeps copies, by question.
 
-One that this version cannot read any more stops what needs it, and costs others its words only.
+One that this version can no longer read stops whatever needs it; anything else only loses its
+words.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Lines of key.jsonl as `generate` writes them, decoded by their types: a class of 100,000 has a
 million keys.
 
-`PaperDecoder` is used by `key_stream`, with many lines at once. What is not of the usual shape, and
-every fault, is left to `exact_keys`, so that a line means the same whichever reads it. Only
-mistakes are looked at later, by `stated_keys`: a fault in them is found where an answer is held
-against them.
+`PaperDecoder` is used by `key_stream`, with many lines at once. Lines of any other shape, and every
+fault, are left to `exact_keys`, so that a line means the same whichever of the two reads it. Only
+mistakes are decoded later, by `stated_keys`: a fault in them is found when an answer is compared
+with them.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ from kinegrade.exam.folder.numbers import MOST_DIGITS, not_negative
 from kinegrade.exam.folder.records import Candidate, StatedTolerance
 from kinegrade.exam.folder.stated_keys import Entry, StatedKeys, Terms
 
-_REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten with which no number is taken
+_REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten that no number may have
 _MOST_TERMS = 1000  # papers whose tolerances are kept, in case they differ on each
 _TERMS = attrgetter("tolerance", "period")
 
 
 class _UnusualError(Exception):
-    """A line that has to be read with more patience."""
+    """A line that has to be left to `exact_keys`."""
 
 
 _UNUSUAL = (
@@ -184,7 +184,7 @@ def _centres(entries: Sequence[Entry]) -> list[float]:
     close = all(map(isclose, centres, rounded)) and all(
         map(isclose, centres, [entry.value for entry in entries])
     )
-    # Isclose compares to 1e-9 of itself, as exact_keys does; stating it would be four times slower
+    # isclose compares to 1e-9 by default, as exact_keys does; stating it would be four times slower
     if not close:
         raise _UnusualError
     return centres

@@ -1,7 +1,7 @@
-"""Where the line of each student stands: found once, so that single lines are read when they are
-wanted.
+"""Where the line of each student stands: found once, so that single lines can be read when they are
+needed.
 
-A class of any size needs a number for each student, and memory for one paper.
+However large the class, it takes one number per student and the memory of one paper.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ _decoded_text = msgspec.json.Decoder(str).decode
 
 @dataclass(frozen=True, slots=True)
 class KeyIndex:
-    """The lines of a file with a key on each line; `beginnings` are their first bytes by
-    student.
+    """The lines of a file with a key on each line; `beginnings` are the offsets of their first
+    bytes, by student.
     """
 
     path: Path
@@ -70,7 +70,7 @@ def _lines(path: Path) -> list[tuple[str, int]]:
 
 
 def _owners(path: Path) -> Iterator[tuple[str, int]]:
-    """The same, line by line; of a line as `generate` writes it only the beginning is looked at."""
+    """The same, line by line; of a line as `generate` writes it only the beginning is decoded."""
     begin = 0
     with path.open("rb") as stream:
         for number, line in enumerate(stream, 1):

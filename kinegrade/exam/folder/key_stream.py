@@ -1,5 +1,5 @@
 """The papers of a key, one after the other in the order of the roster, so that a class of any size
-needs the memory of a few.
+takes the memory of a few papers.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.ownership import ownership_faults
 from kinegrade.exam.folder.records import Candidate
 
-# Bytes: some lines, which are long, and not more than stays in the fast memory of a processor
+# Bytes: a few of the long lines, but no more than fits in a processor's cache
 _BUFFER = 2**17
 
 
 def papers_in_roster_order(
     path: Path, asks: Sequence[Ask], candidates: Mapping[str, Candidate]
 ) -> Iterator[Paper]:
-    """The papers of all candidates, read while they are asked for.
+    """The papers of all candidates, read as they are asked for.
 
     Raises ExamError with all faults of the file, after its last line is read.
     """
@@ -42,8 +42,8 @@ class _Line(NamedTuple):
 
 
 class _Papers:
-    """Puts the lines of a key into the order of the roster; where one is early, its place is kept,
-    not its text.
+    """Puts the lines of a key into the order of the roster; of a line that comes early, the
+    position is kept, not the text.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class _Papers:
             raise broken(self.path, faults)
 
     def _in_file_order(self) -> Iterator[tuple[_Line, Paper]]:
-        """Each line with the paper on it; none any more after the first fault."""
+        """Each line with its paper; none after the first fault."""
         for lines in self._lines():
             papers = self.decoder.usual(
                 [line.text for line in lines], [self._place(line) for line in lines]
@@ -95,7 +95,7 @@ class _Papers:
                     self.faults.append(f"line {line.number}: {fault}")
 
     def _lines(self) -> Iterator[list[_Line]]:
-        """The lines that are not empty, some at a time."""
+        """The lines that are not empty, in batches."""
         begin = number = 0
         while texts := self.stream.readlines(_BUFFER):
             lines = []

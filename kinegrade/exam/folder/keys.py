@@ -36,7 +36,7 @@ class Ask:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """How far from a right answer is still right: max(relative*|answer|, absolute), in the ask's
+    """How far from the right answer is still right: max(relative*|answer|, absolute), in the ask's
     unit.
 
     With `figures`, right is also what agrees with the answer to that many significant figures.
@@ -68,9 +68,9 @@ class Rule:
         )
 
 
-@lru_cache(maxsize=4096)  # few rules serve a whole class, and every key holds on to its own
+@lru_cache(maxsize=4096)  # a whole class has few rules, and every key refers to one
 def rule(relative: Fraction, absolute: Fraction, figures: int | None = None) -> Rule:
-    """The rule of these numbers, one and the same object for equal ones."""
+    """The rule with these numbers; equal numbers give the same object."""
     return Rule(relative, absolute, figures)
 
 
@@ -104,11 +104,10 @@ class Key:
 
 
 class StatedKey(NamedTuple):
-    """A key as it stands in key.jsonl, which is not worked out exactly before that is needed: `key`
-    does it.
+    """A key as it stands in key.jsonl; `key` works it out exactly, only when that is needed.
 
     `value` is the right answer as a decimal or a plain fraction, `mistakes` what mistakes lead to:
-    to double precision, as far as they are known anyhow, or exactly.
+    to double precision, which is as far as they are known, or exactly.
     """
 
     value: str
@@ -117,7 +116,7 @@ class StatedKey(NamedTuple):
     period: Fraction | None
 
     def key(self, names: Container[str]) -> Key:
-        """The exact key, of the mistakes only with those of these names."""
+        """The exact key, with the mistakes of these names only."""
         mistakes = {
             name: wrong if isinstance(wrong, Fraction) else Fraction(repr(wrong))
             for name, wrong in self.mistakes.items()
@@ -142,8 +141,8 @@ class Keys(Protocol):
 class Paper(NamedTuple):
     """Whose paper it is, and its keys in the order of the asks.
 
-    `put` says for each ask whose line of the key it comes from, "" for the student's own; empty
-    where that holds for all of them.
+    `put` gives for each ask the student from whose line of the key it comes, "" for this student's
+    line; it is empty if that holds for all asks.
     """
 
     student: str
@@ -152,11 +151,11 @@ class Paper(NamedTuple):
     put: tuple[str, ...] = ()
 
     def source(self, ask: int) -> str:
-        """The student on whose line of the key this ask stands as it was put."""
+        """The student on whose line of the key this ask stands as it was asked."""
         return (self.put[ask] if self.put else "") or self.student
 
     def key(self, ask: int, names: Container[str] | None = None) -> Key:
-        """The exact key of an ask; of the mistakes with those of these names, or with all."""
+        """The exact key of an ask, with the mistakes of these names, or with all of them."""
         key = self.keys[ask]
         match key:
             case StatedKey():
@@ -180,8 +179,8 @@ class Examinee:
 
 
 class Sitting(Protocol):
-    """What a marking has to know of an exam: what was asked of whom, and the papers one after the
-    other.
+    """What marking needs to know about an exam: what was asked of whom, and one paper after
+    another.
     """
 
     @property

@@ -29,7 +29,7 @@ def shown(found: object) -> str:
 def number(name: str, found: object) -> Fraction:
     """A number, or a text that spells one (a decimal or a plain fraction), exactly.
 
-    Raises FieldError, which calls it by its name.
+    Raises FieldError, which gives its name.
     """
     written = isinstance(found, Decimal | str | int) and not isinstance(found, bool)
     exact = _exactly(found) if written else None

@@ -1,4 +1,4 @@
-"""In which order the questions stand on papers that were shuffled."""
+"""The order of the questions on shuffled papers."""
 
 from __future__ import annotations
 

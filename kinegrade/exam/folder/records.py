@@ -1,8 +1,8 @@
 """What stands in the files of an exam folder: its head (exam.json) and the lines of its key
 (key.jsonl), each a typed record.
 
-Numbers are exact, digit by digit as they stand. What format 1 did not have yet is empty in its
-records: paper size and engine, places, and the values as they were drawn.
+Numbers are exact, digit by digit as they stand. What format 1 lacked is empty in its records: paper
+size and engine, places, and the values as they were drawn.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
 
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
-    """A question of the exam: of so many `combinations`, `refused` says how many were not good, by
-    reason; `good` are the different ones dealt, where they are fewer than the papers.
+    """A question of the exam: `refused` counts by reason those of its `combinations` that were not
+    good; `good` is the number of different ones dealt, if they are fewer than the papers.
     """
 
     question: str
@@ -117,7 +117,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
 
     @cached_property
     def file_stems(self) -> Mapping[str, str]:
-        """How the files of each student are called, by id."""
+        """The stem of each student's file names, by id."""
         return file_names(each.student for each in self.students)
 
 
@@ -194,5 +194,5 @@ class KeyLine(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only
 
     @property
     def order(self) -> tuple[str, ...]:
-        """The questions as they follow on the paper."""
+        """The questions in their order on the paper."""
         return self.printed or tuple(each.question for each in self.questions)

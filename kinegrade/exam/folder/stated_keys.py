@@ -1,9 +1,8 @@
-"""The keys of one paper as they stand on its line of key.jsonl, taken no further than they are
-needed.
+"""The keys of one paper as they stand on its line of key.jsonl, decoded no further than needed.
 
-`key_decoding` makes them, and `block_judge` takes them by columns: one list for all asks is quicker
-than a key for each. Mistakes, of which there are ten for every answer, are decoded where an answer
-is wrong, and only there.
+`key_decoding` makes them, and `block_judge` reads them by columns: one list for all asks is faster
+than a key for each. Mistakes, about ten for every answer, are decoded only where an answer is
+wrong.
 """
 
 from __future__ import annotations
@@ -28,9 +27,7 @@ _exactly_decoded = msgspec.json.Decoder(dict[str, str]).decode
 
 
 class Entry(msgspec.Struct, frozen=True, gc=False):
-    """The key of one ask; what is mostly the same on all papers, or not wanted, stays as it is
-    written.
-    """
+    """The key of one ask; what is usually the same on all papers, or not needed, is not decoded."""
 
     unit: str
     points: float
@@ -49,9 +46,7 @@ class Entry(msgspec.Struct, frozen=True, gc=False):
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """The rule and the period of each ask; they are one and the same object for papers on which
-    they are the same.
-    """
+    """The rule and the period of each ask; papers on which they are equal share one object."""
 
     asks: Sequence[Ask]
     rules: tuple[Rule, ...]
@@ -59,7 +54,7 @@ class Terms:
 
 
 class StatedKeys(msgspec.Struct, frozen=True, gc=False):
-    """The keys in the order of the asks; `place` tells the file and the line, for messages.
+    """The keys in the order of the asks; `place` names the file and the line, for messages.
 
     `centres` are the right answers rightly rounded to doubles, or NaN where a number of turns is
     right too.

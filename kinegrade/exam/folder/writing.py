@@ -18,7 +18,7 @@ def head_json(head: ExamHead) -> bytes:
     table = msgspec.to_builtins(head, enc_hook=_as_decimal, builtin_types=(Decimal,))
     for question in table["questions"]:
         for ask in question["asks"]:
-            del ask["question"]  # in which it stands
+            del ask["question"]  # the ask is listed under its question
     return msgspec.json.format(_ENCODER.encode(table), indent=1) + b"\n"
 
 

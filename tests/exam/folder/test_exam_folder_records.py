@@ -116,7 +116,7 @@ def test_a_line_is_found_wherever_it_stands(tmp_path: Path) -> None:
 def test_a_student_without_a_line_is_refused_where_one_is_needed(tmp_path: Path) -> None:
     opened = open_exam(folder(tmp_path, {}, {}))
     message = (
-        f'{opened.key}: no paper of student "x" - expected one for everybody who is marked - name '
+        f'{opened.key}: no paper of student "x" - expected one for every student who is marked - name '
         "the exam folder by which these marks were made"
     )
     for look in (opened.line_of, lambda student: opened.papers_of([student])):
