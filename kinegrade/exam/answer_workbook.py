@@ -1,9 +1,9 @@
-"""The blank answer sheet as a workbook, in which no spreadsheet eats the zeros of ids or takes
-answers for dates.
+"""The blank answer sheet as a workbook, in which spreadsheets keep the leading zeros of ids and do
+not read answers as dates.
 
-`generate` writes answers.xlsx beside answers.csv. Every cell is a text, the empty ones of the
-answer columns too. The parts of the archive are written here directly, because a class of any size
-needs no more than a few plain tags.
+`generate` writes answers.xlsx beside answers.csv. Every cell is text, including the empty ones of
+the answer columns. The parts of the archive are written here directly, because a few plain tags are
+enough for a class of any size.
 """
 
 from __future__ import annotations
@@ -61,8 +61,8 @@ _PARTS = {
 
 
 def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Writes the workbook; the same rows give the same bytes. Cells that are not there are empty
-    texts to be.
+    """Write the workbook; the same rows give the same bytes. Cells that are not written are
+    formatted as text too.
     """
     with ZipFile(path, "w") as archive:
         for name, content in _PARTS.items():
@@ -73,7 +73,7 @@ def write_answer_workbook(path: Path, header: Sequence[str], rows: Iterable[Sequ
 
 
 def _entry(name: str) -> ZipInfo:
-    entry = ZipInfo(name)  # of 1980, so that nothing depends on the time
+    entry = ZipInfo(name)  # dated 1980, so that nothing depends on the time
     entry.compress_type = ZIP_DEFLATED
     return entry
 

@@ -1,5 +1,5 @@
-"""The bank's file, an exam's blueprint: which questions are put, for how many points, within which
-tolerance.
+"""The bank's file, an exam's blueprint: which questions are asked, for how many points, within
+which tolerance.
 
 title  = { en = "Kinematics midterm", zh = "运动学期中测验" }
 course = { en = "Theoretical mechanics", zh = "理论力学" }
@@ -9,7 +9,7 @@ versions = 3  # optional: versions A, B, C instead of a paper for each student
 engine = "latex"  # optional: what typesets the exam (typst)
 credit = { follow-through = "1/2" }  # optional: shares of the points, see stated_marking
 solutions = true  # optional: feedback holds the worked solutions
-lms = "canvas"  # optional: refuse draws that Canvas's four decimals cannot tell
+lms = "canvas"  # optional: refuse draws that Canvas cannot mark with four decimals
 
 [[questions]]
 template = "slider-crank"  # a shipped template, or a file beside the bank: "mine.toml"
@@ -69,7 +69,7 @@ _NO_TEXT = Translated("", "")
 
 
 def bank_path(path: Path) -> Path:
-    """The file of a bank: at that path, or the shipped one of that name. Raises BankError where
+    """A bank's file: the one at that path, or the shipped bank of that name. Raises BankError if
     there is neither.
     """
     banks = {file.stem: file for file in shipped("banks").glob("*.toml")}
@@ -115,8 +115,8 @@ def read_kept_bank(path: Path, folder: Path, chosen: Mapping[str, str]) -> Bank:
 
 
 def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False) -> Blueprint:
-    """The blueprint in a file; `folder` holds the templates, by default the shipped ones; of a bank
-    that is `kept` with an exam, those of the exam.
+    """The blueprint in a file; `folder` holds the templates: by default the shipped ones, and for a
+    bank that is `kept` with an exam those of the exam.
 
     Raises BankError with all faults at once.
     """
@@ -130,7 +130,7 @@ def read_blueprint(path: Path, folder: Path | None = None, *, kept: bool = False
 
 
 def _frame(table: Table, text: str) -> Bank:
-    """Everything but the questions; what is at fault is empty or left at its default."""
+    """Everything but the questions; an entry at fault is left empty or at its default."""
     return Bank(
         title=table.required("title", translated_or_one) or _NO_TEXT,
         course=table.required("course", translated_or_one) or _NO_TEXT,
@@ -174,7 +174,7 @@ def _miscounted(table: Table, count: int) -> None:
 
 
 def _require_different_names(entries: Sequence[Entry]) -> None:
-    """A fault where two different template files share a name: the exam folder keeps one file of a
+    """A fault where two different template files share a name: the exam folder keeps one file per
     name.
     """
     texts: dict[str, str] = {}
@@ -189,7 +189,7 @@ def _require_different_names(entries: Sequence[Entry]) -> None:
 
 
 def _require_enough(entries: Sequence[Entry], slots: Sequence[Slot]) -> None:
-    """A fault where no choice gives every question a template of its own."""
+    """A fault if there are not enough templates to give every question a different one."""
     chosen = matched(wishes(slots, lambda slot, name: 0))
     for entry in entries:
         count = len(entry.slots)

@@ -31,9 +31,9 @@ def read_asks(entry: Table, template: Template, wider: Tolerance) -> tuple[BankA
 
 
 def read_kind(entry: Table, otherwise: str = "") -> str | None:
-    """What the asks of an entry are to be about, "" for all; None after a fault.
+    """The kind of asks that an entry wants, "" for all; None after a fault.
 
-    `otherwise` is what else may stand there.
+    `otherwise` describes what else is accepted.
     """
     if "asks" not in entry:
         return ""
@@ -43,8 +43,8 @@ def read_kind(entry: Table, otherwise: str = "") -> str | None:
 def weighed(
     entry: Table, templates: Sequence[Template], kind: str, tolerance: Tolerance
 ) -> dict[str, tuple[BankAsk, ...]]:
-    """What each template asks of a kind, with its points or shares of the entry's; templates that
-    ask nothing of it are left out.
+    """What each template asks of the entry's kind, with its points or its share of the entry's
+    points; templates without such asks are left out.
     """
     weights: dict[str, Mapping[str, int]] = {}
     for template in templates:
@@ -61,8 +61,8 @@ def weighed(
 
 
 def _total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int | None:
-    """The points that are to be shared out, at least one for each ask; None where the bank does not
-    say, and after a fault.
+    """The points to be shared out, at least one for each ask; None if the bank does not state them,
+    or after a fault.
     """
     total = entry.optional("points", whole(1, MAX_POINTS))
     longest = max(weights, key=lambda name: len(weights[name]), default=None)
@@ -78,7 +78,7 @@ def _total(entry: Table, weights: Mapping[str, Mapping[str, int]]) -> int | None
 def _named(entry: Table, template: Template, wider: Tolerance) -> tuple[BankAsk, ...]:
     """The asks that the bank names."""
     if "points" in entry:
-        entry.fault("points", "asks says the points already", do="leave one of the two out")
+        entry.fault("points", "asks gives the points already", do="leave one of the two out")
     asks = entry.table("asks").only(*template.asks, kind=f"ask of {template.name}")
     return tuple(_ask(asks, name, template, wider) for name in asks)
 

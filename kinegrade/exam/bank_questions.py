@@ -51,10 +51,10 @@ class Entry:
 
 @dataclass(frozen=True)
 class Entries:
-    """Reads entries; `folder` holds the shipped templates, further ones lie `beside` the bank.
+    """Reads entries; `folder` holds the shipped templates, others are in the folder `beside`.
 
-    Of a bank that is `kept` with an exam, `folder` holds the templates that were chosen and no
-    others, those beside the bank too; rules that came after the exam do not refuse them.
+    For a bank that is `kept` with an exam, `folder` holds exactly the templates that were chosen,
+    including those that were beside the bank; rules introduced after the exam do not refuse them.
     """
 
     faults: Faults
@@ -63,7 +63,7 @@ class Entries:
     kept: bool = False
 
     def slots(self, entry: Table, first: int, wider: Tolerance) -> tuple[Slot, ...]:
-        """The questions of one entry, numbered from `first`; none where it cannot be made out."""
+        """The questions of one entry, numbered from `first`; none if it cannot be read."""
         by = _kind(entry)
         word = entry.required(by, text) if by else None
         if not by or not word:
@@ -85,10 +85,12 @@ class Entries:
     def _drawn(self, entry: Table, by: str, first: int, wider: Tolerance) -> tuple[Slot, ...]:
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
-        own, kind, pool = tolerance(entry, wider), read_kind(entry), self._pool(entry, by)
+        entry_tolerance = tolerance(entry, wider)
+        kind = read_kind(entry)
+        pool = self._pool(entry, by)
         if kind is None:
             return ()
-        asks = weighed(entry, pool, kind, own)
+        asks = weighed(entry, pool, kind, entry_tolerance)
         candidates = [template for template in pool if template.name in asks]
         if pool and not candidates:
             entry.fault(
@@ -142,7 +144,7 @@ class Entries:
 
 
 def _kind(entry: Table) -> str | None:
-    """By which key an entry says its templates; None after a fault."""
+    """The key by which an entry names its templates; None after a fault."""
     kinds = [key for key in _ENTRY_KEYS if key in entry]
     if len(kinds) == 1:
         return kinds[0]
@@ -163,7 +165,7 @@ def _slot(
 
 
 def _left_out(names: Sequence[str], value: object) -> str:
-    """The name of a template that is not to be drawn, one of those that could be."""
+    """The name of a template that is not to be drawn; it must be one of those that could be."""
     name = text(value)
     if name not in names:
         raise FieldError(f"{found(name)} would not be drawn", do=did_you_mean(name, names))

@@ -1,4 +1,4 @@
-"""Points and tolerances of a bank: what is stated is held to what an exam can keep and print."""
+"""Points and tolerances of a bank, limited to what an exam can keep and print."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinegrade.problem.tolerance import Tolerance
 from kinegrade.stated_marking import read_tolerance
 
 MAX_POINTS = 1000
-_MOST_DIGITS = 15  # pass through the numbers of JSON unchanged
+_MOST_DIGITS = 15  # as many as survive as a JSON number
 _FIGURES = whole(2, 6)  # no more than the key prints
 
 

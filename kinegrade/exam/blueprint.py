@@ -51,11 +51,11 @@ class Bank:
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
     with the exam.
 
-    `shuffle` lets every paper have its own order of the questions; `versions` is how many different
-    papers there are, 0 for one of each student's own; `engine` is what typesets it unless an
-    instructor asks for another; `credit` is for answers that are not right; with `solutions`
-    feedback holds the worked solutions unless somebody says otherwise; `lms` is the system that the
-    exam is put into, where its draws have to suit it.
+    `shuffle` gives every paper its own order of the questions; `versions` is the number of
+    different papers, 0 for a different one for each student; `engine` is the typesetter unless an
+    instructor asks for another; `credit` is for answers that are not right; with `solutions`,
+    feedback includes the worked solutions unless requested otherwise; `lms` is the system that the
+    exam will be imported into, if its draws have to suit one.
     """
 
     title: Translated
@@ -85,8 +85,8 @@ class Bank:
 
 @dataclass(frozen=True)
 class Slot:
-    """One question of an exam: the questions it may become; one of them is `drawn`, or there is but
-    one.
+    """One question of an exam: the questions it may become; one of them is `drawn`, or there is
+    only one.
     """
 
     identifier: str
@@ -107,7 +107,7 @@ class Blueprint:
         """The exam that a secret makes; templates that are drawn differ from each other and from
         all that are named.
 
-        A blueprint that was read has templates enough for every slot.
+        A blueprint that was read has enough templates for every slot.
         """
         names = matched(
             wishes(self.slots, lambda slot, name: address(secret, "template", slot, name))
@@ -158,8 +158,8 @@ def matched(wanted: Mapping[str, Sequence[str]]) -> dict[str, str]:
 def displace(
     slot: str, wanted: Mapping[str, Sequence[str]], holders: dict[str, str], tried: set[str]
 ) -> bool:
-    """Let a slot take a name whose holder can take another one; whether that was possible (Kuhn's
-    algorithm).
+    """Let a slot take a name whose holder can take another one, and return whether that was
+    possible (Kuhn's algorithm).
     """
     for name in wanted[slot]:
         if name in tried:

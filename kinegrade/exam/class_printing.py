@@ -1,5 +1,5 @@
-"""A class printed: each part of it is set and printed by itself, by this process or others, and the
-results come in the order of the roster.
+"""Printing a class: each part of it is set and printed separately, by this process or others, and
+the results come in the order of the roster.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from kinegrade.exam.setting import DealtPaper, Exam, set_paper
 from kinegrade.processes import Shared, mapped
 from kinegrade.temporary import temporary_folder
 
-# Papers in one task at least: else there are too many of them
+# Papers in one task at least: fewer would make too many tasks
 CHUNK = 20
-# Papers in one task at most: what is worked out together costs little for each paper then
+# Papers in one task at most: enough for the work they share to cost little per paper
 MOST = 60
 AHEAD = 2  # tasks for each process that are under way or wait for it
 
@@ -35,7 +35,7 @@ class PrintTask:
 def printed(
     run: PrintRun, dealt: ClassDeal, workers: Executor, jobs: int
 ) -> Generator[Printed, None, None]:
-    """What remains of each paper, in order, by `jobs` processes.
+    """Each paper as it was printed, in order, by `jobs` processes.
 
     Raises TypesetError with the faults of the first part of the class that has any.
     """
@@ -70,5 +70,5 @@ def _print(task: PrintTask) -> list[Printed]:
 
 @lru_cache(maxsize=1)
 def _press(order: PressOrder) -> Press:
-    """The press of this process: it is keeping it that makes it fast."""
+    """The press of this process, kept because a press is only fast after its first papers."""
     return order.press()

@@ -1,6 +1,6 @@
 """The QR code of a paper's code, as rows of dark modules: any typesetter can draw it.
 
-It stands on every page, so that a scanned loose page tells whose it is.
+It is on every page, so that a loose scanned page can be matched to its paper.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import segno
 
-# Any of the eight patterns that the standard lays over the modules is read alike; trying all of
-# them to choose the fairest would take five times as long.
+# Scanners read all eight mask patterns of the standard alike; trying each of them to choose the
+# best balanced one would take five times as long.
 PATTERN = 3
 _DARK = re.compile(rb"\x01+")
 

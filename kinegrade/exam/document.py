@@ -26,7 +26,7 @@ PaperSize = Literal["a4", "letter"]
 
 @dataclass(frozen=True)
 class AnswerRow:
-    """One box to be filled: the quantity asked for, its unit and which sense counts positive."""
+    """One box to be filled in: the quantity asked for, its unit and its positive sense."""
 
     symbol: str  # math: v_B
     meaning: str  # prose
@@ -170,7 +170,7 @@ class GalleryFigure:
 
 @dataclass(frozen=True)
 class GalleryEntry:
-    """One template as an instructor chooses it; what cannot be shown of it is told by `faults`."""
+    """One template as an instructor chooses it; `faults` says what cannot be shown of it."""
 
     family: str  # plain, as are name and faults; "" where nothing but these two can be shown
     name: str

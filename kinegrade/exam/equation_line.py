@@ -23,8 +23,8 @@ _SIGNS = frozenset("+-")
 
 @dataclass(frozen=True)
 class EquationLine:
-    """What stands left of the alignment, and the pieces right of it; both in LaTeX math, either may
-    be empty.
+    """What is to the left of the alignment mark, and the pieces to its right; both are LaTeX math,
+    and either may be empty.
     """
 
     left: str

@@ -1,8 +1,8 @@
-"""What an exam's numbers are drawn from: a random secret that lives in the exam folder and that
-nobody has to know.
+"""What an exam's numbers are drawn from: a random secret that lives in the exam folder and that no
+one needs to know.
 
-`generate` makes one, or takes that of the folder which it replaces; in folders of earlier versions
-it was a word that somebody typed.
+`generate` makes one, or keeps that of the folder which it replaces; in folders of earlier versions
+it was a word typed by the instructor.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from hmac import digest
 from secrets import token_hex
 from typing import Any, assert_never
 
-BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 gives back
-LEAST = 32  # hexadecimal digits of a secret that is believed: 128 bits
-EARLIER = "seed"  # under which earlier versions kept the words typed
+BYTES = 32  # of the secret: 256 bits, as many as HMAC-SHA256 returns
+LEAST = 32  # hexadecimal digits of the shortest secret accepted: 128 bits
+EARLIER = "seed"  # the key under which earlier versions kept the words
 
 
 @dataclass(frozen=True)
@@ -23,8 +23,8 @@ class RandomSecret:
     """Two random secrets in hexadecimal, `draws` for numbers and `codes` for the codes printed on
     papers.
 
-    As they are independent, all codes of a class tell nothing about the numbers. `label` is what a
-    person typed; it is mixed into the numbers and need not be secret.
+    They are independent, so the codes of a whole class reveal nothing about the numbers. `label` is
+    typed by the instructor; it is mixed into the numbers and need not be secret.
     """
 
     draws: str = field(repr=False)
@@ -33,7 +33,7 @@ class RandomSecret:
 
     @property
     def guessable(self) -> bool:
-        """Whether somebody may find it by trying words."""
+        """Whether it could be found by trying words."""
         return False
 
     @property
@@ -53,7 +53,8 @@ class RandomSecret:
 
 @dataclass(frozen=True)
 class FromWords:
-    """Words from which the whole exam comes again, anywhere: whoever guesses them has every key.
+    """Words from which the whole exam can be derived anywhere: anyone who guesses them has every
+    key.
 
     For tests and demonstrations, and for folders of earlier versions.
     """
@@ -62,7 +63,7 @@ class FromWords:
 
     @property
     def guessable(self) -> bool:
-        """Whether somebody may find it by trying words."""
+        """Whether it could be found by trying words."""
         return True
 
     @property
@@ -85,8 +86,8 @@ ExamSecret = RandomSecret | FromWords
 
 @dataclass(frozen=True)
 class SecretWish:
-    """What a person asks for: a label to be mixed in, or words to derive everything from; `new`
-    numbers, or those of the folder that is replaced.
+    """What the instructor asks for: a label to be mixed in, or words to derive everything from;
+    with `new`, fresh numbers instead of those of the folder that is replaced.
     """
 
     label: str | None = None
@@ -110,7 +111,9 @@ def random_secret(label: str = "") -> RandomSecret:
 
 
 def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
-    """A secret with another label; words have none, unless the label says the same words."""
+    """The secret with another label; words have no label, so unless it is the same words, the
+    result is a new random secret.
+    """
     match secret:
         case RandomSecret():
             return replace(secret, label=label)
@@ -121,7 +124,7 @@ def relabelled(secret: ExamSecret, label: str) -> ExamSecret:
 
 
 def secret_of(head: Mapping[str, Any]) -> ExamSecret | None:
-    """The secret that exam.json states; None where it states none that is whole."""
+    """The secret that exam.json states; None if it states no complete one."""
     words = head.get("reproducible", head.get(EARLIER))
     if isinstance(words, str):
         return FromWords(words)
@@ -132,7 +135,7 @@ def secret_of(head: Mapping[str, Any]) -> ExamSecret | None:
 
 
 def hexadecimal(text: object) -> bool:
-    """Whether that is a text of whole bytes in hexadecimal, 128 bits or more."""
+    """Whether this is a text of whole bytes in hexadecimal, 128 bits or more."""
     if not isinstance(text, str) or len(text) < LEAST:
         return False
     try:

@@ -1,8 +1,8 @@
 """What an exam's questions, asks and drawn numbers are called, from the templates that its folder
 keeps.
 
-Reports and feedback show it (`kinegrade.grading.wording` says what they want). A template that this
-version cannot read any more costs its words only: identifiers stand in their place.
+Reports and feedback show it (`kinegrade.grading.wording` defines what they need). If this version
+can no longer read a template, only its words are lost: identifiers replace them.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Feedback sheets as PDF, by the embedded Typst, with the worked solution behind where it is
-wanted.
+"""Feedback sheets as PDF, by the embedded Typst, each followed by the worked solution if wanted.
 
-`kinegrade.grading.feedback` makes the sheets; the protocols here say what of them is printed.
+`kinegrade.grading.feedback` makes the sheets; the protocols here say which parts of them are
+printed.
 """
 
 from __future__ import annotations
@@ -130,10 +130,10 @@ class FeedbackPress(TypstPress):
     """A press for feedback sheets; keep one for a class."""
 
     def feedback(self, sheet: FeedbackSheet, solution: bytes | None = None) -> bytes:
-        """The sheet as PDF, the pages of `solution`, itself a PDF, behind it.
+        """The sheet as PDF, followed by the pages of `solution`, itself a PDF.
 
-        Characters that no font has are printed as code points in what a student typed and in names.
-        Raises TypesetError with all faults of the exam's own texts.
+        In names and in what a student typed, characters that no font has are printed as code
+        points. Raises TypesetError with all faults of the exam's texts.
         """
         plain = [text for text in _plain_texts(sheet) if not text.isascii()]
         pdf = self._explaining(

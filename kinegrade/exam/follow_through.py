@@ -1,9 +1,9 @@
-"""What follows from students' own answers, worked out from an exam folder: its templates and the
+"""What follows from students' answers, worked out from an exam folder: its templates and the
 numbers drawn.
 
-`FollowThrough` is what `kinegrade.grading.follow` asks for. Only the lines of those papers are read
-that are asked about. From a template that this version cannot read any more, and from a key without
-the numbers drawn, nothing follows; where template and key contradict each other, nothing is marked.
+`FollowThrough` is what `kinegrade.grading.follow` asks for. Only the key lines of the papers asked
+about are read. Nothing follows from a template that this version can no longer read, or from a key
+without the numbers drawn; if template and key contradict each other, nothing is marked.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from kinegrade.problem.follow_through import Follower, connections, generic_plan
 from kinegrade.problem.mistakes import in_float
 from kinegrade.problem.template import Template
 
-KEPT = 256  # instances kept in memory, so that a student's next answers find theirs
+KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
 AGREEMENT = (
-    1e-6  # relative, of doubles with the key: rounding is smaller, an edited template larger
+    1e-6  # relative, between doubles and the key: rounding stays below, an edited template above
 )
 
 
 @dataclass(frozen=True)
 class FollowThrough:
-    """Tells what follows from own answers on the papers of an exam."""
+    """Works out what follows from the students' answers on the papers of an exam."""
 
     exam: ExamFolder
     plans: dict[str, Plan | None] = field(default_factory=dict, repr=False)
@@ -40,11 +40,11 @@ class FollowThrough:
     def __call__(
         self, student: str, question: str, own: Mapping[str, Fraction], later: str
     ) -> Fraction | None:
-        """What follows for the ask `later` from own answers to other asks of the question, each in
-        its unit.
+        """What follows for the ask `later` from `own`, the student's answers to other asks of the
+        question, each in its unit.
 
-        None where it does not depend on them or nothing follows. Raises ExamError where the key
-        cannot be read.
+        None if it does not depend on them or nothing follows. Raises ExamError if the key cannot be
+        read.
         """
         leading = {
             ask: float(value)
@@ -70,9 +70,7 @@ class FollowThrough:
         return tuple(asks) if template is None else in_plan_order(template, asks)
 
     def instance(self, student: str, question: str) -> Follower | None:
-        """A question as it stands on a student's paper; None where it cannot be worked out any
-        more.
-        """
+        """A question as it stands on a student's paper; None if it can no longer be worked out."""
         place = student, question
         if place not in self.instances:
             while len(self.instances) >= KEPT:
@@ -81,8 +79,8 @@ class FollowThrough:
         return self.instances[place]
 
     def follower(self, student: str, question: str) -> Follower | None:
-        """The instance, with the plan of its template. Raises ExamError where it gives other
-        answers than the key.
+        """The instance, with the plan of its template. Raises ExamError if its answers differ from
+        the key's.
         """
         template = self.templates.get(question)
         kept = self.kept(student, question)
@@ -100,8 +98,8 @@ class FollowThrough:
         return follower
 
     def require_same(self, follower: Follower, kept: KeyQuestion, where: str) -> None:
-        """Raises ExamError where an answer of the instance is another one than the key's: what
-        followed would be of another mechanism.
+        """Raises ExamError if an answer of the instance differs from the key's: anything that
+        followed would belong to another mechanism.
         """
         for name, answer in kept.asks.items():
             derived = follower.right(name) if name in follower.template.asks else None
@@ -110,13 +108,13 @@ class FollowThrough:
                 raise contradicted(f"{self.exam.key}: {where}", [difference])
 
     def plan(self, question: str, template: Template) -> Plan | None:
-        """The plan of a question's template, found once, and the same whoever is asked about."""
+        """The plan of a question's template, found once; it is the same for all students."""
         if question not in self.plans:
             self.plans[question] = generic_plan(template)
         return self.plans[question]
 
     def kept(self, student: str, question: str) -> KeyQuestion | None:
-        """A question as the key of a student's paper keeps it; None where it is not there."""
+        """A question as the key of a student's paper states it; None if it is not there."""
         line = self.exam.line_of(student)
         return next((each for each in line.questions if each.question == question), None)
 
@@ -127,7 +125,7 @@ class FollowThrough:
 
 
 def same(derived: float, answer: StatedAnswer) -> bool:
-    """Whether an answer worked out in doubles is that of the key, but for rounding."""
+    """Whether an answer worked out in doubles is that of the key, except for rounding."""
     right = float(exact_value(answer))
     room = AGREEMENT * max(abs(right), float(answer.tolerance.absolute), 1)
     difference = derived - right

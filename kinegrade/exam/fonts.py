@@ -2,7 +2,7 @@
 
 Noto Serif SC and Noto Sans SC (SIL Open Font License 1.1) come with `pylopdf-fonts-zh-cn`; the
 serif covers U+4E00 to U+9FFF whole. Libertinus Serif and New Computer Modern Math are inside the
-typst wheel. Fonts of the machine are ignored, so a paper looks the same everywhere.
+typst wheel. Fonts installed on the system are ignored, so a paper looks the same everywhere.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import typst
 
 
 def installed_fonts() -> typst.Fonts:
-    """The fonts a press may use, none of them the machine's own."""
+    """The fonts a press may use, none of them the system's."""
     folder = pylopdf_fonts_zh_cn.serif_path().parent
     return typst.Fonts(
         include_system_fonts=False, include_embedded_fonts=True, font_paths=[str(folder)]

@@ -88,7 +88,7 @@ def formula(latex: str, where: str) -> str:
 
 @lru_cache(maxsize=8192)
 def _converted(latex: str) -> str:
-    """The same wherever it stands, so that a class's papers share it."""
+    """The same wherever it is used, so that the papers of a class share it."""
     return _convert(latex, "")
 
 

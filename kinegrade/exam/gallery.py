@@ -1,7 +1,7 @@
 """A contact sheet of templates, for an instructor to choose from: what each asks, and how it looks
 at several draws.
 
-A template that cannot be read, drawn or typeset does not spoil the sheet: it stands there with the
+A template that cannot be read, drawn or typeset does not spoil the sheet: it is listed with the
 reason.
 """
 
@@ -48,8 +48,8 @@ def contact_sheet(names: Iterable[str], language: Language, draws: int) -> Conta
     try:
         return printed(press, Gallery(language, in_order(entries)))
     except TypesetError:
-        mended = [printable(press, entry, language) for entry in entries]
-        return printed(press, Gallery(language, in_order(mended)))
+        legible = [printable(press, entry, language) for entry in entries]
+        return printed(press, Gallery(language, in_order(legible)))
 
 
 def printed(press: TypstPress, gallery: Gallery) -> ContactSheet:
@@ -84,7 +84,7 @@ def gallery_entry(name: str, language: Language, draws: int) -> GalleryEntry:
 
 
 def unreadable(name: str, faults: tuple[str, ...]) -> GalleryEntry:
-    """The entry of what can only be named."""
+    """The entry of a template that can only be named."""
     return GalleryEntry("", name, "", 0, (), (), (), faults)
 
 

@@ -1,5 +1,5 @@
-"""What people did by hand in an exam folder since it was generated, which a replacement would lose:
-files edited or added, answers typed into the sheet.
+"""What was done by hand in an exam folder since it was generated, and would be lost by replacing
+it: files edited or added, answers typed into the sheet.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files import DESKTOP_DROPPINGS
 from kinegrade.tables import header_key, read_table, trimmed
 
-OWN_COLUMNS = ("student", "name")  # of the answer sheet; in all others answers are typed
+OWN_COLUMNS = ("student", "name")  # of the answer sheet; all others are for answers
 EDITED_BY_HAND = (".tex", ".sty", ".docx", ".html", ".toml", ".xlsx")
-UNRECORDED = (".tex", ".docx", ".html")  # of those, what earlier versions wrote to be edited
+UNRECORDED = (".tex", ".docx", ".html")  # kinds of editable files that earlier versions wrote
 NAMED = 5  # files that a message names
 
 
 def editable(folder: Path) -> dict[str, str]:
-    """A digest of each file that people edit where it stands, by its path in the folder."""
+    """A digest of each file that people edit in place, by its path in the folder."""
     return {
         file.relative_to(folder).as_posix(): sha256(file.read_bytes()).hexdigest()
         for file in sorted(folder.rglob("*"))
@@ -30,8 +30,8 @@ def editable(folder: Path) -> dict[str, str]:
 
 
 def require_nothing_edited(old: Path, head: ExamHead | None, new: Path) -> None:
-    """Raises OutputError where the folder `old` holds work of people's hands that the folder `new`
-    does not hold; `head` is None where that of the folder cannot be read.
+    """Raises OutputError if the folder `old` holds work done by hand that the folder `new` does not
+    hold; `head` is None if that of the folder cannot be read.
     """
     typed = [ANSWERS] if answered(old / ANSWERS) else []
     lost = [*edited(old, head, new), *added(old, head, new), *typed]
@@ -49,11 +49,11 @@ def edited_since(folder: Path, names: Sequence[str]) -> OutputError:
 
 
 def edited(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:
-    """The files of a folder that differ from what was generated, and from what stands in the folder
+    """The files of a folder that differ from what was generated, and from those of the folder
     `new`.
 
-    Of folders that do not say what was generated, those that are made to be edited and differ from
-    the new ones.
+    In a folder that does not record what was generated, the files that are meant to be edited and
+    differ from the new ones.
     """
     stated = None if head is None else head.editable
     fresh = editable(new)
@@ -67,29 +67,31 @@ def edited(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:
 
 def added(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:
     """The files below the folders of an exam that `generate` did not write there, such as notes
-    beside the papers; of those that people edit, `edited` knows.
+    beside the papers; files that people edit are left to `edited`.
     """
     stems = {Path(each.file).stem for each in head.students} if head else set()
     for file in sorted(old.glob("*/**/*")) if stems else ():
-        own = file.stem in stems and file.suffix == ".pdf"
-        known = own or file.suffix in EDITED_BY_HAND or file.name in DESKTOP_DROPPINGS
+        printed = file.stem in stems and file.suffix == ".pdf"
+        known = printed or file.suffix in EDITED_BY_HAND or file.name in DESKTOP_DROPPINGS
         name = file.relative_to(old)
         if file.is_file() and not known and not (new / name).exists():
             yield name.as_posix()
 
 
 def answered(sheet: Path) -> bool:
-    """Whether answers were typed into an answer sheet, or it cannot be read any more."""
+    """Whether answers were typed into an answer sheet, or it can no longer be read."""
     if not sheet.exists():
         return False
     try:
         table = read_table(sheet)
     except TableError:
         return True
-    own = {place for place, name in enumerate(table.header) if header_key(name) in OWN_COLUMNS}
+    identifying = {
+        place for place, name in enumerate(table.header) if header_key(name) in OWN_COLUMNS
+    }
     return any(
         trimmed(cell)
         for row in table.rows
         for place, cell in enumerate(row.cells)
-        if place not in own
+        if place not in identifying
     )

@@ -1,6 +1,4 @@
-"""`kinegrade papers`: what students may have of an exam folder, copied to a place where others may
-read it.
-"""
+"""`kinegrade papers`: what students may have of an exam folder, copied to a place they can read."""
 
 from __future__ import annotations
 
@@ -13,15 +11,15 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import broken
 from kinegrade.files import output_folder
 
-KINDS = (".pdf", ".docx", ".html")  # the first one everybody has
+KINDS = (".pdf", ".docx", ".html")  # every student has the first
 
 
 def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
-    """Copy everybody's paper, in each kind of file that there is, and nothing else; give the number
-    of papers.
+    """Copy every student's paper, in each kind of file that there is, and nothing else; return the
+    number of papers.
 
-    What the folder `output` holds is replaced with `force` where that is papers of this exam and
-    nothing else. Raises ExamError, OutputError; then nothing is written.
+    With `force`, the contents of the folder `output` are replaced if they are papers of this exam
+    and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
     require_outside(exam.path, output)
     stems = paper_stems(exam)
@@ -44,8 +42,8 @@ def require_outside(exam: Path, output: Path) -> None:
 
 
 def paper_stems(exam: ExamFolder) -> list[str]:
-    """How everybody's paper is named, without the kind of file. Raises ExamError where one lies
-    elsewhere than the others.
+    """The file name of every paper, without its suffix. Raises ExamError if a paper is not where
+    the others are.
     """
     files = [Path(candidate.file) for candidate in exam.head.students]
     for file in files:

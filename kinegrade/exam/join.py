@@ -1,4 +1,4 @@
-"""PDF files put one behind the other, by pikepdf (qpdf)."""
+"""PDF files joined one after another, by pikepdf (qpdf)."""
 
 from __future__ import annotations
 
@@ -12,11 +12,10 @@ import pikepdf
 
 @contextmanager
 def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes], None]]:
-    """What takes the pages of one PDF after the other as they come; at the end they are written to
-    `target`.
+    """A function that takes one PDF after another; at the end their pages are written to `target`.
 
-    For printing on both sides, `duplex` lets each begin on a sheet of its own: a blank page follows
-    an odd one.
+    For printing on both sides, `duplex` starts each on a new sheet: a blank page follows an odd
+    number of pages.
     """
     with pikepdf.new() as whole:
 
@@ -27,7 +26,7 @@ def joining(target: Path, *, duplex: bool = False) -> Iterator[Callable[[bytes],
                 whole.add_blank_page(page_size=(right - left, top - bottom))
 
         yield append
-        with target.open("wb") as stream:  # whose name pikepdf takes as UTF-8 only
+        with target.open("wb") as stream:  # pikepdf itself takes file names only in UTF-8
             whole.save(stream, deterministic_id=True)
 
 
@@ -48,6 +47,6 @@ def page_count(pdf: bytes) -> int:
 
 
 def _append(whole: pikepdf.Pdf, pdf: bytes) -> None:
-    # Sooner than mapping so small a file
+    # Faster than mapping such a small file
     with pikepdf.open(BytesIO(pdf), access_mode=pikepdf.AccessMode.stream) as part:
         whole.pages.extend(part.pages)

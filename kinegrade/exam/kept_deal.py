@@ -1,5 +1,5 @@
-"""What an exam folder says was dealt: whoever has a paper keeps its numbers, although another
-version of kinegrade, or another bank, would deal others to the same place.
+"""What an exam folder records as dealt: a student who has a paper keeps its numbers, even if
+another version of kinegrade, or another bank, would deal others to the same place.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from kinegrade.problem.domain import digits
 def dealt_values(
     deck: Deck, deal: Deal, places: Mapping[str, int], stated: Mapping[str, Mapping[str, str]]
 ) -> dict[str, Combination]:
-    """What each student, or version, gets of a question, by the places; `stated` is what some have
-    already.
+    """The values that each student, or version, gets for a question, by place; `stated` holds those
+    that some have already.
 
-    Those keep it as long as it is in the deck's domains. If that is not what their places would
-    get, the others get what nobody has, while it lasts.
+    Those keep them as long as they are in the deck's domains. If these are not what their places
+    would get, the others get combinations that no one has yet, while these last.
     """
     dealt = {whose: deck.combination(deal.position(place)) for whose, place in places.items()}
     kept = {

@@ -20,8 +20,8 @@ Mistaken = Mapping[str, Mapping[str, str]]
 
 
 def mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mistaken]]:
-    """For each paper and question the values, as decimals in the asks' units; what changes nothing
-    is left out.
+    """For each paper and question the values, as decimals in the asks' units; mistakes that change
+    nothing are left out.
     """
     by_question = [
         class_mistakes([paper.questions[place] for paper in papers])
@@ -36,7 +36,7 @@ def mistaken_answers(papers: Sequence[SetPaper]) -> Iterator[dict[str, Mistaken]
 
 def class_mistakes(questions: Sequence[SetQuestion]) -> list[Mistaken]:
     """The values for one question as several students have it: those solved by the same plan are
-    worked out together, so that it does not matter whose papers these are.
+    worked out together, so that the values do not depend on which papers are asked for together.
     """
     by_plan: dict[Plan, list[int]] = defaultdict(list)
     for number, question in enumerate(questions):

@@ -25,8 +25,8 @@ NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 def key_line(
     paper: SetPaper, mistakes: Mapping[str, Mistaken] = NOTHING_KNOWN, *, shuffled: bool = False
 ) -> KeyLine:
-    """The key of a paper; its questions stand in the bank's order, and where papers are `shuffled`
-    it says how they follow on this one.
+    """The key of a paper; its questions are in the bank's order, and if papers are `shuffled` it
+    states their order on this one.
 
     `mistakes` holds for each question what known mistakes lead to.
     """
@@ -84,7 +84,7 @@ def _stated_number(quantity: Quantity) -> StatedNumber:
 
 
 def _double(quantity: Quantity) -> Decimal:
-    """The nearest double, in as many digits as tell it from its neighbours."""
+    """The nearest double, in as many digits as distinguish it from its neighbours."""
     return Decimal(repr(quantity.value))
 
 

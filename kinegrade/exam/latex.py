@@ -1,7 +1,7 @@
 """The second press: papers, worked solutions and keys as PDF, by an installed LaTeX.
 
 One run of XeTeX typesets all sheets it is given, Chinese in the installed Noto fonts; the pages of
-each then become a PDF of their own. Same sheet, same bytes, whatever else is in the run.
+each then become a separate PDF. Same sheet, same bytes, whatever else is in the run.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from kinegrade.exam.words import words_of
 from kinegrade.language import Language
 from kinegrade.temporary import temporary_folder
 
-# What TeX puts on the first page of a run alone (the colour it begins with) stands on one that is
+# TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out
 FIRST_PAGE = "\\mbox{}\\clearpage\n"
 START_SECONDS = 60.0
@@ -61,7 +61,7 @@ class LatexPress:
         """Every paper by its name, all typeset in one run, and its source.
 
         Characters of a student's name and id that no font has are printed as code points
-        (`unprintable` tells which). Raises TypesetError with all faults of the papers' texts, with
+        (`unprintable` gives them). Raises TypesetError with all faults of the papers' texts, with
         the first fault that TeX finds, or where TeX is not installed.
         """
         return self._print(papers, PAPERS)
@@ -115,7 +115,7 @@ class LatexPress:
         words, fonts = kind.words(language), str(font_folder())
         bodies: list[str] = each(kind.body, sheets.values())
         with self._typeset([FIRST_PAGE, *bodies], language, words, kind.name) as (folder, outcome):
-            # One page further than the sheets count, as the first one is none of theirs
+            # One page further than the sheets count, as the first page belongs to none of them
             pages = [(first + 1, first + count) for first, count in outcome.ranges]
             pdfs = [pdf_of(folder, part) for part in pages]
         return {

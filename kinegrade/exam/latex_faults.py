@@ -1,4 +1,4 @@
-"""What TeX complains of, in an instructor's words: which paper, which question, which line."""
+"""TeX's complaints, in an instructor's words: which paper, which question, which line."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 r"""LaTeX math for LaTeX: what the closed list of `kinegrade.exam.formula` lets through, and nothing
-that TeX obeys.
+that TeX would execute.
 
-Beyond that list TeX has two doors of its own, a comment (`%`) and a character by its code (`^^5c`
-is a backslash), and `\begin` without braces; they are refused here. Texts inside a formula are
-escaped as plain text.
+That list does not cover comments (`%`), characters by their codes (`^^5c` is a backslash) and
+`\begin` without braces, all of which TeX understands; they are refused here. Texts inside a formula
+are escaped as plain text.
 """
 
 from __future__ import annotations

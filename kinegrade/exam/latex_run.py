@@ -53,7 +53,7 @@ _MISSING = re.compile(r"Missing character: There is no (.)")
 
 @dataclass(frozen=True)
 class Fault:
-    """What TeX stumbled over; `line` counts from 1 in the source, None where TeX does not tell."""
+    """A fault that stopped TeX; `line` counts from 1 in the source, None if TeX gives none."""
 
     message: str
     line: int | None
@@ -61,7 +61,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a run: where the pages of each sheet are, the fault if there is one, and the
+    """The outcome of a run: where the pages of each sheet are, the fault if there is one, and the
     characters that no font printed.
     """
 
@@ -85,8 +85,8 @@ def run(source: str, folder: Path, seconds: float) -> Outcome:
 
 
 def pdf_of(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
-    """The first to the last of these pages (from 1) that a run has left in `folder`, or all of
-    them, as PDF.
+    """Pages that a run has left in `folder`, as PDF: the first to the last of `pages` (from 1), or
+    all.
 
     Raises TypesetError where they cannot be written.
     """
@@ -120,8 +120,8 @@ def _furnish(folder: Path, source: str) -> None:
 
 
 def _executed(program: Program, options: Sequence[str], folder: Path, seconds: float) -> str:
-    """What a program of TeX says. Raises TypesetError where it is not installed or does not end in
-    that time.
+    """The output of a program of TeX. Raises TypesetError where it is not installed or does not end
+    in that time.
     """
     found = which(program)
     if found is None:
@@ -130,13 +130,13 @@ def _executed(program: Program, options: Sequence[str], folder: Path, seconds: f
             "TeX Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst"
         )
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}
-    own = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
+    private = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
     try:
         done = run_program(
             [found, *options],
             seconds,
             folder=folder,
-            environment=kept | own | _SETTINGS,
+            environment=kept | private | _SETTINGS,
         )
     except TimeoutError as error:
         raise TypesetError(
@@ -158,9 +158,9 @@ def _fault(log: str, pages: Path) -> Fault | None:
     found = _FAULT.search(log)
     if found:
         return Fault(_sentence(log, found), int(found[2]) if found[1] == f"{_JOB}.tex" else None)
-    bare = _BARE_FAULT.search(log)
-    if bare:
-        return Fault(bare[1].strip(), None)
+    unplaced = _BARE_FAULT.search(log)
+    if unplaced:
+        return Fault(unplaced[1].strip(), None)
     return None if pages.exists() and pages.stat().st_size else Fault("TeX wrote no pages", None)
 
 

@@ -35,7 +35,7 @@ BANDS = (
     (4, "34mm"),
     (6, "26mm"),
     (8, "20mm"),
-)  # so many terms side by side leave each so wide a column of words
+)  # terms side by side, and the width that this leaves each for a column of words
 
 
 def solution_body(sheet: SolutionSheet) -> str:

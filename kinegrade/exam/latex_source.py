@@ -44,7 +44,7 @@ class Block(Environment):  # type: ignore[misc]  # pylatex has no types
 
 
 class Sheet(Block):
-    """One student's pages, counted for themselves."""
+    """One student's pages, numbered separately."""
 
 
 class Question(Block):

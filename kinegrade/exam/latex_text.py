@@ -1,7 +1,6 @@
-r"""Plain text into LaTeX: whatever a name or a course's title holds, it is printed and never
-obeyed.
+r"""Plain text into LaTeX: whatever a name or a course's title holds is printed and never executed.
 
-What a control word, a ligature or an active character would make of a text is taken away here.
+Control words, ligatures and active characters lose their effect here.
 """
 
 from __future__ import annotations

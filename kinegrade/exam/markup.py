@@ -3,8 +3,8 @@ content.
 
 Text leaves here only as string literals and formulas only through `kinegrade.exam.formula`, so
 nothing in a statement or title can become Typst code. Paragraphs, emphasis, lists and math are what
-an exam needs; any other thing is refused by name. `kinegrade.exam.typst_source` puts the pieces of
-a paper together.
+an exam needs; anything else is refused by name. `kinegrade.exam.typst_source` puts the pieces of a
+paper together.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ def prose(markdown: str, where: str) -> str:
 
 
 def _prose_around_formulas(markdown: str) -> str | None:
-    """The code of a text that differs from one already converted in its formulas alone; None where
-    it must be read as a whole, be it for its faults.
+    """The code of a text that differs from one already converted in its formulas alone; None if it
+    must be read as a whole, for instance to report its faults.
     """
     separated = _separated(markdown)
     if separated is None:
@@ -87,8 +87,8 @@ def _prose_around_formulas(markdown: str) -> str | None:
 
 @lru_cache(maxsize=1024)
 def _code_between_formulas(words: str) -> tuple[str, ...]:
-    """No dollar sign stands in words but around the formulas, so that no text can look like a
-    formula's code.
+    """The code between the formulas of `words`. Dollar signs stand only around formulas there, so
+    that no text can look like a formula's code.
     """
     code = _join(read_prose(words, ""), "").removesuffix("parbreak();")
     return tuple(code.split(_boxed(_ANY_FORMULA, "")))
@@ -109,7 +109,7 @@ def line(markdown: str, where: str) -> str:
 
 @lru_cache(maxsize=4096)
 def _line(markdown: str) -> str:
-    """The same wherever it stands, so that a class's papers share it."""
+    """The same wherever it is used, so that the papers of a class share it."""
     return "{" + _join(read_line(markdown, ""), "") + "}"
 
 
@@ -123,8 +123,8 @@ def read_prose(markdown: str, where: str) -> list[Token]:
 
 
 def _with_math(markdown: str) -> list[Token] | None:
-    """The tokens of a text, whose words are read once for all its formulas: papers differ in these
-    alone. None where what stands between dollar signs may be no formula.
+    """The tokens of a text, whose words are read once for all its formulas: papers differ only in
+    these. None if what is between dollar signs may not be a formula.
     """
     separated = _separated(markdown)
     if separated is None:
@@ -141,7 +141,7 @@ def _with_math(markdown: str) -> list[Token] | None:
 
 
 def _separated(markdown: str) -> tuple[str, list[str]] | None:
-    """The text with the same short formula in the place of each, and the formulas; None as
+    """The text with the same short formula in the place of each, and the formulas; None as for
     `_with_math`.
     """
     parts = _MATH.split(markdown)
@@ -225,13 +225,13 @@ def _statement(leaves: Sequence[Token], index: int, where: str) -> str:
 
 
 def _boxed(latex: str, where: str) -> str:
-    """A formula in its line, in a box, lest a value be torn from its symbol."""
+    """A formula in its line, in a box, so that a value is not separated from its symbol."""
     return f"box(${formula(latex.strip(), where)}$);"
 
 
 def _glue(leaves: Sequence[Token], index: int) -> str:
-    """A word joiner between a formula and a Chinese colon or semicolon, else Unicode's rules let it
-    begin a line.
+    """A word joiner between a formula and a Chinese colon or semicolon, which by Unicode's rules
+    could otherwise begin a line.
     """
     after_math = index > 0 and leaves[index - 1].type == "math_inline"
     return "\u2060" if after_math and leaves[index].content[0] in "：；" else ""

@@ -114,7 +114,7 @@ def key_book(bank: Bank, papers: Iterable[KeyPaper], language: Language) -> KeyB
 
 
 def each_version(papers: Sequence[KeyPaper], language: Language) -> tuple[KeyPaper, ...]:
-    """One key for each version that somebody got, by letter."""
+    """One key for each version that a student got, by letter."""
     first = {paper.version: paper for paper in reversed(papers)}
     return tuple(
         replace(first[letter], student="", name=version_name(letter, language), code=letter)

@@ -1,4 +1,4 @@
-"""The codes that are printed on papers, by which a paper is known that has lost its name."""
+"""The codes printed on papers, which identify a paper that has lost its name."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from itertools import count
 
 from kinegrade.problem.keyed_order import address
 
-LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are misread
+LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # without I, L, O, U, which are easily misread
 
 
 def paper_codes(secret: str, students: Iterable[str]) -> dict[str, str]:

@@ -76,14 +76,14 @@ def _title(paper: Paper) -> list[Node]:
 
 
 def _fields(paper: Paper, words: Words) -> Node:
-    """Whose paper it is."""
+    """The student's name and id and the paper's code, side by side."""
     fields = ((words.name, paper.name), (words.student, paper.student), (words.paper, paper.code))
     cells = [plain([text(label), line_break(), strong([text(value)])]) for label, value in fields]
     return table("fields", FIELD_WIDTHS, FIELD_SIDES, (), (cells,))
 
 
 def _marks(paper: Paper, words: Words) -> Iterator[Node]:
-    """For the marker: under each question's number what it is worth, and room for the mark."""
+    """For the marker: under each question's number its points, and room for the mark."""
     columns = [(str(question.number), points_text(question.points)) for question in paper.questions]
     columns.append((words.total, points_text(paper.points)))
     for start in range(0, len(columns), MARKS):

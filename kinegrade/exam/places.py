@@ -12,8 +12,8 @@ def places_of(students: Iterable[str], secret: str, kept: Mapping[str, int]) -> 
     """The place of each student, counted from zero, no two alike, in the order of the places.
 
     A place depends on who is in the class and on the secret, and not on the order of the roster.
-    `kept` are the places of an exam that exists: they stay, also of students who are gone, and all
-    others come after them.
+    `kept` are the places of an exam that exists: they stay, even those of students who have left,
+    and all others come after them.
     """
     new = sorted(
         (student for student in students if student not in kept),

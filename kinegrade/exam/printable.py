@@ -1,8 +1,7 @@
 """Whether the texts of a template can be printed: all that papers may show, in every language,
 whatever is asked.
 
-`kinegrade check` looks here, so that a formula without its end is found by the author, not when
-papers are made.
+`kinegrade check` calls it, so that the author finds an unfinished formula before papers are made.
 """
 
 from __future__ import annotations
@@ -36,8 +35,8 @@ def printing_faults(template: Template) -> list[str]:
 
 
 def _refused(codes: dict[str, str]) -> list[str]:
-    """What the typesetter says of codes by their places: of all at once, and only of a refused lot
-    one by one.
+    """The typesetter's complaints about codes, given by their places: all are tried at once, and
+    one by one only if that is refused.
     """
     press = TypstPress()
     try:

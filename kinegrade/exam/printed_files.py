@@ -18,8 +18,8 @@ from kinegrade.exam.printing import Printed
 
 @contextmanager
 def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, Printed], None]]:
-    """What writes each paper under its file name, and its worked solutions where they are wanted;
-    at the end, all of them in one file.
+    """A function that writes each paper under its file name, and its worked solutions if wanted; at
+    the end, all of them are in one file too.
     """
     with ExitStack() as books:
         volumes = {

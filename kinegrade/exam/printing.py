@@ -1,4 +1,4 @@
-"""Papers that are drawn are printed: a part of the class at a time, by whichever press the exam
+"""Printing papers that have been set: a part of the class at a time, by the press that the exam
 asks for.
 """
 
@@ -119,7 +119,7 @@ def print_papers(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> lis
 
 def _solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:
     """The worked solutions of each paper, by its file name."""
-    # Loads the whole of worked solutions
+    # It loads everything for worked solutions
     from kinegrade.exam.solution_pages import solution_sheet
 
     return press.solutions(

@@ -1,5 +1,5 @@
-"""A program of the machine, run to its end or stopped: whatever ends this process in between, it
-does not go on alone.
+"""An external program, run to its end or stopped: whatever ends this process in between, the
+program does not outlive it.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ _ENDING = (signal.SIGINT, signal.SIGTERM)
 
 @dataclass(frozen=True)
 class ProgramRun:
-    """What came of it: the exit status, 0 for success, and what was written on both standard
-    channels.
+    """The outcome: the exit status, 0 for success, and what was written to standard output and
+    error.
     """
 
     status: int
@@ -42,7 +42,7 @@ def run_program(
     """
     process: subprocess.Popen[bytes] | None = None
     try:
-        # Between start and the next line there is nobody who could stop it
+        # A signal between the start and the next line would leave it running
         with _signals_deferred():
             process = subprocess.Popen(
                 command,
@@ -62,7 +62,7 @@ def run_program(
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Stop a program that still runs, and let go of its channels."""
+    """Stop a program that is still running, and close its channels."""
     if process.poll() is None:
         process.kill()
         process.communicate()

@@ -1,9 +1,9 @@
-"""From an exam folder to a quiz: everybody's paper, or variants of every question for all, one
-after the other.
+"""From an exam folder to a quiz: every student's paper, or variants of every question for all
+students, one after another.
 
 `read_quiz` is called by `kinegrade quiz`. Papers are made when they are asked for, a few ahead by
 several processes, so that memory does not grow with the class. Numbers are those of the key;
-nothing is solved again but worked solutions.
+nothing is solved again except for worked solutions.
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ def read_quiz(
     workers: Executor = THIS_PROCESS,
     progress: Progress = lambda papers, count: papers,
 ) -> Quiz:
-    """The quiz of an exam, in the papers' language unless another one is wanted, made by
-    `workers` when papers are asked for.
+    """The quiz of an exam, in the papers' language unless another one is wanted; `workers` make the
+    papers as they are asked for.
 
-    Everybody's own paper, of exams with versions one for each version; or the first `variants`
-    papers for everybody. Raises ExamError where the folder is at fault or has fewer papers; the
+    Every student's paper, or one for each version if the exam has versions; or the first `variants`
+    papers for all students. Raises ExamError where the folder is at fault or has fewer papers; the
     papers raise it too, when their turn comes.
     """
     exam.require_one_line_each()
@@ -75,7 +75,7 @@ def read_quiz(
 
 
 def different(exam: ExamFolder) -> Iterator[Line]:
-    """The line of the key for every student, or for every version that somebody has, by letter.
+    """The line of the key for every student, or for every version that a student has, by letter.
     Raises ExamError.
     """
     if not exam.head.versions:
@@ -117,6 +117,6 @@ def _paper(order: QuizOrder, text: Line) -> QuizPaper:
 
 
 def _version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:
-    """A paper of everybody who has that version."""
+    """The paper of all students who have that version."""
     paper = quiz_paper(source, wishes, line, pooled=True)
     return QuizPaper(line.version, "", version_name(line.version, source.language), paper.questions)

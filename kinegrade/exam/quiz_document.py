@@ -1,5 +1,5 @@
-"""A quiz as a learning management system puts it: texts, figures, right numbers and how far from
-them is right.
+"""A quiz as a learning management system presents it: texts, figures, right numbers and their
+tolerances.
 
 `kinegrade.exam.quiz` makes it of an exam folder, the writers of `kinegrade.lms` lay it out. Prose,
 math and plain text are those of `kinegrade.exam.document`. Numbers are exact fractions in the unit
@@ -63,7 +63,7 @@ class QuizFigure:
     svg: bytes
     width: float
     height: float
-    description: str  # plain, for those who cannot see it
+    description: str  # plain, for students who cannot see it
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class QuizQuestion:
 @dataclass(frozen=True)
 class QuizPaper:
     """The questions of one student's paper; student and name are "" where questions are pooled for
-    everybody.
+    all students.
     """
 
     code: str  # plain, as are student and name
@@ -103,9 +103,9 @@ class Quiz:
     """All papers of an exam, which may come one after another so that a large class needs no more
     memory.
 
-    `identifier` tells the exam from others, also from those of the same title. `asks` are those of
-    all the papers by question, ahead of them and without known mistakes, for what must be alike for
-    a whole class.
+    `identifier` distinguishes the exam from others, even those of the same title. `asks` are those
+    of all the papers by question, ahead of them and without known mistakes, for what must be the
+    same for a whole class.
     """
 
     language: Language

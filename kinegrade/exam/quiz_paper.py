@@ -42,8 +42,8 @@ NO_CREDIT = Fraction(0)
 
 @dataclass(frozen=True)
 class QuizWishes:
-    """What a quiz shall hold: known mistakes, each with a share of the points, the bank's where
-    none is wished; worked solutions, by `method` where several serve.
+    """What a quiz is to hold: known mistakes, each with a share of the points, by default the
+    bank's; worked solutions, by `method` where several serve.
     """
 
     mistakes: bool = True
@@ -55,13 +55,12 @@ class QuizWishes:
 def quiz_paper(
     source: QuizSource, wishes: QuizWishes, line: KeyLine, *, pooled: bool = False
 ) -> QuizPaper:
-    """The questions of one paper, of nobody where they are pooled.
+    """The questions of one paper, without a student where they are pooled.
 
-    They stand in the bank's order even where the paper is shuffled, for in that order responses are
-    read again. Raises ExamError where the line is broken, TypesetError for texts that cannot be
-    shown.
+    They are in the bank's order even if the paper is shuffled, because responses are read in that
+    order. Raises ExamError where the line is broken, TypesetError for texts that cannot be shown.
     """
-    code = line.version or line.paper  # a version is of nobody in particular
+    code = line.version or line.paper  # a version belongs to no particular student
     try:
         questions = tuple(_question(source, wishes, line, entry) for entry in line.questions)
         name = "" if pooled else source.exam.head.candidates[line.student].name
@@ -71,16 +70,17 @@ def quiz_paper(
 
 
 def paper_asks(source: QuizSource, line: KeyLine) -> Iterator[tuple[str, QuizAsk]]:
-    """The asks of one paper by question, without known mistakes, figures and texts: little work.
+    """The asks of one paper by question, without known mistakes, figures and texts, which makes it
+    fast.
 
     Raises ExamError where the line is broken.
     """
-    bare = QuizWishes(mistakes=False)
+    without_mistakes = QuizWishes(mistakes=False)
     try:
         for entry in line.questions:
             template = source.templates[entry.question]
             for name, stated in entry.asks.items():
-                yield entry.question, _ask(template, name, stated, bare, source)
+                yield entry.question, _ask(template, name, stated, without_mistakes, source)
     except (KeyError, FieldError) as fault:
         raise _broken(source, line, fault) from fault
 

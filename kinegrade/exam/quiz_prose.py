@@ -36,10 +36,10 @@ _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ufffe\uffff\ud800-\udfff]")
 _BOLD = re.compile(r"\\bm(?![A-Za-z])")
 
 
-@lru_cache(maxsize=512)  # the lines about what is asked for stand on every paper
+@lru_cache(maxsize=512)  # the lines about what is asked for are on every paper
 def prose_html(markdown: str, where: str = "text", *, inline: bool = False) -> str:
-    r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line without a paragraph of
-    its own.
+    r"""Several paragraphs of Markdown with `$...$` math; `inline`: one line, not set as a
+    paragraph.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 

@@ -73,7 +73,7 @@ def _block(block: Block, words: SolutionWords) -> str:
 
 
 def _aligned(lines: Sequence[str]) -> str:
-    """Equations below each other; long ones go on in a new line before a relation sign."""
+    """Equations one below another; a long one continues on a new line before a relation sign."""
     rows = []
     for latex in lines:
         parts = equation_line(latex)

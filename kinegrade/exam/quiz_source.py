@@ -27,18 +27,18 @@ from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
 DIGITS = 8  # hexadecimal, of the identifier
-LOOKED_AT = 64  # papers from which the bank's tolerances are seen, which zero answers widen
+LOOKED_AT = 64  # papers searched for the bank's tolerances, which answers of zero widen
 
 
 @dataclass(frozen=True)
 class QuizSource:
-    """An exam of which a quiz is made; `identifier` tells it from other exams.
+    """An exam of which a quiz is made; `identifier` distinguishes it from other exams.
 
-    It is of the bank and of what the papers' codes are made from, which tells nothing of the secret
-    that draws the numbers: another exam of the same bank is another one, and who is on the roster
-    in which order changes nothing.
+    It is derived from the bank and from the secret behind the papers' codes, which reveals nothing
+    about the secret that draws the numbers: another exam of the same bank has another identifier,
+    and the roster and its order do not matter.
 
-    `templates` go by question, `tolerances` by question and ask, `credits`, the shares of the
+    `templates` are by question, `tolerances` by question and ask; `credits` are the shares of the
     points that the bank gives for known mistakes, by mistake.
     """
 
@@ -84,7 +84,7 @@ def tolerance_of(stated: StatedTolerance) -> Tolerance:
 
 
 def _identifier(exam: ExamFolder) -> str:
-    """What tells the exam from others; of a folder whose secret was taken out of it, by the first
+    """The exam's identifier; if the secret was taken out of the folder, derived from the first
     paper's code.
     """
     secret = exam.head.drawn_from
@@ -118,9 +118,7 @@ def _credits(exam: ExamFolder) -> dict[str, Fraction]:
 
 
 def _tolerances(exam: ExamFolder) -> dict[tuple[str, str], Tolerance]:
-    """By question and ask the least that is allowed: where the answer is no zero, what the bank
-    says.
-    """
+    """The smallest tolerance by question and ask: the bank's, where the answer is not zero."""
     found: dict[tuple[str, str], Tolerance] = {}
     for line in islice(exam.lines(), LOOKED_AT):
         try:

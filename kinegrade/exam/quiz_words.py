@@ -15,14 +15,14 @@ BETWEEN = {"en": " ", "zh": ""}
 
 
 def digits_to_type(tolerances: Iterable[Tolerance]) -> int:
-    """The fewest significant digits with which every answer can be told right from wrong."""
+    """The fewest significant digits with which every answer can be judged right or wrong."""
     return max(FEWEST_DIGITS, *(tolerance.carried(Fraction(0)) for tolerance in tolerances))
 
 
 @dataclass(frozen=True)
 class AskRule:
-    """How far from right an ask's answer may be, and the unit in which that is said: a quiz has no
-    table of units.
+    """How far from right an ask's answer may be, and the unit in which that is stated: a quiz has
+    no table of units.
     """
 
     tolerance: Tolerance
@@ -34,7 +34,7 @@ class AskRule:
 
 
 def marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
-    """When the answers of a question are right; the rules go by the asks' symbols (math)."""
+    """When the answers of a question are right; `asks` holds the rules by symbol (math)."""
     texts = {symbol: rule.text(language) for symbol, rule in asks.items()}
     distinct = set(texts.values())
     if len(distinct) == 1:

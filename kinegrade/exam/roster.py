@@ -56,8 +56,8 @@ class Student:
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """The students in the order of the file, and what a person should look at; `file` is its name
-    in messages.
+    """The students in the order of the file, and complaints for a person to look at; `file` is its
+    name in messages.
     """
 
     students: tuple[Student, ...]
@@ -85,8 +85,8 @@ def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
 
 
 def student_key(student: str) -> str:
-    """An id as it is compared: surrounding blanks and full-width forms do not count, zeros and case
-    do.
+    """An id as it is compared: surrounding blanks and full-width forms are ignored, zeros and case
+    matter.
 
     >>> student_key("\\uff10\\uff10\\uff17 ")
     '007'
@@ -122,8 +122,8 @@ def _capitals_encoded(stem: str) -> str:
 
 
 def _cut(student: str, stem: str) -> str:
-    """No file system takes more than 255 bytes; `%-` never comes out of the encoding, so it stays
-    unique.
+    """The stem, shortened if it is long: file systems allow 255 bytes at most. The encoding never
+    gives `%-`, so it stays unique.
     """
     if len(stem) <= _LONGEST_STEM:
         return stem
@@ -132,15 +132,15 @@ def _cut(student: str, stem: str) -> str:
 
 
 def unprintable_id(file: str, student: Student, characters: Iterable[str]) -> Complaint:
-    """The complaint about characters of an id that do not print: nobody can type it as it stands on
+    """The complaint about characters of an id that do not print: it cannot be typed as it stands on
     the paper.
     """
     codes = ", ".join(f"U+{ord(character):04X}" for character in sorted(set(characters)))
     whose = student.name or "a student without a name"
     problem = f"the id of {whose} has characters that do not print ({codes})"
     done = (
-        "on the paper they are code points, or not seen at all; correct the id before papers are "
-        "printed"
+        "on the paper they are code points, or not visible at all; correct the id before papers "
+        "are printed"
     )
     return Complaint(
         file, student.line or None, "student", one_line(student.student), problem, done

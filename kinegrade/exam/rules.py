@@ -75,8 +75,8 @@ def rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[st
     """The sentences of the rules box, with the tolerances of single questions and asks where they
     differ.
 
-    `order` are the identifiers of the questions as they follow on the paper, by whose numbers they
-    are called there; the bank's where it is left out.
+    `order` holds the identifiers of the questions in their order on the paper, which gives their
+    numbers there; by default it is the bank's.
     """
     places = order or [question.identifier for question in bank.questions]
     numbers = {identifier: number for number, identifier in enumerate(places, start=1)}
@@ -96,7 +96,7 @@ def rules(bank: Bank, language: Language, order: Sequence[str] = ()) -> tuple[st
 def exceptions(
     bank: Bank, question: BankQuestion, number: int, language: Language
 ) -> Iterator[tuple[Tolerance, str]]:
-    """The tolerances of a question that are not the bank's, with what they hold for: all of it, or
+    """The tolerances of a question that are not the bank's, with what they apply to: all of it, or
     single asks.
     """
     tolerances = {ask.tolerance for ask in question.asks}
@@ -110,8 +110,8 @@ def exceptions(
 
 
 def writing_rule(bank: Bank, language: Language) -> str:
-    """How to write answers: with four digits, or as many as the strictest tolerance takes to tell
-    right from wrong.
+    """How to write answers: with four digits, or as many as it takes to judge an answer by the
+    strictest tolerance.
     """
     carried = [
         ask.tolerance.carried(Fraction(0)) for question in bank.questions for ask in question.asks

@@ -31,7 +31,7 @@ def shown(template: Template) -> tuple[str, ...]:
 
 
 def sample_bank(template: Template) -> Bank:
-    """A bank that asks what the template asks; what is on request for one point."""
+    """A bank that asks what the template asks; asks on request count one point."""
     asks = tuple(
         BankAsk(name, Fraction(template.asks[name].points or 1), ONE_PER_CENT)
         for name in shown(template)

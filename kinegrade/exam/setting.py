@@ -92,8 +92,8 @@ class SetQuestion:
 class SetPaper:
     """One student's paper; `code` is printed on it and kept in the key.
 
-    `questions` stand in the bank's order, `order` says in which they are printed; `version` is a
-    letter, or "" where the paper is the student's alone; `place` is the student's in the class.
+    `questions` are in the bank's order, `order` is the one in which they are printed; `version` is
+    a letter, or "" where the paper is the student's alone; `place` is the student's in the class.
     """
 
     student: Student
@@ -105,7 +105,7 @@ class SetPaper:
 
     @property
     def printed(self) -> tuple[SetQuestion, ...]:
-        """The questions as they follow on the paper."""
+        """The questions in their order on the paper."""
         return tuple(self.questions[place] for place in self.order)
 
 
@@ -119,7 +119,7 @@ def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
 
 
 def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
-    """A question of which an instance is drawn already."""
+    """A question whose instance has been drawn."""
     asks = tuple(
         set_ask(question, ask, drawn.solution[ask.name], drawn.solution.doubles)
         for ask in question.asks
@@ -130,8 +130,8 @@ def set_drawn(question: BankQuestion, drawn: Drawn) -> SetQuestion:
 def set_ask(
     question: BankQuestion, ask: BankAsk, answer: Quantity, motion: MotionInDoubles
 ) -> SetAsk:
-    """An ask with its answer; `motion` gives room by the mechanism's own scale where the answer is
-    next to zero.
+    """An ask with its answer; `motion` gives the mechanism's scale, which sets the tolerance if the
+    answer is close to zero.
     """
     tolerance = effective(ask.tolerance, answer.value, answer.measure, motion)
     return SetAsk(ask, answer, tolerance, question.template.asks[ask.name].cyclic)

@@ -34,8 +34,8 @@ class Shelf:
 
 
 def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
-    """All templates of a folder; of one that is `kept` with an exam, rules that came after the exam
-    refuse none.
+    """All templates of a folder; in one that is `kept` with an exam, none is refused by a rule
+    introduced after the exam.
 
     Raises BankError with the faults of all of them.
     """

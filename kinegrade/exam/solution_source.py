@@ -1,8 +1,8 @@
 """Worked solutions as Typst source: one call of the layout `solution.typ` with one string of data.
 
-Prose and math become Typst code by `kinegrade.exam.markup` and `formula`, pictures through their
-own back end. What must fit the page (equations, tables of terms) goes to the layout in pieces,
-which it measures and breaks.
+Prose and math become Typst code by `kinegrade.exam.markup` and `formula`, pictures by the figures'
+back end. What must fit the page (equations, tables of terms) goes to the layout in pieces, which it
+measures and breaks.
 """
 
 from __future__ import annotations

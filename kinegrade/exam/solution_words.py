@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class SolutionWords:
-    """What the layout of worked solutions prints besides the solutions' own texts; `{}` takes a
+    """What the layout of worked solutions prints in addition to the solutions' texts; `{}` takes a
     number or a text.
     """
 

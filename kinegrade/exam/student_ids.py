@@ -1,9 +1,9 @@
 """Student ids as files of answers hold them: what a spreadsheet or a form made of them, traced back
 to one student.
 
-Used wherever answers come in. A spreadsheet eats leading zeros, people change case, exports wrap
-ids as ="007". Such an id is restored where it can mean one student only; where it can mean two,
-nobody is guessed.
+Used wherever answers come in. Spreadsheets drop leading zeros, people change case, exports wrap ids
+as ="007". Such an id is restored if it can mean only one student; if it can mean two, there is no
+guessing.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
 def unwrapped(identifier: str) -> str:
-    r"""An id without what keeps spreadsheets from eating its zeros: ="007", '007 and #007 are 007.
+    r"""An id without what keeps spreadsheets from dropping its zeros: ="007", '007 and #007 are
+    007.
 
     >>> unwrapped('="0012345"'), unwrapped("#0012345")
     ('0012345', '0012345')
@@ -44,7 +45,7 @@ class StudentIds:
         for student in students:
             self._exact.setdefault(student_key(student), student)
             near[_bare(student_key(student))].append(student)
-        self._near = {bare: tuple(found) for bare, found in near.items()}
+        self._near = {stripped: tuple(found) for stripped, found in near.items()}
 
     def exact(self, cell: str) -> str | None:
         """The student with that id, wrapped or not, in full-width digits or not."""
@@ -53,14 +54,14 @@ class StudentIds:
 
     def near(self, cell: str) -> tuple[str, ...]:
         """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
-        bare = _bare(unwrapped(cell))
-        return self._near.get(bare, ()) if bare else ()
+        stripped = _bare(unwrapped(cell))
+        return self._near.get(stripped, ()) if stripped else ()
 
     def restored(self, cells: Iterable[str], taken: Collection[str]) -> Mapping[str, str]:
-        """Of cells that are no ids those that can mean one student only, with that student.
+        """The cells that are not ids but can mean only one student, with that student.
 
-        `taken` are the students whose own ids stand in the same file: for them nothing is restored.
-        Neither is it where two different cells would mean the same student.
+        `taken` are the students whose exact ids are in the same file: no cell is restored to them,
+        nor are two different cells to the same student.
         """
         meant: dict[str, set[str]] = defaultdict(set)
         for cell in cells:
@@ -75,7 +76,7 @@ class StudentIds:
 
 
 def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
-    """What is said once of a file whose ids were restored: what was found, and what was done.
+    """The one message about a file whose ids were restored: what was found, and what was done.
 
     >>> restoration({"12345": "0012345"})[0]
     '1 student id is not as in the exam: "12345" for "0012345"'
@@ -84,10 +85,10 @@ def restoration(restored: Mapping[str, str]) -> tuple[str, str]:
     example = f'"{shortened(trimmed(cell))}" for "{student}"'
     if len(restored) == 1:
         found = f"1 student id is not as in the exam: {example}"
-        taken = "taken for this student, as it can mean nobody else"
+        taken = "taken for this student, as it can mean no one else"
     else:
         found = f"{len(restored)} student ids are not as in the exam, such as {example}"
-        taken = "taken for these students, as each can mean one only"
+        taken = "taken for these students, as each can mean only one"
     return found, f"{taken}; keep ids as text, as in answers.xlsx"
 
 

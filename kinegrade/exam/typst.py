@@ -4,8 +4,8 @@ embedded Typst.
 A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep
 one press per thread or process. Same input, same bytes: the fonts come with the installation and
 the date is fixed. Plain PDF prints a box, silently, for a character that no font has; PDF/A-2b
-refuses it, but takes longer. Therefore each character is looked at once, and only a source that
-holds a bad one is asked for as PDF/A-2b, to be refused.
+refuses it, but takes longer. Therefore each character is checked once, and only a source with one
+that cannot be printed is compiled as PDF/A-2b, to be refused.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class TypstPress:
         """One student's paper as PDF.
 
         Characters of the student's name and id that no font has are printed as code points
-        (`unprintable` tells which). Raises TypesetError with all faults of the paper's texts, other
+        (`unprintable` gives them). Raises TypesetError with all faults of the paper's texts, other
         such characters among them.
         """
         named = self._legible(paper)
@@ -103,7 +103,7 @@ class TypstPress:
 
     def gallery(self, gallery: Gallery, where: str = "gallery") -> bytes:
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
-        told of `where`.
+        reported at `where`.
         """
         return self._explaining(gallery_source(gallery, self._size), where)
 
@@ -112,7 +112,7 @@ class TypstPress:
         self._explaining(source, where)
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
-        """The characters of `texts` that no font of the press can print: one look for a whole
+        """The characters of `texts` that no font of the press can print: one check for a whole
         roster.
         """
         characters = {
@@ -141,7 +141,7 @@ class TypstPress:
         return legible_owners(book, self)
 
     def _boxes(self, characters: Sequence[str]) -> set[str]:
-        """Those of `characters` that the compiler complains of; it may need several looks to find
+        """Those of `characters` that the compiler complains about; it may take several runs to find
         all.
         """
         if not characters:

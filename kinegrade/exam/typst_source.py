@@ -1,9 +1,9 @@
 """Papers, keys and galleries as Typst source: one call of a layout with one string of data.
 
 Plain text goes into the data as it is, prose and math as Typst code made by `kinegrade.exam.markup`
-and `formula`, figures through their own back end. The layouts (`layouts/*.typ`) evaluate such code.
-As all data is one string, what two papers share is the same to Typst, which then need not lay it
-out again.
+and `formula`, figures by their back end. The layouts (`layouts/*.typ`) evaluate such code. As all
+data is one string, what two papers share is the same to Typst, which then need not lay it out
+again.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from kinegrade.question_numbers import bank_number, other_number
 from kinegrade.worked.formula_width import width
 
 BESIDE = 80.0  # millimetres: a wider figure leaves too narrow a column of text beside it
-PAGE = 225.0  # millimetres: what any page holds between its margins, with something to spare
+PAGE = 225.0  # millimetres: a little less than any page holds between its margins
 MEASURE = 123.0  # millimetres: the width of a line of text, without a figure beside it
 COLUMNS_OF_MARKS = 13  # the total among them: as many as stand side by side in the marker's table
 LINE_OF_ROW = 36  # Latin characters that surely fit a line of what is asked for
@@ -119,7 +119,7 @@ def points_text(points: Fraction) -> str:
 
 
 def _code_image(code: str) -> str:
-    """The QR code as an SVG image of one path, its sides without the white around."""
+    """The QR code as an SVG image of one path, its size without the white margin."""
     mark = code_mark(code)
     path = "".join(f"M{x} {y}h{length}v1h-{length}z" for x, y, length in mark.runs)
     box = f'viewBox="0 0 {mark.size} {mark.size}"'

@@ -1,8 +1,8 @@
-"""The variants of a pool: which lines of the key a quiz offers to everybody, kept so that its
+"""The variants of a pool: which lines of the key a quiz offers to all students, kept so that its
 responses can be marked.
 
 `kinegrade quiz --variants` stores them as variants.jsonl in the exam folder, in the form of
-key.jsonl; `kinegrade.lms.responses` recognises by them what a student was put.
+key.jsonl; `kinegrade.lms.responses` recognises by them what a student was asked.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ Numbers = tuple[str, ...]
 
 
 def store_variants(exam: ExamFolder, count: int) -> None:
-    """Stores the first `count` variants of an exam; more that are there already stay, none is ever
-    changed.
+    """Store the first `count` variants of an exam; any further ones already there stay, and none is
+    ever changed.
 
-    Raises ExamError where those that are stored are of another key, OutputError where nothing can
-    be written there.
+    Raises ExamError if those that are stored belong to another key, OutputError if nothing can be
+    written there.
     """
     lines = [text.rstrip(b"\r\n") for _, text in islice(different(exam), count)]
     before = [text.rstrip(b"\r\n") for _, text in exam.pool_texts()]
@@ -56,8 +56,8 @@ def store_variants(exam: ExamFolder, count: int) -> None:
 
 
 def numbers_in(text: str) -> Numbers:
-    """The numbers of a text as they are written, by which a question's text is recognised in
-    whatever layout.
+    """The numbers of a text as they are written, by which a question's text is recognised in any
+    layout.
 
     >>> numbers_in(r"a crank of \\(r = 0.25\\,\\mathrm{m/s^{2}}\\)")
     ('0.25', '2')
@@ -117,24 +117,26 @@ def of_text(variants: Sequence[Variant], shown: str) -> list[Variant]:
     """The variants whose statement stands in the text of a question: letter by letter, else by its
     numbers.
 
-    Of statements of which one begins like the other the longest is meant. Numbers alone tell a text
-    that somebody corrected in the system, and not whether the crank in it speeds up or slows down.
+    If one statement is the beginning of another, the longer one is meant. Numbers alone identify a
+    text that was corrected in the system, but not whether its crank speeds up or slows down.
     """
     text = plain_text(shown)
     letters, numbers = letters_in(text), numbers_in(text)
     lengths = {
-        place: max((len(own) for own in variant.letters if own in letters), default=0)
+        place: max((len(each) for each in variant.letters if each in letters), default=0)
         for place, variant in enumerate(variants)
     }
     longest = max(lengths.values(), default=0)
     if longest:
         return [variants[place] for place, length in lengths.items() if length == longest]
-    return [variant for variant in variants if any(_holds(numbers, own) for own in variant.numbers)]
+    return [
+        variant for variant in variants if any(_holds(numbers, each) for each in variant.numbers)
+    ]
 
 
 @dataclass(frozen=True)
 class Variants:
-    """The pool of an exam, by question; variants that are the same in everything are one."""
+    """The pool of an exam, by question; variants that are equal in everything are one."""
 
     count: int
     questions: Mapping[str, tuple[Variant, ...]]
@@ -167,7 +169,8 @@ def _variant(
         ) from fault
 
 
-def _holds(numbers: Numbers, own: Numbers) -> bool:
-    """Whether these numbers follow each other somewhere among the others."""
-    starts = range(len(numbers) - len(own) + 1)
-    return bool(own) and any(numbers[start : start + len(own)] == own for start in starts)
+def _holds(numbers: Numbers, wanted: Numbers) -> bool:
+    """Whether `numbers` holds those wanted one after another."""
+    length = len(wanted)
+    starts = range(len(numbers) - length + 1)
+    return bool(wanted) and any(numbers[start : start + length] == wanted for start in starts)

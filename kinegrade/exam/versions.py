@@ -8,16 +8,16 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 
 def version_letters(count: int) -> tuple[str, ...]:
-    """The letters of `count` versions; none where every student gets an own paper."""
+    """The letters of `count` versions; none if every student gets a different paper."""
     return tuple(LETTERS[:count])
 
 
 def version_of(secret: str, place: int, letters: tuple[str, ...]) -> str:
-    """The version of the student at a place of the roster, counted from zero.
+    """The version of the student at a place, counted from zero.
 
-    The roster is dealt in rounds, each a shuffle of the versions: they are used equally often, but
-    for one, students next to each other mostly differ, and a student who is appended changes
-    nobody's version.
+    The places are dealt in rounds, each a shuffle of the versions: they are used equally often,
+    give or take one, neighbours mostly differ, and a student who is added changes no one else's
+    version.
     """
     turn, place_in_turn = divmod(place, len(letters))
     return sorted(letters, key=lambda letter: address(secret, "version", turn, letter))[

@@ -1,8 +1,8 @@
-"""Papers for those who edit them: Word (.docx) with equations, tables and styles of its own, and
-HTML in one file.
+"""Papers for people who edit them: Word (.docx) with native equations, tables and styles, and HTML
+in one file.
 
-pandoc writes both, and is an optional extra. It gets a document of values
-(`kinegrade.exam.paper_tree`), no text to read, and runs in its sandbox with no file but the
+pandoc writes both, and is an optional extra. It receives a document of values
+(`kinegrade.exam.paper_tree`) with no text to parse, and runs in its sandbox with no file but the
 reference document of Word's styles. Same input, same bytes.
 """
 
@@ -134,7 +134,7 @@ def _pandoc(kind: Kind, options: Sequence[str], tree: bytes) -> bytes:
 
 
 def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
-    """What pandoc writes. Raises TypesetError where there is none, and with its own words where it
+    """The output of pandoc. Raises TypesetError if there is no pandoc, and with its message if it
     fails or warns.
     """
     command = [_pandoc_path(kind), "--sandbox", *options]
@@ -152,7 +152,7 @@ def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
 
 
 def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
-    """What pandoc complains of: formulas, as a rule."""
+    """What pandoc complains about, usually formulas."""
     said = " ".join(complaint.split())
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
@@ -167,7 +167,7 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
 
 
 def _pandoc_path(kind: str) -> str:
-    """Where pandoc is: the one of the optional extra, or the machine's own."""
+    """The path of pandoc: that of the optional extra, or the one installed on the system."""
     try:
         return str(import_module("pypandoc").get_pandoc_path())
     except (ImportError, OSError) as error:

@@ -1,4 +1,5 @@
-"""The document from which Word papers take page, styles and footer: pandoc's own, with ours put in.
+"""The document from which Word papers take page, styles and footer: pandoc's, with our parts put
+in.
 
 The parts stand in `layouts/word-*.xml`. Texts are put in as XML text, whatever characters they
 hold.
@@ -60,7 +61,7 @@ def layout(name: str, **texts: str) -> str:
 
 
 def _with_parts(default: bytes, parts: Mapping[str, str]) -> bytes:
-    """A copy of the archive with these parts instead of its own, and the footer made known."""
+    """A copy of the archive with these parts in place of its own, and the footer registered."""
     target = BytesIO()
     with ZipFile(BytesIO(default)) as source, ZipFile(target, "w") as archive:
         for name in source.namelist():

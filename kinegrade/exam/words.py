@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Words:
-    """What a layout prints besides the exam's own texts; `{}` takes a number or a text."""
+    """What a layout prints in addition to the exam's texts; `{}` takes a number or a text."""
 
     name: str
     student: str
@@ -100,7 +100,7 @@ CHINESE = Words(
 
 @dataclass(frozen=True)
 class GalleryWords:
-    """What the layout of a gallery prints besides the templates' own texts."""
+    """What the layout of a gallery prints in addition to the templates' texts."""
 
     title: str  # takes the number of templates
     page: str  # takes the page's number and the number of pages

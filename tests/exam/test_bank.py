@@ -260,7 +260,7 @@ number = 2
         'bank.toml:14: questions[2].draw.phi: "90 .. 0 step 15" - expected a step above zero, '
         "the last value not before the first, and at most 2000 values",
         "bank.toml:15: questions[2].tolerance: allows nothing - expected a tolerance above zero",
-        "bank.toml:16: questions[2].points: asks says the points already "
+        "bank.toml:16: questions[2].points: asks gives the points already "
         "- leave one of the two out",
         "bank.toml:17: questions[2].number: unknown key "
         "- known here: asks, draw, points, template, tolerance",

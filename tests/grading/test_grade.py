@@ -142,7 +142,7 @@ def test_ids_without_zeros_or_in_another_case_keep_their_points_where_one_studen
         None,
         '2 student ids are not as in the exam, such as "7" for "007"',
     )
-    assert restored.done.startswith("taken for these students, as each can mean one only")
+    assert restored.done.startswith("taken for these students, as each can mean only one")
     assert [(each.line, each.done) for each in others] == [
         (4, 'not graded; probably "0012" or "12": correct the id and grade again')
     ]

@@ -78,7 +78,7 @@ def test_ids_without_zeros_or_in_another_case_are_restored_and_said_once(tmp_pat
     assert told(read) == []
     assert read.assumed[-1] == (
         'download.csv: 2 student ids are not as in the exam, such as "12345" for "0012345" - taken '
-        "for these students, as each can mean one only; keep ids as text, as in answers.xlsx"
+        "for these students, as each can mean only one; keep ids as text, as in answers.xlsx"
     )
 
 
