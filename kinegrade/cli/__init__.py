@@ -1,7 +1,7 @@
 """The command line. Heavy modules are imported by the commands that need them, so that `--help`
 answers at once.
 
-Results go to standard output or to `-o`, talk goes to standard error. Exit status: 0 fine, 1 done
+Results go to standard output or to `-o`, messages go to standard error. Exit status: 0 fine, 1 done
 with complaints, 2 cannot be done; an error is one line for each fault. `program` says how else a
 run may end.
 """
@@ -31,7 +31,7 @@ def main() -> None:
     kinegrade generate banks/demo.toml roster.csv -o EXAM
     kinegrade grade EXAM answers.csv -o MARKS
     """
-    # Read when numpy is loaded: its library of linear algebra would start threads that nothing here
+    # Read when numpy is loaded: its linear algebra library would start threads that nothing here
     # needs, and a process with threads cannot safely be copied.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 

@@ -1,8 +1,8 @@
-"""A crash: a fault of kinegrade itself. One line for the user, and a file that can be sent to those
-who mend it.
+"""A crash: a fault of kinegrade itself. One line for the user, and a file that can be sent to its
+developers.
 
-The file says where in the code it happened, and neither what the user typed nor the fault's own
-words: they may hold names, answers or secrets. They stand on the terminal only.
+The file says where in the code it happened, and neither what the user typed nor the exception's
+message: they may hold names, answers or secrets. They are shown only on the terminal.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from pathlib import Path
 from kinegrade import __version__
 from kinegrade.errors import one_line
 
-_SHOWN = 200  # characters of the fault's own words
+_SHOWN = 200  # characters of the exception's message
 
 
 def crash_line(fault: BaseException, arguments: Sequence[str]) -> str:
-    """What the terminal says of a crash; the file that it names is written."""
+    """The line for the terminal about a crash; writes the file that it names."""
     words = one_line(" ".join(str(fault).split()))[:_SHOWN]
     what = f"{type(fault).__name__}: {words}" if words else type(fault).__name__
     try:

@@ -33,7 +33,7 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
     "system",
     type=click.Choice(SYSTEMS),
     required=True,
-    help="The learning management system; generic is a plain sheet, xlsx everything for people.",
+    help="The learning management system; generic is a plain sheet, xlsx a workbook to read.",
 )
 @click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="The file to write.")
 @click.option(
@@ -44,7 +44,7 @@ SYSTEMS = (*get_args(GradeSystem), "xlsx")
     "columns",
     multiple=True,
     metavar="[QUESTION=]HEADER",
-    help="The column meant, by its header; once for each question with --per-question.",
+    help="The column to fill, by its header; once for each question with --per-question.",
 )
 @click.option("--title", default="", help="The item's title in the system.")
 @click.option(
@@ -116,7 +116,7 @@ def export(
 
     if language is not None and system != "generic":
         raise click.UsageError(
-            "--lang: only the generic sheet has headers in a language of ours - leave it out"
+            "--lang: only the generic sheet has headers that can be translated - leave it out"
         )
     expect_folders((marks, "MARKS"), (exam, "EXAM"))
     folder = open_marks(marks)

@@ -46,7 +46,7 @@ def expect_own_place(output: Path) -> None:
 def expect_folders(*given: tuple[Path | None, Kind]) -> None:
     """Raises TableError where a folder of the other kind, or a file, was given.
 
-    What is neither is left to whoever reads it. Two folders that were swapped are one fault.
+    A folder that is neither is left to the code that reads it. Two swapped folders are one fault.
     """
     wrong = [
         (path, kind, found)

@@ -47,7 +47,7 @@ EXAM_LANGUAGE = click.option(
     "--from",
     "source",
     type=click.Choice(["moodle", "canvas", "google-forms", "ms-forms", "wjx", "sheet"]),
-    help="What ANSWERS was downloaded from.  [default: what its shape tells]",
+    help="What ANSWERS was downloaded from.  [default: detected from its shape]",
 )
 @click.option(
     "--encoding",
@@ -60,7 +60,7 @@ EXAM_LANGUAGE = click.option(
 @click.option(
     "--decimal",
     type=click.Choice(["point", "comma"]),
-    help="What 1,234 and 1.234 mean in ANSWERS.  [default: what its other cells tell]",
+    help="What 1,234 and 1.234 mean in ANSWERS.  [default: detected from its other cells]",
 )
 @click.option(
     "--policy",
@@ -72,12 +72,12 @@ EXAM_LANGUAGE = click.option(
     "--never-lower",
     type=FILE,
     metavar="MARKS",
-    help="Nobody's share of the points falls below that in this earlier MARKS.",
+    help="Let no student's share of the points fall below that in this earlier MARKS.",
 )
 @click.option(
     "--own-papers",
     is_flag=True,
-    help="Mark by everybody's own paper, although the answers fit others or a pool was made.",
+    help="Mark each student by their own paper, even if the answers fit others or a pool was made.",
 )
 @FORCE
 @refusing
@@ -148,7 +148,7 @@ def _say(lines: Iterable[str]) -> None:
 
 
 def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[str]:
-    """What `grade` says at its end, a line each."""
+    """What `grade` reports at its end, one line each."""
     students = counted(len(marks.grades), "student")
     yield f"{output}: {students} marked, {counted(len(marks.complaints), 'complaint')}"
     if kept:
@@ -170,7 +170,7 @@ def what_was_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterato
 @FORCE
 @refusing
 def diff(before: Path, after: Path, output: Path | None, force: bool) -> None:
-    """Tell how the marks in MARKS2 differ from those in MARKS1: who changes, by how much, and why.
+    """Show how the marks in MARKS2 differ from those in MARKS1: who changes, by how much, and why.
 
     \b
     Example: kinegrade diff MARKS MARKS2 -o changes.csv
@@ -258,7 +258,7 @@ def feedback(
     jobs: int,
     force: bool,
 ) -> None:
-    """Write everybody a sheet: own answers, right answers, what probably went wrong, points.
+    """Write each student a sheet: their answers, right answers, what probably went wrong, points.
 
     \b
     Example: kinegrade feedback EXAM MARKS -o FEEDBACK --format html

@@ -1,4 +1,4 @@
-"""What the commands have in common: options, refusals, complaints, progress."""
+"""What the commands share: options, refusals, complaints, progress."""
 
 from __future__ import annotations
 
@@ -76,8 +76,8 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
 
 @contextmanager
 def whole_output() -> Iterator[None]:
-    """What is printed on standard output inside arrives, or OutputError is raised: a full disk cuts
-    nothing off in silence. A closed pipe is no such fault.
+    """What is printed on standard output inside arrives, or OutputError is raised: a full disk does
+    not truncate it silently. A closed pipe is not such a fault.
     """
     try:
         try:

@@ -26,7 +26,7 @@ CLOSED_PIPE = BY_SIGNAL + 13  # as if SIGPIPE had ended it, which Windows does n
 
 
 class ClosedPipe(Exception):
-    """Nobody reads any more what this process writes, as after `| head`."""
+    """What this process writes is no longer read, as after `| head`."""
 
 
 class Program(click.Group):
@@ -50,7 +50,7 @@ class Program(click.Group):
 
 
 class UnexpectedEnd(Exception):
-    """The end of some data came where nobody expected it."""
+    """Some data ended where that was not expected."""
 
 
 @contextmanager
@@ -67,7 +67,9 @@ def _not_for_click() -> Iterator[None]:
 
 
 def _status(run: Callable[[], object]) -> int:
-    """The exit status of a run; what its end needs to say stands on standard error, in one line."""
+    """The exit status of a run; anything to report about its end goes to standard error, in one
+    line.
+    """
     try:
         with signals_obeyed():
             return _finished(run)
@@ -122,13 +124,13 @@ def _say(number: int, what: str) -> None:
 
 
 def _echo(line: str) -> None:
-    """A last line on standard error, if anybody reads it."""
+    """A last line on standard error, if it can still be written."""
     with suppress(OSError):
         click.echo(line, err=True)
 
 
 def _discard_output() -> None:
-    """Let what is still to be written go nowhere, or Python would complain of it when it ends."""
+    """Discard what is still to be written, or Python would complain about it when it ends."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in filter(None, (sys.stdout, sys.stderr)):
         try:

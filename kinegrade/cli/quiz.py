@@ -38,8 +38,8 @@ SYSTEMS: tuple[QuizSystem, ...] = get_args(QuizSystem)
     "--variants",
     type=click.IntRange(1),
     metavar="K",
-    help="K variants of every question for everybody, to be drawn from, instead of a paper for "
-    "each student.",
+    help="K variants of every question, from which the system draws for each student, instead "
+    "of a paper for each.",
 )
 @click.option(
     "--as",
@@ -133,7 +133,7 @@ def quiz(
         remarks = writer(put, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
-        "marked there, every number stands alone: kinegrade grade on its responses knows "
+        "marked there, every number is marked alone: only kinegrade grade on its responses gives "
         "follow-through",
         err=True,
     )

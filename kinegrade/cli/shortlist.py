@@ -16,7 +16,7 @@ _PARTICULARS = re.compile(r'"[^"]*"|[-+0-9.,/^*√π()]*[0-9][-+0-9.,/^*√π()]
 def shortlist(complaints: Sequence[Complaint], file: Path) -> tuple[str, ...]:
     """The complaints in their order, at most SHOWN of each kind; `file` has all of them.
 
-    Of one kind are those that say the same of different cells, students or numbers.
+    Complaints are of one kind if they say the same about different cells, students or numbers.
     """
     kinds: dict[str, list[Complaint]] = defaultdict(list)
     shown: list[str] = []

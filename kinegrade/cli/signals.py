@@ -1,4 +1,4 @@
-"""Signals that end a run: each becomes an exception, so that what was begun is cleared away on the
+"""Signals that end a run: each becomes an exception, so that unfinished work is cleaned up on the
 way out.
 """
 

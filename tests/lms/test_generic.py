@@ -48,7 +48,7 @@ def test_a_language_is_refused_where_it_would_do_nothing(tmp_path: Path) -> None
     out = tmp_path / "out.csv"
     result = kinegrade("export", marks, "--to", "moodle", "-o", out, "--lang", "en")
     assert (result.exit_code, out.exists()) == (2, False)
-    assert "--lang: only the generic sheet has headers in a language of ours" in result.stderr
+    assert "--lang: only the generic sheet has headers that can be translated" in result.stderr
 
 
 def test_by_question_and_email(tmp_path: Path) -> None:

@@ -33,7 +33,7 @@ def test_every_form_is_written(small_class: Path, tmp_path: Path, system: str) -
     assert result.exit_code in (0, 1), result.stderr
     assert f"{target}: written; it gives the key away, for instructors only" in result.stderr
     assert (
-        "marked there, every number stands alone: kinegrade grade on its responses knows"
+        "marked there, every number is marked alone: only kinegrade grade on its responses gives"
         in result.stderr
     )
     assert target.stat().st_size > 2000
