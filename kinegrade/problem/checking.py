@@ -26,9 +26,9 @@ from kinegrade.problem.statement import statement_faults
 from kinegrade.problem.template import Ask, Published, Template
 
 FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
-TEXTS_TRIED = 1000  # draws at which the texts that depend on values are looked at
+TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 SEARCHED = 300  # instances that the search for breaking values tries
-OFTEN_ASTRAY = 0.1  # a share of refused draws that an author should hear of
+OFTEN_ASTRAY = 0.1  # a share of refused draws that is reported to the author
 SECRET = "check"  # the instances looked at are the same every time
 INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
@@ -38,10 +38,10 @@ class Report:
     """What the check of a template found; `faults` is empty when the template is sound.
 
     `secret` is what the instances were drawn from. `sound` are the asks that can be worked out at
-    all drawn values; the others are faults. `inseparable` has for each ask the mistakes that cannot
-    be told from the truth, or not in most instances. `blamed` counts the refusals that are one
-    answer's doing, by reason and ask. `seconds` is the median time of an instance; `remarks` are
-    for the author to weigh.
+    all drawn values; the others are faults. `inseparable` holds for each ask the mistakes that
+    cannot be distinguished from the truth, at all or in most instances. `blamed` counts the
+    refusals caused by a single answer, by reason and ask. `seconds` is the median time of an
+    instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -107,15 +107,13 @@ def search(report: Report, examples: int) -> None:
 
 
 def asked(report: Report) -> tuple[str, ...]:
-    """What an exam asks that names nothing: the asks with points, of those that can be worked
-    out.
-    """
+    """What an exam asks by default: those asks with points that can be worked out."""
     return tuple(name for name in report.template.asked() if name in report.sound)
 
 
 def weigh_texts(report: Report, sample: int) -> None:
-    """A fault for every text of which no wording applies at drawable values; wordings that never
-    apply are remarked.
+    """A fault for the first text that has no wording at drawable values; a remark for each wording
+    that never applies.
     """
     template = report.template
     idle = {name: set(range(len(wordings))) for name, wordings in template.words.texts.items()}
@@ -163,8 +161,8 @@ def draw(report: Report, draws: Sequence[Combination]) -> None:
 
 
 def look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool]:
-    """Of each draw whether a known mistake is taken for the truth; reports what no draw can tell
-    apart.
+    """For each draw, whether a known mistake is taken for the truth; the report gets the mistakes
+    that cannot be distinguished from it.
     """
     template = report.template
     draw_filter = DrawFilter(template, asked(report), check_deck(template, report.secret), {})
@@ -174,8 +172,8 @@ def look_for_mistakes(report: Report, draws: Sequence[Combination]) -> list[bool
 
 
 def weigh(report: Report) -> None:
-    """Too few instances and constant answers are faults; what else is easily guessed is
-    remarked.
+    """Too few instances and constant answers are faults; other answers that are easily guessed are
+    remarks.
     """
     if not report.instances:
         report.faults.append(
@@ -210,12 +208,12 @@ def rounding_remarks(report: Report) -> Iterator[str]:
 
 
 def drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:
-    """Values of `sample` different combinations; all of them where there are no more."""
+    """Values of `sample` different combinations; all of them if there are no more."""
     return check_deck(template, secret).first(sample)
 
 
 def check_deck(template: Template, secret: str) -> Deck:
-    """The deck of which a check looks at the beginning."""
+    """The deck from which a check takes its sample, the first combinations."""
     return template_deck(template, secret, template.name)
 
 
@@ -227,8 +225,8 @@ def note(report: Report, solution: Solution) -> None:
 
 
 def prove(report: Report, published: Published) -> None:
-    """Hold the published results against the engine: at the stated values, and at several for those
-    left open.
+    """Compare the published results with the engine's: at the stated values, and at several for
+    those left open.
     """
     where, complete = (
         f"published ({published.source})",
@@ -295,7 +293,7 @@ def differences(
 
 
 def quoted(solution: Solution) -> dict[str, Any]:
-    """The parameters as a source quotes them: numbers of their own unit, degrees as angles."""
+    """The parameters as a source quotes them: numbers in their units, degrees as angles."""
     values = {name: quantity.number for name, quantity in solution.parameters.items()}
     return {**values, "pi": solution.arithmetic.turns(1)}
 

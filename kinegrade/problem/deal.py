@@ -28,21 +28,23 @@ PART = 50
 
 @dataclass(frozen=True)
 class DeckPart:
-    """Positions of a question's deck that are looked at together."""
+    """Positions of a question's deck that are filtered together."""
 
     question: str
     positions: range
 
 
 Verdicts = tuple[Verdict, ...]
-Look = Callable[[Sequence[DeckPart]], Iterable[Verdicts]]  # what filters say of parts, in order
+Look = Callable[
+    [Sequence[DeckPart]], Iterable[Verdicts]
+]  # the filters' verdicts on parts, in order
 
 
 @dataclass(frozen=True)
 class Deal:
     """A question as far as its deck of `size` combinations was looked at for `places` places.
 
-    `verdicts` has what the filter said, position by position.
+    `verdicts` are those of the filter, position by position.
     """
 
     size: int
@@ -53,7 +55,7 @@ class Deal:
         """The position in the deck of what a place gets.
 
         Good combinations among the first LOOKS for this place and LOOKS for each before it are
-        dealt; where there are fewer than places, they are dealt round.
+        dealt; if there are fewer of them than places, they are dealt again from the first.
         """
         return self._good[place % self._found(place)]
 
@@ -90,7 +92,7 @@ class Deal:
 
     @property
     def hopeless(self) -> bool:
-        """Whether there is none for the first place, and so none for any."""
+        """Whether there is none for the first place, and therefore none for any."""
         return len(self.verdicts) >= self._bound(0) and not self._found(0)
 
     @property
@@ -99,8 +101,8 @@ class Deal:
         return self._bound(self.places - 1)
 
     def further(self) -> range:
-        """The positions to look at next, none where that was enough: as many as are likely to be
-        needed, but no more at a time than before, so that what is hopeless is soon seen.
+        """The positions to look at next, none if no more are needed: as many as are likely to be
+        needed, but no more at a time than before, so that a hopeless deck is recognised early.
         """
         looked = len(self.verdicts)
         missing = max(self.places - len(self._good), 0)
@@ -109,7 +111,7 @@ class Deal:
         return range(looked, min(looked + min(likely, most), self.bound))
 
     def looked(self, verdicts: Verdicts) -> Deal:
-        """The same with what was said of the positions that follow."""
+        """The same deal with the verdicts on the positions that follow."""
         return replace(self, verdicts=self.verdicts + verdicts)
 
     @cached_property
@@ -140,7 +142,7 @@ def deal(filters: Mapping[str, DrawFilter], places: int, look: Look) -> dict[str
 
 
 def look_here(filters: Mapping[str, DrawFilter], parts: Sequence[DeckPart]) -> Iterator[Verdicts]:
-    """What the filters say of parts, found by this process."""
+    """The filters' verdicts on parts, found by this process."""
     return (filters[part.question].verdicts(part.positions) for part in parts)
 
 

@@ -28,9 +28,9 @@ from kinegrade.problem.solving import Solution, solve_template
 from kinegrade.problem.template import Template
 from kinegrade.problem.tolerance import Tolerance
 
-# Combinations by which it is judged what mistakes can be kept apart from the truth
+# Combinations from which it is judged which mistakes can be kept apart from the truth
 SAMPLE = 400
-# Solutions that a process keeps of a question
+# Solutions that a process keeps for a question
 KEPT = 100
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
@@ -40,7 +40,7 @@ Verdict = Reason | None  # why a combination is refused; None for a good one
 class DrawFilter:
     """The filter of one question: `tolerances` holds for the asks it names, 1 % for the others.
 
-    With `four_decimals` every right answer is still right with no more of them.
+    With `four_decimals` every right answer is still right when given to four decimals.
     """
 
     template: Template
@@ -50,11 +50,11 @@ class DrawFilter:
     four_decimals: bool = False
 
     def __getstate__(self) -> dict[str, object]:
-        """What another process gets of it: the rest it works out for itself."""
+        """What another process receives; it works out the rest itself."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     def verdicts(self, part: range) -> tuple[Verdict, ...]:
-        """For each position of a part of the order what is said of the combination there."""
+        """The verdict on the combination at each position of a part of the order."""
         combinations = [self.deck.combination(position) for position in part]
         verdicts: list[Verdict] = [
             "mistake" if one else None for one in self.confused(combinations)
@@ -73,7 +73,8 @@ class DrawFilter:
         return tuple(verdicts)
 
     def solved(self, values: Combination) -> Solution:
-        """A combination solved. Raises MechanismError where it is none that the filter lets pass.
+        """The solution of a combination. Raises MechanismError for one that has none, which the
+        filter would have refused.
 
         The filter is not asked again: what was dealt stays dealt when filters change.
         """
@@ -81,7 +82,7 @@ class DrawFilter:
         return found or solve_template(self.template, values, self.asks, self.plan)
 
     def confused(self, combinations: Sequence[Combination]) -> list[bool]:
-        """Of each combination whether a known mistake leads to an answer within tolerance."""
+        """For each combination, whether a known mistake leads to an answer within tolerance."""
         if self.separation is None or not combinations:
             return [False] * len(combinations)
         flags: list[bool] = self.separation.confuses(columns(combinations)).tolist()
@@ -89,8 +90,8 @@ class DrawFilter:
 
     @cached_property
     def separation(self) -> Separation | None:
-        """What mistakes are kept apart from the truth; None where nothing is asked, as of a
-        template whose asks are all on request, and where no instance of the sample can be put.
+        """Which mistakes are kept apart from the truth; None if nothing is asked, as with a
+        template whose asks are all on request, or if no instance of the sample can be asked.
         """
         if self.plan is None or not self.asks:
             return None
@@ -115,8 +116,8 @@ class DrawFilter:
 
     @cached_property
     def _solutions(self) -> dict[tuple[str, ...], Solution]:
-        """Solutions found by the filter in this process, by their values: to save solving a
-        combination again when its paper is set.
+        """Solutions found by the filter in this process, by their values: a combination need not be
+        solved again when its paper is set.
         """
         return {}
 
@@ -126,7 +127,7 @@ class DrawFilter:
         return Deck(self.deck.domains, "sample", self.template.name).first(SAMPLE)
 
     def _verdict(self, found: Solution | Refused) -> Verdict:
-        """What is said of an instance that no mistake confuses."""
+        """The verdict on an instance in which no mistake is taken for the truth."""
         match found:
             case Refused(reason=reason):
                 return reason

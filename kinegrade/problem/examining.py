@@ -1,4 +1,4 @@
-"""Whether an instance is fit for students: solved, and each way in which it may not do.
+"""Whether an instance is fit for students: its solution, or the reason why it is not.
 
 `kinegrade.problem.draw_filter` asks this of the combinations of a deck, `kinegrade check` of a
 sample.
@@ -24,7 +24,7 @@ from kinegrade.problem.tolerance import ONE_PER_CENT, Tolerance, effective, own_
 SMALLEST, LARGEST = (
     1e-3,
     1e5,
-)  # sizes of answers, in the ask's own unit, that a student can be asked to write
+)  # sizes of answers, in the ask's unit, that a student can be asked to write
 Reason = Literal[
     "condition",
     "mechanism",
@@ -37,7 +37,7 @@ Reason = Literal[
 
 
 class Refused(Exception):
-    """A drawn instance will not do; `ask` names the answer that is to blame, the message tells
+    """A drawn instance is not fit for students; `ask` names the answer to blame, the message says
     more.
     """
 
@@ -87,8 +87,8 @@ def examine_together(
 def sensible(
     template: Template, values: Mapping[str, str], asks: Iterable[str], plan: Plan | None
 ) -> Solution:
-    """The solution of an instance that meets the conditions and has answers to be asked for. Raises
-    Refused.
+    """The solution of an instance that meets the conditions and whose answers can be asked for.
+    Raises Refused.
     """
     try:
         for condition in template.scheme.conditions:
@@ -133,8 +133,8 @@ def too_fine(solution: Solution, tolerances: Mapping[str, Tolerance]) -> str:
 
 
 def unfit(ask: Ask, answer: Quantity) -> Refused | None:
-    """Why an answer cannot be asked for: at infinity, zero where zero is no proper answer, of an
-    absurd size.
+    """Why an answer cannot be asked for: it is at infinity, zero although the ask does not allow
+    it, or of an absurd size; None if it can.
     """
     if answer.at_infinity:
         return Refused("degenerate", f"{ask.name} is at infinity")
