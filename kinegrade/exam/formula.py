@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import tylax
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import TypesetError, message, short_line
 
 _GREEK = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
@@ -97,11 +97,16 @@ def _convert(latex: str, where: str) -> str:
     converted = tylax.latex_to_typst(TEXT.sub(f"{{{_PLACE}}}", latex), options=_OPTIONS)
     if _LEFTOVER.search(converted) or converted.count(_PLACE) != len(texts):
         raise TypesetError(
-            f"{where}: formula ${latex}$: cannot be read; expected whole LaTeX math; fix it"
+            message(formula_place(latex, where), "cannot be read", "whole LaTeX math", "fix it")
         )
     following = iter(texts)
     placed = _PLACED.sub(lambda _: literal(unit_text(next(following))), converted)
     return placed.replace("^(circle.small)", "degree").strip()
+
+
+def formula_place(latex: str, where: str) -> str:
+    """How a message names a formula, cut if it is long."""
+    return f"{where}: formula ${short_line(latex)}$"
 
 
 def checked(latex: str, where: str) -> str:
@@ -116,25 +121,34 @@ def checked(latex: str, where: str) -> str:
 
 
 def _problems(latex: str, where: str) -> list[str]:
-    shown = f"{where}: formula ${latex}$"
+    place = formula_place(latex, where)
     outside = TEXT.sub("", latex)
     found = [
-        f"{shown}: unknown command \\{name}; expected plain LaTeX math; {_nearest(name)}"
+        message(place, f"unknown command \\{name}", "plain LaTeX math", _nearest(name))
         for name in _COMMAND.findall(outside)
         if not _known(name)
     ]
     found += [
-        f"{shown}: unknown environment {name}; expected {' or '.join(sorted(ENVIRONMENTS))}; use "
-        "one of these"
+        message(
+            place,
+            f"unknown environment {name}",
+            " or ".join(sorted(ENVIRONMENTS)),
+            "use one of these",
+        )
         for name in _ENVIRONMENT.findall(outside)
         if name not in ENVIRONMENTS
     ]
     found += [
-        f"{shown}: expected no {stray} in math; put it into \\text{{...}} or outside the formula"
+        message(
+            place,
+            f"{stray} in math",
+            "letters, numbers and LaTeX commands",
+            "put it into \\text{...} or outside the formula",
+        )
         for stray in _FORBIDDEN.findall(outside)
     ]
     if not _balanced(outside):
-        found.append(f"{shown}: braces do not match; expected a }} for every {{; count them")
+        found.append(message(place, "braces do not match", "a } for every {", "count them"))
     return found
 
 

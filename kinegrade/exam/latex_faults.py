@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from kinegrade.errors import short_line
+from kinegrade.errors import message, short_line
 from kinegrade.exam.latex_run import Outcome
+from kinegrade.exam.press import unprintable_character
 
 PLACE = "%% "  # begins the comment lines of a source that say what follows
 
@@ -15,14 +16,17 @@ def faults(outcome: Outcome, source: str, where: str) -> tuple[str, ...]:
     lines = source.split("\n")
     if outcome.fault is None:
         return tuple(_unprinted(character, lines, where) for character in sorted(outcome.missing))
-    message, number = outcome.fault.message, outcome.fault.line
+    complaint, number = f"TeX: {outcome.fault.message}", outcome.fault.line
     if number is None or number > len(lines):
-        return (f"{where}: TeX: {message}; expected LaTeX that can be typeset; fix the formulas",)
+        return (message(where, complaint, "LaTeX that can be typeset", "fix the formulas"),)
     offending = short_line(lines[number - 1].strip())
     return (
-        f'{_place(lines, number, where)}: TeX: {message} in line "{offending}"; expected math that '
-        "can be typeset;"
-        " fix the formula in the template",
+        message(
+            _place(lines, number, where),
+            f'{complaint} in line "{offending}"',
+            "math that can be typeset",
+            "fix the formula in the template",
+        ),
     )
 
 
@@ -33,10 +37,7 @@ def _unprinted(character: str, lines: list[str], where: str) -> str:
         if character in line and not line.startswith(PLACE)
     )
     place = _place(lines, next(numbers, 0), where)
-    return (
-        f"{place}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, "
-        "Cyrillic or Chinese; write it otherwise"
-    )
+    return unprintable_character(place, character)
 
 
 def _place(lines: list[str], number: int, where: str) -> str:

@@ -11,19 +11,21 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from kinegrade.errors import TypesetError
-from kinegrade.exam.formula import TEXT, checked
+from kinegrade.errors import TypesetError, message
+from kinegrade.exam.formula import TEXT, checked, formula_place
 from kinegrade.exam.latex_text import unit
 
 _COMMENT = re.compile(r"(?<!\\)(?:\\\\)*%")
 _CODED = re.compile(r"\^\s*\^")
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)(?!\{(?:cases|aligned)\}|[A-Za-z])")
 _DOORS = (
-    (_COMMENT, "no % in math; write \\%"),
-    (_CODED, "one thing behind each ^; write ^{...}"),
+    (_COMMENT, "% in math", "a percent sign that starts no comment", "write \\%"),
+    (_CODED, "^ after ^", "one thing after each ^", "write ^{...}"),
     (
         _ENVIRONMENT,
-        "braces right behind \\begin and \\end; write \\begin{cases} or \\begin{aligned}",
+        "\\begin or \\end without braces",
+        "braces right after it",
+        "write \\begin{cases} or \\begin{aligned}",
     ),
 )
 
@@ -39,8 +41,8 @@ def math(latex: str, where: str) -> str:
     """
     outside = TEXT.sub(" ", checked(latex, where))
     problems = [
-        f"{where}: formula ${latex}$: expected {expected}"
-        for door, expected in _DOORS
+        message(formula_place(latex, where), what, expected, do)
+        for door, what, expected, do in _DOORS
         if door.search(outside)
     ]
     if problems:

@@ -19,7 +19,7 @@ from typing import Literal
 
 import pylopdf_fonts_zh_cn
 
-from kinegrade.errors import TypesetError, one_line
+from kinegrade.errors import TypesetError, message, short_line
 from kinegrade.exam.program_run import run_program
 
 Program = Literal["xelatex", "xdvipdfmx"]
@@ -95,8 +95,12 @@ def pdf_of(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
     file = folder / f"{_JOB}.pdf"
     if not file.exists():
         raise TypesetError(
-            f"latex: xdvipdfmx wrote no PDF ({one_line(output.strip())}); expected the pages that "
-            "XeTeX has typeset; try again, or use --engine typst"
+            message(
+                "latex",
+                f"xdvipdfmx wrote no PDF ({short_line(output.strip())})",
+                "the pages that XeTeX has typeset",
+                "try again, or use --engine typst",
+            )
         )
     pdf = file.read_bytes()
     file.unlink()
@@ -126,8 +130,13 @@ def _executed(program: Program, options: Sequence[str], folder: Path, seconds: f
     found = which(program)
     if found is None:
         raise TypesetError(
-            f"latex: {program} not found; expected a TeX installation; run make tools, or install "
-            "TeX Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst"
+            message(
+                "latex",
+                f"{program} not found",
+                "a TeX installation",
+                "run make tools, or install TeX Live with LaTeX, TikZ, XeTeX and xeCJK, "
+                "or use --engine typst",
+            )
         )
     kept = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT") if name in os.environ}
     private = {name: str(folder) for name in ("HOME", "TEXMFHOME", "TEXMFVAR", "TMPDIR")}
@@ -140,8 +149,12 @@ def _executed(program: Program, options: Sequence[str], folder: Path, seconds: f
         )
     except TimeoutError as error:
         raise TypesetError(
-            f"latex: {program} did not end within {seconds:.0f} s; expected a few pages a second; "
-            "typeset fewer papers at once, or look for a formula that has no end"
+            message(
+                "latex",
+                f"{program} did not end within {seconds:.0f} s",
+                "a few pages a second",
+                "typeset fewer papers at once, or look for a formula that has no end",
+            )
         ) from error
     return (done.output + done.complaint).decode("utf-8", "replace")
 
@@ -166,9 +179,9 @@ def _fault(log: str, pages: Path) -> Fault | None:
 
 def _sentence(log: str, found: re.Match[str]) -> str:
     """TeX's message, with the offending command where the message does not name it."""
-    message = found[3].strip().rstrip(".")
-    if message != "Undefined control sequence":
-        return message
+    sentence = found[3].strip().rstrip(".")
+    if sentence != "Undefined control sequence":
+        return sentence
     context = re.search(r"^l\.\d+ (.*)$", log[found.end() :], re.MULTILINE)
     commands = re.findall(r"\\[A-Za-z@]+", context[1]) if context else []
-    return f"{message}: {commands[-1]}" if commands else message
+    return f"{sentence}: {commands[-1]}" if commands else sentence

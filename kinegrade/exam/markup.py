@@ -19,7 +19,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import TypesetError, message
 from kinegrade.exam.formula import formula, literal
 
 BRACKETS = {
@@ -51,7 +51,7 @@ REFUSED = {
 }
 _MATH = re.compile(r"\$([^$\n]+)\$")
 _ANY_FORMULA = "0"  # stands for each while the words are read
-EXPECTED = "expected text, **bold**, *emphasis*, lists and $math$"
+EXPECTED = "text, **bold**, *emphasis*, lists and $math$"
 
 
 @lru_cache(maxsize=1024)
@@ -188,9 +188,8 @@ def leaves_of(tokens: Sequence[Token]) -> list[Token]:
 def _faults(token: Token, where: str) -> tuple[str, ...]:
     if token.type in REFUSED:
         shown = f" ({token.content.strip()})" if token.content.strip() else ""
-        return (
-            f"{where}: {REFUSED[token.type]}{shown} cannot be printed; {EXPECTED}; take it out",
-        )
+        what = f"{REFUSED[token.type]}{shown} cannot be printed"
+        return (message(where, what, EXPECTED, "take it out"),)
     if token.type.startswith("math_"):
         try:
             formula(token.content.strip(), where)

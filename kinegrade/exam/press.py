@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
+from kinegrade.errors import message
 from kinegrade.exam.document import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
@@ -24,6 +25,16 @@ class Printout:
 
     pdf: bytes
     sources: Mapping[str, bytes] = field(default_factory=dict)
+
+
+def unprintable_character(where: str, character: str) -> str:
+    """The message for a character that no font of a press has."""
+    return message(
+        where,
+        f"no font prints {character} (U+{ord(character):04X})",
+        "Latin, Greek, Cyrillic or Chinese",
+        "write it otherwise",
+    )
 
 
 class Press(Protocol):

@@ -18,13 +18,13 @@ from typing import Literal, TypeVar
 
 import typst
 
-from kinegrade.errors import TypesetError
+from kinegrade.errors import TypesetError, message
 from kinegrade.exam.document import Gallery, KeyBook, KeyPaper, Paper, PaperSize, SolutionSheet
 from kinegrade.exam.fonts import installed_fonts
 from kinegrade.exam.formula import literal
 from kinegrade.exam.join import joined, page_count
 from kinegrade.exam.layout_call import each
-from kinegrade.exam.press import Press, Printout
+from kinegrade.exam.press import Press, Printout, unprintable_character
 from kinegrade.exam.typst_source import gallery_source, key_source, paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
@@ -240,9 +240,5 @@ def _boxed(error: typst.TypstError) -> list[str]:
 def _explained(error: typst.TypstError, where: str) -> tuple[str, ...]:
     boxed = dict.fromkeys("".join(_boxed(error)))
     if not boxed:
-        return (f"{where}: {error.message}; expected math that can be typeset; fix the formulas",)
-    return tuple(
-        f"{where}: no font prints {character} (U+{ord(character):04X}); expected Latin, Greek, "
-        "Cyrillic or Chinese; write it otherwise"
-        for character in boxed
-    )
+        return (message(where, error.message, "math that can be typeset", "fix the formulas"),)
+    return tuple(unprintable_character(where, character) for character in boxed)

@@ -21,9 +21,10 @@ from typing import Literal, get_args
 
 import typst
 
-from kinegrade.errors import TypesetError, did_you_mean
+from kinegrade.errors import TypesetError, did_you_mean, message
 from kinegrade.exam.document import Paper, PaperSize
 from kinegrade.exam.fonts import installed_fonts
+from kinegrade.exam.formula import formula_place
 from kinegrade.exam.paper_tree import paper_tree
 from kinegrade.exam.program_run import run_program
 from kinegrade.exam.word_reference import layout, word_reference
@@ -37,7 +38,7 @@ Kind = Literal["docx", "html"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 Picture = Literal["png", "svg"]
 MEDIA_TYPES: Mapping[Picture, str] = {"png": "image/png", "svg": "image/svg+xml"}
-MISSING = "pandoc not found; expected the optional extra; pip install 'kinegrade[word]'"
+MISSING = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 PIXELS = 300  # to the inch, of a figure in Word
 SECONDS = 60  # a paper takes a fraction of one
 TAGS: Mapping[Language, str] = {"en": "en", "zh": "zh-CN"}
@@ -68,8 +69,11 @@ class PandocPress:
                 return self.html(paper)
             case _:
                 raise TypesetError(
-                    f"{kind}: not a kind of file that papers are written in; "
-                    f"{did_you_mean(kind, KINDS)}"
+                    message(
+                        kind,
+                        "not a kind of file that papers are written in",
+                        do=did_you_mean(kind, KINDS),
+                    )
                 )
 
     def docx(self, paper: Paper) -> bytes:
@@ -142,7 +146,9 @@ def _run(kind: Kind, options: Sequence[str], given: bytes) -> bytes:
         result = run_program(command, SECONDS, given=given)
     except TimeoutError as error:
         raise TypesetError(
-            f"{kind}: pandoc has not ended after {SECONDS} s; expected a fraction of one; try again"
+            message(
+                kind, f"pandoc has not ended after {SECONDS} s", "a fraction of one", "try again"
+            )
         ) from error
     except OSError as error:
         raise TypesetError(f"{kind}: {MISSING}") from error
@@ -157,11 +163,15 @@ def _explained(complaint: str, kind: Kind) -> tuple[str, ...]:
     formulas = tuple(dict.fromkeys(_UNREAD.findall(said)))
     if not formulas:
         return (
-            f"{kind}: pandoc: {said}; expected a document that it can write; try a pandoc of "
-            "version 3",
+            message(
+                kind,
+                f"pandoc: {said}",
+                "a document that it can write",
+                "try a pandoc of version 3",
+            ),
         )
     return tuple(
-        f"{kind}: formula ${latex}$: cannot be read; expected whole LaTeX math; fix it"
+        message(formula_place(latex, kind), "cannot be read", "whole LaTeX math", "fix it")
         for latex in formulas
     )
 

@@ -184,8 +184,8 @@ def test_a_character_without_a_font_elsewhere_is_refused() -> None:
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers({"s": replace(ENGLISH, questions=(question,))})
     assert refusal.value.problems == (
-        "paper A-0001, q1 (crank): no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic "
-        "or Chinese; write it otherwise",
+        "paper A-0001, q1 (crank): no font prints 😀 (U+1F600) - expected Latin, Greek, Cyrillic "
+        "or Chinese - write it otherwise",
     )
 
 
@@ -204,7 +204,9 @@ def test_what_tex_refuses_is_named_by_paper_question_template_and_line() -> None
         "paper K7Q2-9FHM, q2 (slider-crank): TeX: Double superscript in line "
     )
     assert r"a^b^c" in problem
-    assert problem.endswith("; expected math that can be typeset; fix the formula in the template")
+    assert problem.endswith(
+        " - expected math that can be typeset - fix the formula in the template"
+    )
 
 
 def test_all_faults_of_all_papers_are_told_at_once() -> None:
@@ -311,7 +313,7 @@ def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
     source = r"\documentclass{article}\begin{document}\loop\iftrue\repeat\end{document}"
     with pytest.raises(
         TypesetError,
-        match=r"^latex: xelatex did not end within 1 s; expected a few pages a second;",
+        match=r"^latex: xelatex did not end within 1 s - expected a few pages a second - ",
     ):
         latex_run.run(source, tmp_path, 1)
 
@@ -319,7 +321,7 @@ def test_a_run_without_end_is_ended(tmp_path: Path) -> None:
 def test_pages_that_were_never_typeset_are_no_pdf(tmp_path: Path) -> None:
     with pytest.raises(
         TypesetError,
-        match=r"^latex: xdvipdfmx wrote no PDF \(.*pages.xdv.*\); expected the pages that XeTeX",
+        match=r"^latex: xdvipdfmx wrote no PDF \(.*pages.xdv.*\) - expected the pages that XeTeX",
     ):
         latex_run.pdf_of(tmp_path, (1, 2))
 

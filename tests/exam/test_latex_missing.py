@@ -18,6 +18,6 @@ def test_without_latex_the_way_out_is_named(
     with pytest.raises(TypesetError) as refusal:
         LatexPress().papers({"s": ENGLISH})
     assert refusal.value.problems == (
-        "latex: xelatex not found; expected a TeX installation; run make tools, or install TeX "
+        "latex: xelatex not found - expected a TeX installation - run make tools, or install TeX "
         "Live with LaTeX, TikZ, XeTeX and xeCJK, or use --engine typst",
     )

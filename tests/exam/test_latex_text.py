@@ -71,7 +71,7 @@ def test_what_an_exam_needs(markdown: str, expected: str) -> None:
 
 @pytest.mark.parametrize("markdown", ["![a](b.png)", "<b>x</b>", "[a](b)", "`a`"])
 def test_what_it_does_not_need_is_refused(markdown: str) -> None:
-    with pytest.raises(TypesetError, match="q1: .* cannot be printed; expected text"):
+    with pytest.raises(TypesetError, match="q1: .* cannot be printed - expected text"):
         line(markdown, "q1")
 
 
@@ -79,15 +79,22 @@ def test_what_it_does_not_need_is_refused(markdown: str) -> None:
     ("latex", "message"),
     [
         (r"\input{x}", r"q1: formula $\input{x}$: unknown command \input"),
-        ("a %", r"q1: formula $a %$: expected no % in math; write \%"),
-        (r"a \\% b", r"expected no % in math"),
-        ("^^5cinput", r"q1: formula $^^5cinput$: expected one thing behind each ^; write ^{...}"),
+        (
+            "a %",
+            r"q1: formula $a %$: % in math - expected a percent sign that starts no comment - "
+            r"write \%",
+        ),
+        (r"a \\% b", r"% in math - expected a percent sign"),
+        (
+            "^^5cinput",
+            r"q1: formula $^^5cinput$: ^ after ^ - expected one thing after each ^ - write ^{...}",
+        ),
         (
             r"\begin L",
-            r"q1: formula $\begin L$: expected braces right behind \begin and \end; write "
-            r"\begin{cases}",
+            r"q1: formula $\begin L$: \begin or \end without braces - expected braces right "
+            r"after it - write \begin{cases}",
         ),
-        ("圆", "expected no 圆 in math"),
+        ("圆", "圆 in math - expected"),
     ],
 )
 def test_math_beyond_the_closed_list_is_refused(latex: str, message: str) -> None:

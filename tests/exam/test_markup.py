@@ -53,7 +53,7 @@ def test_anything_else_is_refused_by_name(markdown: str, name: str) -> None:
     with pytest.raises(TypesetError) as refusal:
         prose(markdown, "q1, statement")
     expected = (
-        f"q1, statement: {name} cannot be printed; expected text, **bold**, *emphasis*, "
+        f"q1, statement: {name} cannot be printed - expected text, **bold**, *emphasis*, "
         "lists and $math$"
     )
     assert refusal.value.problems[0].startswith(expected)

@@ -217,7 +217,7 @@ def test_a_character_without_a_font_elsewhere_is_refused(press: TypstPress) -> N
     with pytest.raises(TypesetError) as refusal:
         press.paper(replace(ENGLISH, questions=(question,)))
     assert refusal.value.problems == (
-        "paper A-0001, q1: no font prints 😀 (U+1F600); expected Latin, Greek, Cyrillic or Chinese;"
+        "paper A-0001, q1: no font prints 😀 (U+1F600) - expected Latin, Greek, Cyrillic or Chinese -"
         " write it otherwise",
     )
     with pytest.raises(TypesetError, match=r"^paper A-0001: no font prints 한 \(U\+D55C\)"):
@@ -243,7 +243,7 @@ def test_math_that_does_not_compile_is_named_by_its_question(press: TypstPress) 
             replace(ENGLISH, questions=(ENGLISH_QUESTION, replace(question, identifier="q2")))
         )
     assert refusal.value.problems == (
-        "paper A-0001, q2: unknown variable: infinityy; expected math that can be typeset; fix "
+        "paper A-0001, q2: unknown variable: infinityy - expected math that can be typeset - fix "
         "the formulas",
     )
 

@@ -266,8 +266,8 @@ def test_formulas_that_pandoc_cannot_read_are_refused(press: PandocPress) -> Non
     with pytest.raises(TypesetError) as refusal:
         press.html(replace(ENGLISH, questions=(question,)))
     assert refusal.value.problems == (
-        r"html: formula $\frac{a}$: cannot be read; expected whole LaTeX math; fix it",
-        "html: formula $x^$: cannot be read; expected whole LaTeX math; fix it",
+        r"html: formula $\frac{a}$: cannot be read - expected whole LaTeX math - fix it",
+        "html: formula $x^$: cannot be read - expected whole LaTeX math - fix it",
     )
 
 
@@ -279,7 +279,7 @@ def test_another_pandoc_is_told_with_its_own_words(
     with pytest.raises(TypesetError) as refusal:
         press.html(ENGLISH)
     assert str(refusal.value) == (
-        "html: pandoc: Unknown option --sandbox; expected a document that it can write;"
+        "html: pandoc: Unknown option --sandbox - expected a document that it can write -"
         " try a pandoc of version 3"
     )
 
@@ -289,7 +289,7 @@ def test_another_kind_is_refused() -> None:
         PandocPress().also(ENGLISH, "odt")
     assert (
         str(refusal.value)
-        == "odt: not a kind of file that papers are written in; known here: docx, html"
+        == "odt: not a kind of file that papers are written in - known here: docx, html"
     )
 
 
@@ -313,6 +313,6 @@ def test_a_pandoc_that_does_not_end_is_given_up(
 
     monkeypatch.setattr(word, "run_program", never)
     with pytest.raises(
-        TypesetError, match=r"^html: pandoc has not ended after 60 s; expected .*; try again$"
+        TypesetError, match=r"^html: pandoc has not ended after 60 s - expected .* - try again$"
     ):
         press.html(ENGLISH)
