@@ -62,7 +62,7 @@ def owners_of(path: Path) -> list[str]:
 
 
 def _lines(path: Path) -> list[tuple[str, int]]:
-    """Whose each line is that is not empty, and where it begins. Raises ExamError."""
+    """The student of each line that is not empty, and where the line begins. Raises ExamError."""
     try:
         return [*_owners(path)]
     except OSError as fault:

@@ -9,8 +9,8 @@ from kinegrade.exam.folder.contents import HEAD
 
 
 def ownership_faults(owners: Collection[str], candidates: Collection[str]) -> Iterator[str]:
-    """What is wrong with the owners of the lines: those who have several, those who have none, and
-    strangers.
+    """What is wrong with the students of the lines: students with several lines, candidates with
+    none, and students who are not candidates.
     """
     yield from repetitions(owners)
     for student in sorted(set(candidates).difference(owners)):
@@ -20,7 +20,7 @@ def ownership_faults(owners: Collection[str], candidates: Collection[str]) -> It
 
 
 def repetitions(owners: Collection[str]) -> Iterator[str]:
-    """The owners of several lines."""
+    """A fault for each student with several lines."""
     for student, count in Counter(owners).items():
         if count > 1:
-            yield f'student "{student}" stands there {count} times - expected once'
+            yield f'student "{student}" appears {count} times - expected once'

@@ -21,7 +21,7 @@ template = "crank.toml"
 draw = { h = [1], r = "1 .. 5 step 1", omega = "1 .. 4 step 1" }
 """
 RESTORE = "restore the exam folder as it was generated"
-TWICE = f'student "1" stands there 2 times - expected once - {RESTORE}'
+TWICE = f'student "1" appears 2 times - expected once - {RESTORE}'
 LACKING = f'no line for student "2" - expected one - {RESTORE}'
 STRANGER = f'student "9" is not in exam.json - expected only its students - {RESTORE}'
 Damage = Callable[[list[str]], list[str]]
