@@ -13,7 +13,7 @@ import os
 import click
 
 from kinegrade import __version__
-from kinegrade.cli.exams import generate, papers
+from kinegrade.cli.exams import generate, paper, papers
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
 from kinegrade.cli.program import Program
@@ -45,6 +45,7 @@ for command in (
     gallery,
     generate,
     papers,
+    paper,
     grade,
     diff,
     class_report,

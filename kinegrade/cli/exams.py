@@ -1,7 +1,8 @@
-"""The commands that set an exam and give out its papers: generate, papers."""
+"""The commands that set an exam and give out its papers: generate, papers, paper."""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -201,3 +202,39 @@ def papers(exam: Path, output: Path, *, force: bool) -> None:
     click.echo(
         f"{output}: {counted(count, 'paper')}, and nothing that gives the key away", err=True
     )
+
+
+@click.command()
+@click.argument("exam", type=FILE)
+@click.argument("student")
+@click.option("--solution", is_flag=True, help="The worked solutions in place of the paper.")
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help="The PDF to write.  [default: standard output]",
+)
+@FORCE
+@refusing
+def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:
+    """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
+    this version of kinegrade generated.
+
+    \b
+    Example: kinegrade paper EXAM 0012 -o 0012.pdf
+    """
+    from kinegrade.exam.folder.exam_folder import open_exam
+    from kinegrade.exam.reprint import reprint
+    from kinegrade.files import write_file
+
+    if output is None and sys.stdout.isatty():
+        raise click.UsageError("a PDF is nothing for a terminal: give a file by -o FILE")
+    expect_folders((exam, "EXAM"))
+    again = reprint(open_exam(exam), student)
+    pages = again.solution() if solution else again.pages()
+    if output is None:
+        click.echo(pages, nl=False)
+    else:
+        write_file(output, pages, force=force)
+    finish(again.complaints())

@@ -36,13 +36,14 @@ from kinegrade.exam.folder.contents import (
 from kinegrade.exam.folder.records import ExamHead, KeyLine
 from kinegrade.exam.folder.writing import head_json
 from kinegrade.exam.hand_work import editable
-from kinegrade.exam.head_record import WARNING, exam_head
+from kinegrade.exam.head_record import WARNING, candidate, exam_head
 from kinegrade.exam.pages import key_book
 from kinegrade.exam.press import Engine, Press
 from kinegrade.exam.printed_files import printed_files, write_key
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
 from kinegrade.exam.replaced_exam import PaperChanges, ReplacedExam, replaced_exam, settle
-from kinegrade.exam.roster import Roster, unprintable_id
+from kinegrade.exam.roster import Roster
+from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
@@ -142,14 +143,15 @@ def generate(
         order = printing.order(bank)
         press = order.press()
         dealt = deal_exam(bank, roster, secret, workers, kept_papers(old, secret))
-        said = (*complaints(roster, press), *dealt.shortages())
+        said = (*roster_complaints(roster, press), *dealt.shortages())
         require_none(said if strict else ())
         run = PrintRun(bank, language, order, extras)
         with closing(printed(run, dealt, workers, jobs)) as papers:
             results = progress(papers, len(roster.students))
             keys = write_papers(dealt, run, press, folder, results)
         write_sources(sources, folder)
-        write_head(exam_head(dealt, keys, language, order), dealt, folder)
+        candidates = map(candidate, roster.students, keys)
+        write_head(exam_head(dealt, candidates, run), dealt, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, drawn_templates(blueprint, bank), said, *settled)
 
@@ -262,25 +264,6 @@ def write_blank_answers(dealt: ClassDeal, folder: Path) -> None:
         header,
         ([student.student, student.name, *blank] for student in students),
     )
-
-
-def complaints(roster: Roster, press: Press) -> tuple[str, ...]:
-    """What a person should look at: the roster's oddities, and characters of names and ids that no
-    font has.
-    """
-    owners = (text for student in roster.students for text in (student.name, student.student))
-    missing = press.unprintable(owners)
-    said = [*map(str, roster.complaints)]
-    for student in roster.students:
-        if missing & set(student.name):
-            said.append(
-                f"{student.student}: the name has characters that no font prints, they stand as "
-                "code points"
-            )
-        odd = {each for each in student.student if each in missing or not each.isprintable()}
-        if odd:
-            said.append(str(unprintable_id(roster.file, student, odd)))
-    return tuple(said)
 
 
 def kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:

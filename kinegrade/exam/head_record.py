@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from msgspec import UNSET, structs
 
 from kinegrade import __version__
@@ -12,10 +14,9 @@ from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.printing import PressOrder
+from kinegrade.exam.printing import PrintRun
 from kinegrade.exam.roster import Student
 from kinegrade.exam.versions import version_letters
-from kinegrade.language import Language
 
 WARNING = (
     "For the instructor only: this folder gives the key away. Students may see what is under "
@@ -26,11 +27,9 @@ WARNING = (
 )
 
 
-def exam_head(
-    dealt: ClassDeal, keys: list[KeyPaper], language: Language, order: PressOrder
-) -> ExamHead:
-    """The head of an exam, printed by that order."""
-    bank = dealt.bank
+def exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: PrintRun) -> ExamHead:
+    """The head of an exam, printed by that run."""
+    bank, language, order = dealt.bank, run.language, run.press_order
     head = ExamHead(
         format=FORMAT,
         kinegrade=__version__,
@@ -41,11 +40,12 @@ def exam_head(
         language=language,
         paper_size=order.paper_size,
         engine=order.engine,
+        method=run.extras.method,
         versions=tuple(version_letters(bank.versions)),
         credit=bank.credit.record() or None,
         solutions=bank.solutions,
         questions=tuple(_exam_question(dealt, question) for question in bank.questions),
-        students=tuple(map(_candidate, dealt.roster.students, keys)),
+        students=tuple(candidates),
     )
     return structs.replace(head, **dealt.secret.record())
 
@@ -73,7 +73,8 @@ def _exam_question(dealt: ClassDeal, question: BankQuestion) -> ExamQuestion:
     )
 
 
-def _candidate(student: Student, key: KeyPaper) -> Candidate:
+def candidate(student: Student, key: KeyPaper) -> Candidate:
+    """A student as the head has them, with the paper of that key."""
     return Candidate(
         student.student,
         student.name,

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 from kinegrade.exam.bank import read_kept_bank
 from kinegrade.exam.blueprint import Bank, BankQuestion
 from kinegrade.exam.derivation import derive_question
-from kinegrade.exam.folder.contents import BANK, TEMPLATES
+from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
 from kinegrade.exam.folder.contradictions import contradicted
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import KeyLine, KeyQuestion
-from kinegrade.exam.setting import SetQuestion
+from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
+from kinegrade.exam.roster import Student
+from kinegrade.exam.setting import Exam, SetPaper, SetQuestion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.follow_through import generic_plan
 
@@ -43,6 +45,45 @@ class KeptExam:
             raise contradicted(where, ["is no question of the bank"])
         return derive_question(question, kept, where, plan)
 
+    def paper(self, candidate: Candidate) -> SetPaper:
+        """The paper of a student of the exam, as it was set.
+
+        Raises ExamError where something else follows than the key says, BankError.
+        """
+        line = self.exam.line_of(candidate.student)
+        names = tuple(self._questions)
+        self._require_same_paper(candidate, line, names)
+        stated = {each.question: each for each in line.questions}
+        return SetPaper(
+            _student(candidate),
+            line.paper,
+            tuple(self.derive(line, stated[name], self._plans[name]) for name in names),
+            tuple(map(names.index, line.order)),
+            line.version,
+            line.place,
+        )
+
+    def _require_same_paper(
+        self, candidate: Candidate, line: KeyLine, names: Sequence[str]
+    ) -> None:
+        """Raises ExamError where the key has another paper than the head, or other questions than
+        the bank.
+        """
+        stated = [each.question for each in line.questions]
+        terms = (
+            ("the code", line.paper, candidate.paper, HEAD),
+            ("the version", line.version, candidate.version, HEAD),
+            ("the questions", _listed(stated), _listed(names), BANK),
+            ("the questions as printed", _listed(line.order), _listed(names), BANK),
+        )
+        differences = [
+            f"{term} is {found or 'none'} by the key, {other or 'none'} by {file}"
+            for term, found, other, file in terms
+            if found != other
+        ]
+        if differences:
+            raise contradicted(f'{self.exam.key}: student "{line.student}"', differences)
+
     def require_no_contradiction(self) -> None:
         """Raises ExamError where something else follows for a paper than the key says."""
         plans = {name: generic_plan(each.template) for name, each in self._questions.items()}
@@ -53,3 +94,17 @@ class KeptExam:
     @cached_property
     def _questions(self) -> Mapping[str, BankQuestion]:
         return {each.identifier: each for each in self.bank.questions}
+
+    @cached_property
+    def _plans(self) -> Mapping[str, Plan | None]:
+        """The plans by which `generate` solves, by question: they do not depend on the secret."""
+        return {name: each.plan for name, each in Exam(self.bank, "").filters.items()}
+
+
+def _student(candidate: Candidate) -> Student:
+    stem = Path(candidate.file).stem
+    return Student(candidate.student, candidate.name, candidate.email, stem)
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(sorted(names))

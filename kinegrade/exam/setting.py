@@ -93,7 +93,8 @@ class SetPaper:
     """One student's paper; `code` is printed on it and kept in the key.
 
     `questions` are in the bank's order, `order` is the one in which they are printed; `version` is
-    a letter, or "" where the paper is the student's alone; `place` is the student's in the class.
+    a letter, or "" where the paper is the student's alone; `place` is the student's in the class,
+    None where a folder of format 1 does not say it.
     """
 
     student: Student
@@ -101,7 +102,7 @@ class SetPaper:
     questions: tuple[SetQuestion, ...]
     order: tuple[int, ...]
     version: str
-    place: int
+    place: int | None
 
     @property
     def printed(self) -> tuple[SetQuestion, ...]:
