@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.small_class import contents, generate, kinegrade, write_class
+from tests.small_class import STUDENTS, contents, generate, key_lines, kinegrade, write_class
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals and atomic renaming of POSIX")
 REPLACED = "the output itself"
@@ -107,6 +107,27 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
         )
         assert contents(tmp_path / "EXAM") == new
         assert not leftovers(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["key.jsonl", "papers/late.pdf", "INSTRUCTOR-ONLY.txt", REPLACED])
+def test_a_killed_addition_leaves_the_old_exam_or_the_new(
+    small_class: Path, tmp_path: Path, name: str
+) -> None:
+    exam, late = tmp_path / "EXAM", tmp_path / "late.csv"
+    shutil.copytree(small_class / "EXAM", exam)
+    late.write_text("student,name\nlate,Late\n", encoding="utf-8")
+    files = str(small_class / "bank.toml"), str(small_class / "roster.csv")
+    arguments = ["generate", *files, "-o", str(exam), "--add", str(late), "--allow-odd-ids"]
+    old = contents(exam)
+    moment = replaced(exam) if name == REPLACED else being_made(name)
+    assert killed(arguments, tmp_path, moment, 0.0) or name == REPLACED
+    after = contents(exam)
+    assert after == old or "papers/late.pdf" in after
+    if after == old:
+        assert kinegrade(*arguments).exit_code == 0
+    students = [line["student"] for line in key_lines(exam)]
+    assert students == [*STUDENTS, "late"]
+    assert not leftovers(tmp_path) or name == REPLACED
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from kinegrade.cli.folders import expect_folders
 from kinegrade.cli.options import (
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from kinegrade.language import Language
     from kinegrade.problem.template import Method
 
+WITH_ADD = ("bank", "roster", "output", "late", "jobs", "allow_odd_ids", "strict", "force")
 GUESSABLE = "anyone who guesses these words can print every paper and its key"
 COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
 
@@ -64,6 +66,13 @@ COST = f"--reproducible: {GUESSABLE}; for tests and demonstrations only"
     "--share-with-group",
     is_flag=True,
     help="Let the group of the folder read EXAM.  [default: its owner alone]",
+)
+@click.option(
+    "--add",
+    "late",
+    type=FILE,
+    metavar="LATE",
+    help="Add the students of LATE (CSV) to EXAM, which BANK and ROSTER made; all else stays.",
 )
 @LANGUAGE
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
@@ -101,6 +110,7 @@ def generate(
     words: str | None,
     new_numbers: bool,
     share_with_group: bool,
+    late: Path | None,
     language: Language,
     paper_size: PaperSize,
     engine: Engine | None,
@@ -116,7 +126,8 @@ def generate(
 
     BANK is the exam's blueprint: a TOML file, or the name of one that is shipped:
     acceleration-midterm, demo, final, velocity-quiz. EXAM is readable by its owner alone; kinegrade
-    papers copies what students may have.
+    papers copies what students may have. With --add, late students get papers of an EXAM that
+    exists: no other paper, solution or key changes, and answers typed into EXAM stay.
 
     \b
     Example: kinegrade generate demo banks/demo-roster.csv -o EXAM --lang zh
@@ -127,6 +138,9 @@ def generate(
     from kinegrade.exam.printing import Extras
     from kinegrade.exam.roster import read_roster
 
+    if late is not None:
+        _add(output, bank, roster, late, odd_ids=allow_odd_ids, strict=strict, jobs=jobs)
+        return
     written = write_exam(
         read_blueprint(bank_path(bank)),
         read_roster(roster, odd_ids=allow_odd_ids),
@@ -143,6 +157,46 @@ def generate(
         click.echo(kept if words is None else COST, err=True)
     _say(written, output)
     finish(written.complaints)
+
+
+def _add(
+    exam: Path, bank: Path, roster: Path, late: Path, *, odd_ids: bool, strict: bool, jobs: int
+) -> None:
+    """Add the students of LATE to an exam. Raises UsageError where something is wanted otherwise
+    than the exam has it.
+    """
+    from kinegrade.exam.adding import add_students
+    from kinegrade.exam.bank import bank_path, read_blueprint
+    from kinegrade.exam.roster import read_roster
+
+    _expect_no_other_wishes()
+    expect_folders((exam, "EXAM"))
+    added = add_students(
+        exam,
+        read_blueprint(bank_path(bank)),
+        read_roster(roster, odd_ids=odd_ids),
+        read_roster(late, odd_ids=odd_ids),
+        strict=strict,
+        jobs=jobs,
+        progress=progress,
+    )
+    click.echo(f"{exam}: {added}", err=True)
+    finish(added.complaints)
+
+
+def _expect_no_other_wishes() -> None:
+    """Raises UsageError where an option says how papers are to be that exist."""
+    context = click.get_current_context()
+    given = [
+        each.opts[0]
+        for each in context.command.params
+        if each.name not in WITH_ADD
+        and context.get_parameter_source(str(each.name)) is ParameterSource.COMMANDLINE
+    ]
+    if given:
+        raise click.UsageError(
+            f"--add makes papers like those of EXAM: leave out {', '.join(given)}"
+        )
 
 
 def _wish(label: str | None, words: str | None, *, new: bool) -> SecretWish:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from types import MappingProxyType
 
 from kinegrade.exam.blueprint import Bank
@@ -145,10 +146,16 @@ def deal_exam(
 
 
 def _places(roster: Roster, secret: str, kept: Mapping[str, KeyLine]) -> dict[str, int]:
-    """The place of each student; papers of earlier versions of kinegrade have the first ones."""
+    """The place of each student.
+
+    Papers of earlier versions of kinegrade, which state none, have the free places in the order of
+    the key: that of the roster.
+    """
     stated = {whose: paper.place for whose, paper in kept.items() if paper.place is not None}
-    first = places_of(kept, secret, stated)
-    return places_of((each.student for each in roster.students), secret, first)
+    taken = set(stated.values())
+    free = (place for place in count() if place not in taken)
+    earlier = {whose: next(free) for whose in kept if whose not in stated}
+    return places_of((each.student for each in roster.students), secret, {**stated, **earlier})
 
 
 def _look_by(workers: Executor, shared: Shared[Exam]) -> Look:

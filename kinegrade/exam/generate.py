@@ -8,38 +8,32 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
 
-from msgspec import structs
-
-from kinegrade.csv_writing import neutralised, write_for_people
-from kinegrade.errors import BankError, TableError
-from kinegrade.exam.answer_workbook import write_answer_workbook
+from kinegrade.errors import TableError
 from kinegrade.exam.blueprint import Bank, Blueprint
 from kinegrade.exam.class_printing import CHUNK, printed
 from kinegrade.exam.dealing import ClassDeal, deal_exam
-from kinegrade.exam.document import KeyPaper, PaperSize
+from kinegrade.exam.document import PaperSize
+from kinegrade.exam.exam_files import (
+    source_files,
+    write_blank_answers,
+    write_blank_workbook,
+    write_head,
+    write_papers,
+    write_sources,
+)
 from kinegrade.exam.exam_secret import ExamSecret, SecretWish
 from kinegrade.exam.folder.contents import (
-    ANSWER_WORKBOOK,
-    ANSWERS,
-    BANK,
     CONTENTS,
     FOR_STUDENTS,
     HEAD,
-    KEY,
-    NOTICE,
-    TEMPLATES,
 )
 from kinegrade.exam.folder.records import ExamHead, KeyLine
-from kinegrade.exam.folder.writing import head_json
 from kinegrade.exam.hand_work import editable
-from kinegrade.exam.head_record import WARNING, candidate, exam_head
-from kinegrade.exam.pages import key_book
-from kinegrade.exam.press import Engine, Press
-from kinegrade.exam.printed_files import printed_files, write_key
+from kinegrade.exam.head_record import candidate, exam_head
+from kinegrade.exam.press import Engine
 from kinegrade.exam.printing import Extras, PressOrder, Printed, PrintRun, require_tools
 from kinegrade.exam.replaced_exam import PaperChanges, ReplacedExam, replaced_exam, settle
 from kinegrade.exam.roster import Roster
@@ -47,7 +41,6 @@ from kinegrade.exam.roster_complaints import roster_complaints
 from kinegrade.files import Access, output_folder
 from kinegrade.garbage_collection import bulk_work
 from kinegrade.language import Language
-from kinegrade.problem.sections.opening import FOLDER
 from kinegrade.processes import executor
 
 PRIVATE = Access(0o700, 0o600, FOR_STUDENTS)
@@ -148,22 +141,18 @@ def generate(
         run = PrintRun(bank, language, order, extras)
         with closing(printed(run, dealt, workers, jobs)) as papers:
             results = progress(papers, len(roster.students))
-            keys = write_papers(dealt, run, press, folder, results)
+            keys = write_papers(folder, run, press, roster.students, results)
         write_sources(sources, folder)
-        candidates = map(candidate, roster.students, keys)
-        write_head(exam_head(dealt, candidates, run), dealt, folder)
+        _write_rest(exam_head(dealt, map(candidate, roster.students, keys), run), folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     return Generated(dealt, drawn_templates(blueprint, bank), said, *settled)
 
 
-def write_head(head: ExamHead, dealt: ClassDeal, folder: Path) -> None:
-    """The answer sheet, exam.json and the notice to instructors; all other files stand there
-    already.
-    """
-    write_blank_answers(dealt, folder)
-    whole = structs.replace(head, editable=editable(folder))
-    (folder / HEAD).write_bytes(head_json(whole))
-    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")
+def _write_rest(head: ExamHead, folder: Path) -> None:
+    """The answer sheets and the head, which says what all other files were when they were made."""
+    write_blank_answers(head, folder)
+    write_blank_workbook(head, folder)
+    write_head(head, editable(folder), folder)
 
 
 def drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
@@ -173,97 +162,6 @@ def drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
         for slot, question in zip(blueprint.slots, bank.questions, strict=True)
         if slot.drawn
     }
-
-
-def write_papers(
-    dealt: ClassDeal, run: PrintRun, press: Press, folder: Path, results: Iterator[Printed]
-) -> list[KeyPaper]:
-    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
-
-    The instructor's book is typeset, and all in one file bound, while papers are printed. Gives the
-    key of each paper without its questions.
-    """
-    keys: list[KeyPaper] = []
-    with (
-        (folder / KEY).open("wb") as lines,
-        printed_files(folder, solutions=run.extras.solutions) as write,
-    ):
-        papers = noted(written(results, dealt.roster, write), lines, keys)
-        write_key(folder, press.key(key_book(run.bank, papers, run.language)))
-    return keys
-
-
-def written(
-    results: Iterator[Printed], roster: Roster, write: Callable[[str, Printed], None]
-) -> Iterator[Printed]:
-    """The same papers, each written under the file name of its student."""
-    for student, result in zip(roster.students, results, strict=True):
-        write(student.file_name, result)
-        yield result
-
-
-def noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
-    """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
-    for result in results:
-        lines.write(result.record)
-        keys.append(replace(result.key, entries=()))
-        yield result.key
-
-
-def source_files(bank: Bank) -> dict[str, str]:
-    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
-    the exam again.
-
-    Raises BankError where two templates share different mechanisms of one name, as the folder keeps
-    one file of a name.
-    """
-    templates = [question.template for question in bank.questions]
-    shared = [template.file.mechanism for template in templates if template.file.mechanism]
-    mechanisms: dict[str, str] = {}
-    faults = {
-        mechanism.name: "bank: templates of this bank share two different mechanisms named "
-        f'"{mechanism.name}": rename one file'
-        for mechanism in shared
-        if mechanisms.setdefault(mechanism.name, mechanism.text) != mechanism.text
-    }
-    if faults:
-        raise BankError(*faults.values())
-    return {
-        BANK: bank.text,
-        **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
-        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
-    }
-
-
-def write_sources(sources: Mapping[str, str], folder: Path) -> None:
-    """Texts by their path below the folder."""
-    for name, text in sources.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="")
-
-
-def write_blank_answers(dealt: ClassDeal, folder: Path) -> None:
-    """The blank answer sheet, as CSV and as a workbook: a row for each student, a column for each
-    ask.
-    """
-    columns = [
-        f"{question.identifier}.{ask.name}"
-        for question in dealt.bank.questions
-        for ask in question.asks
-    ]
-    header, blank = ["student", "name", *columns], [""] * len(columns)
-    students = dealt.roster.students
-    write_for_people(
-        folder / ANSWERS,
-        header,
-        ([student.student, neutralised(student.name), *blank] for student in students),
-    )
-    write_answer_workbook(
-        folder / ANSWER_WORKBOOK,
-        header,
-        ([student.student, student.name, *blank] for student in students),
-    )
 
 
 def kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:

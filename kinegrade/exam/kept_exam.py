@@ -55,7 +55,7 @@ class KeptExam:
         self._require_same_paper(candidate, line, names)
         stated = {each.question: each for each in line.questions}
         return SetPaper(
-            _student(candidate),
+            student_of(candidate),
             line.paper,
             tuple(self.derive(line, stated[name], self._plans[name]) for name in names),
             tuple(map(names.index, line.order)),
@@ -101,7 +101,8 @@ class KeptExam:
         return {name: each.plan for name, each in Exam(self.bank, "").filters.items()}
 
 
-def _student(candidate: Candidate) -> Student:
+def student_of(candidate: Candidate) -> Student:
+    """A student of an exam as a roster has them."""
     stem = Path(candidate.file).stem
     return Student(candidate.student, candidate.name, candidate.email, stem)
 

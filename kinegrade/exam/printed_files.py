@@ -1,7 +1,8 @@
 """The files of an exam folder that come from a press: papers, worked solutions, keys, and LaTeX
 sources.
 
-`kinegrade.exam.generate` writes them one student at a time, as printed papers come from processes.
+`kinegrade.exam.exam_files` writes them one student at a time, as printed papers come from
+processes.
 """
 
 from __future__ import annotations
@@ -19,15 +20,18 @@ from kinegrade.exam.printing import Printed
 @contextmanager
 def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, Printed], None]]:
     """A function that writes each paper under its file name, and its worked solutions if wanted; at
-    the end, all of them are in one file too.
+    the end, all of them are in one file too, behind those that it holds already.
     """
     with ExitStack() as books:
         volumes = {
             name: books.enter_context(joining(folder / f"{name}.pdf", duplex=True))
             for name in (PAPERS, *([SOLUTIONS] if solutions else []))
         }
-        for name in volumes:
-            (folder / name).mkdir()
+        for name, append in volumes.items():
+            (folder / name).mkdir(exist_ok=True)
+            book = folder / f"{name}.pdf"
+            if book.exists():
+                append(book.read_bytes())
 
         def write(file_name: str, printed: Printed) -> None:
             for name, printout in _printouts(printed).items():

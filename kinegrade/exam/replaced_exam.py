@@ -113,12 +113,7 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
 
 def read_replaced(exam: ExamFolder) -> ReplacedExam:
     """The exam of which everything is known that a replacement may change. Raises ExamError."""
-    secret = exam.head.drawn_from
-    if secret is None:
-        raise ExamError(
-            f"{exam.path / HEAD}: does not hold the secret that its numbers are drawn from - "
-            f"{RESTORING}"
-        )
+    secret = required_secret(exam)
     papers = paper_digests(exam)
     exam.require_one_line_each()
     kept = {line.student: line for line in exam.lines()}
@@ -129,6 +124,19 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
                 f"expected one from 0 to {MOST_PLACES - 1} - {RESTORING}"
             )
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
+
+
+def required_secret(exam: ExamFolder) -> ExamSecret:
+    """What the numbers of an exam are drawn from. Raises ExamError where its folder does not say
+    it.
+    """
+    secret = exam.head.drawn_from
+    if secret is None:
+        raise ExamError(
+            f"{exam.path / HEAD}: does not hold the secret that its numbers are drawn from - "
+            f"{RESTORING}"
+        )
+    return secret
 
 
 def settle(

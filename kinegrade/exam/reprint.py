@@ -1,8 +1,8 @@
 """`kinegrade paper`: a paper of an exam, or its worked solutions, printed again from what its
 folder keeps.
 
-As numbers come from the folder and are held against its key, nothing is drawn, and nobody else is
-printed.
+As numbers come from the folder and are held against its key, nothing is drawn, and no other
+paper is printed.
 """
 
 from __future__ import annotations

@@ -1,0 +1,179 @@
+"""`kinegrade generate --add`: late students get papers of an exam that exists, and no other
+paper changes.
+
+The folder is copied, what is new is added to the copy, and the copy takes the folder's place whole.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager, closing
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinegrade.counting import counted
+from kinegrade.errors import OutputError
+from kinegrade.exam.added_answers import write_grown_answers
+from kinegrade.exam.blueprint import Blueprint
+from kinegrade.exam.class_printing import CHUNK, printed
+from kinegrade.exam.dealing import ClassDeal, deal_exam
+from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.exam_files import write_blank_workbook, write_head, write_papers
+from kinegrade.exam.folder.contents import CONTENTS, HEAD, KEY, PAPERS, SOLUTIONS
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.generate import PRIVATE, SHARED_WITH_GROUP, Progress, require_none
+from kinegrade.exam.grown_class import LateClass, late_class, require_same_sources
+from kinegrade.exam.hand_work import editable, edited, edited_since
+from kinegrade.exam.handout import KINDS
+from kinegrade.exam.head_record import candidate, exam_head
+from kinegrade.exam.kept_exam import KeptExam
+from kinegrade.exam.pages import key_paper
+from kinegrade.exam.printing import PrintRun, require_tools
+from kinegrade.exam.replaced_exam import read_replaced, required_secret
+from kinegrade.exam.reprint import kept_run
+from kinegrade.exam.roster import Roster
+from kinegrade.exam.roster_complaints import roster_complaints
+from kinegrade.files import Access, output_folder
+from kinegrade.garbage_collection import bulk_work
+from kinegrade.processes import executor
+
+_GROUP_READS = 0o040
+
+
+@dataclass(frozen=True)
+class Added:
+    """How many papers were added, how many stay, and what a person should look at."""
+
+    papers: int
+    before: int
+    complaints: tuple[str, ...]
+
+    def __str__(self) -> str:
+        stay = "stays" if self.before == 1 else "stay"
+        as_were = "as it is" if self.before == 1 else "as they are"
+        return f"{counted(self.papers, 'paper')} added, {self.before} {stay} {as_were}"
+
+
+def add_students(
+    path: Path,
+    blueprint: Blueprint,
+    roster: Roster,
+    late: Roster,
+    *,
+    strict: bool = False,
+    jobs: int = 1,
+    progress: Progress = lambda papers, count: papers,
+) -> Added:
+    """Add the students of `late` to the exam folder at `path`, which was generated from that
+    blueprint for the students of that roster.
+
+    Papers are printed as those of the folder were. What would be a complaint is refused where
+    `strict`. Raises KinegradeError; then nothing is written.
+    """
+    exam = open_exam(path)
+    kept = KeptExam(exam)
+    require_same_sources(exam, blueprint)
+    students = late_class(exam, roster, late)
+    run = _run(exam, kept)
+    require_tools(run.extras)
+    old = read_replaced(exam)
+    jobs = max(min(jobs, len(students.together) // CHUNK), 1)
+    with bulk_work(), _folder(exam) as folder, executor(jobs, "generate") as workers:
+        press = run.press_order.press()
+        whole = Roster(students.together, (), late.file)
+        dealt = deal_exam(run.bank, whole, required_secret(exam), workers, old.kept)
+        said = (*roster_complaints(students.late, press), *dealt.shortages())
+        require_none(said if strict else ())
+        _copy(exam, folder)
+        with closing(printed(run, replace(dealt, roster=students.late), workers, jobs)) as papers:
+            results = progress(papers, len(students.late.students))
+            earlier = _keys(kept)
+            newcomers = students.late.students
+            keys = write_papers(folder, run, press, newcomers, results, earlier=earlier)
+        _write_rest(exam, folder, _grown_head(exam, dealt, run, students, keys))
+    return Added(len(newcomers), len(exam.students), said)
+
+
+def _run(exam: ExamFolder, kept: KeptExam) -> PrintRun:
+    """Late papers are printed as the others were, in every kind of file that the folder has.
+
+    Raises OutputError where one with all papers is missing, as nothing could be added to it.
+    """
+    solutions = (exam.path / SOLUTIONS).exists()
+    names = (PAPERS, SOLUTIONS) if solutions else (PAPERS,)
+    missing = [name for name in names if not (exam.path / f"{name}.pdf").is_file()]
+    if missing:
+        raise OutputError(
+            *(
+                f"{exam.path / f'{name}.pdf'}: is missing - expected the {name} of all students, "
+                "to which those of late students are added - restore the exam folder"
+                for name in missing
+            )
+        )
+    stems = [Path(each.file).stem for each in exam.head.students]
+    also = tuple(
+        kind.removeprefix(".")
+        for kind in KINDS[1:]
+        if any((exam.path / PAPERS / f"{stem}{kind}").is_file() for stem in stems)
+    )
+    return kept_run(exam, kept, solutions=solutions, also=also)
+
+
+def _folder(exam: ExamFolder) -> AbstractContextManager[Path]:
+    """A hidden folder that takes the place of the exam at the end; the same people may read it.
+
+    Raises OutputError.
+    """
+    shared = exam.path.stat().st_mode & _GROUP_READS
+    access: Access = SHARED_WITH_GROUP if shared else PRIVATE
+    return output_folder(exam.path, marker=HEAD, contents=CONTENTS, force=True, access=access)
+
+
+def _copy(exam: ExamFolder, folder: Path) -> None:
+    """All that stands in the exam folder; the last line of the key is ended, where it was not."""
+    shutil.copytree(exam.path, folder, symlinks=True, dirs_exist_ok=True)
+    key = folder / KEY
+    lines = key.read_bytes()
+    if not lines.endswith(b"\n"):
+        key.write_bytes(lines + b"\n")
+
+
+def _keys(kept: KeptExam) -> Iterator[KeyPaper]:
+    """The keys of the papers that stay, for the instructor's book. Raises ExamError."""
+    head = kept.exam.head
+    return (key_paper(kept.paper(each), head.language) for each in head.students)
+
+
+def _grown_head(
+    exam: ExamFolder, dealt: ClassDeal, run: PrintRun, students: LateClass, keys: list[KeyPaper]
+) -> ExamHead:
+    newcomers = map(candidate, students.late.students, keys)
+    return exam_head(dealt, (*exam.head.students, *newcomers), run)
+
+
+def _write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
+    """The answer sheets, with what was typed into the one that people type into, and the head.
+
+    Raises OutputError where a file would be lost that was edited by hand, TableError.
+    """
+    write_grown_answers(exam.path, head, folder)
+    write_blank_workbook(head, folder)
+    lost = list(edited(exam.path, exam.head, folder))
+    if lost:
+        raise edited_since(exam.path, lost)
+    write_head(head, _as_generated(exam, folder), folder)
+
+
+def _as_generated(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:
+    """The digests of files as they were generated: of those that stay the old ones, so that it is
+    still known which were edited; None where the folder does not know it.
+    """
+    stated = exam.head.editable
+    if stated is None:
+        return None
+    before = editable(exam.path)
+    fresh = editable(folder)
+    written = {name: digest for name, digest in fresh.items() if before.get(name) != digest}
+    return dict(sorted({**stated, **written}.items()))

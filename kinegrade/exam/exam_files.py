@@ -1,0 +1,135 @@
+"""The files of an exam folder, but for the papers themselves: written by `generate` into a new
+folder, and by `adding` into a copy of one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+from typing import BinaryIO
+
+from msgspec import structs
+
+from kinegrade.csv_writing import neutralised, write_for_people
+from kinegrade.errors import BankError
+from kinegrade.exam.answer_workbook import write_answer_workbook
+from kinegrade.exam.blueprint import Bank
+from kinegrade.exam.document import KeyPaper
+from kinegrade.exam.folder.contents import (
+    ANSWER_WORKBOOK,
+    ANSWERS,
+    BANK,
+    HEAD,
+    KEY,
+    NOTICE,
+    TEMPLATES,
+)
+from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.writing import head_json
+from kinegrade.exam.hand_work import OWN_COLUMNS
+from kinegrade.exam.head_record import WARNING
+from kinegrade.exam.pages import key_book
+from kinegrade.exam.press import Press
+from kinegrade.exam.printed_files import printed_files, write_key
+from kinegrade.exam.printing import Printed, PrintRun
+from kinegrade.exam.roster import Student
+from kinegrade.problem.sections.opening import FOLDER
+
+
+def write_papers(
+    folder: Path,
+    run: PrintRun,
+    press: Press,
+    students: Sequence[Student],
+    results: Iterator[Printed],
+    *,
+    earlier: Iterable[KeyPaper] = (),
+) -> list[KeyPaper]:
+    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
+
+    What stands in the folder already stays, with the keys of these papers as `earlier`. The
+    instructor's book is typeset, and all in one file bound, while papers are printed. Gives the key
+    of each paper of `students` without its questions.
+    """
+    keys: list[KeyPaper] = []
+    with (
+        (folder / KEY).open("ab") as lines,
+        printed_files(folder, solutions=run.extras.solutions) as write,
+    ):
+        papers = _noted(_written(results, students, write), lines, keys)
+        book = key_book(run.bank, chain(earlier, papers), run.language)
+        write_key(folder, press.key(book))
+    return keys
+
+
+def _written(
+    results: Iterator[Printed], students: Sequence[Student], write: Callable[[str, Printed], None]
+) -> Iterator[Printed]:
+    """The same papers, each written under the file name of its student."""
+    for student, result in zip(students, results, strict=True):
+        write(student.file_name, result)
+        yield result
+
+
+def _noted(results: Iterator[Printed], lines: BinaryIO, keys: list[KeyPaper]) -> Iterator[KeyPaper]:
+    """The keys of papers as they come; a line of each goes to `lines`, its head to `keys`."""
+    for result in results:
+        lines.write(result.record)
+        keys.append(replace(result.key, entries=()))
+        yield result.key
+
+
+def source_files(bank: Bank) -> dict[str, str]:
+    """The bank, every template and every mechanism as they were, so that a newer kinegrade can mark
+    the exam again.
+
+    Raises BankError where two templates share different mechanisms of one name, as the folder keeps
+    one file of a name.
+    """
+    templates = [question.template for question in bank.questions]
+    shared = [template.file.mechanism for template in templates if template.file.mechanism]
+    mechanisms: dict[str, str] = {}
+    faults = {
+        mechanism.name: "bank: templates of this bank share two different mechanisms named "
+        f'"{mechanism.name}": rename one file'
+        for mechanism in shared
+        if mechanisms.setdefault(mechanism.name, mechanism.text) != mechanism.text
+    }
+    if faults:
+        raise BankError(*faults.values())
+    return {
+        BANK: bank.text,
+        **{f"{TEMPLATES}/{template.name}.toml": template.file.text for template in templates},
+        **{f"{TEMPLATES}/{FOLDER}/{name}.toml": text for name, text in mechanisms.items()},
+    }
+
+
+def write_sources(sources: Mapping[str, str], folder: Path) -> None:
+    """Texts by their path below the folder."""
+    for name, text in sources.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="")
+
+
+def write_blank_answers(head: ExamHead, folder: Path) -> None:
+    """The blank answer sheet as CSV: a row for each student, a column for each ask."""
+    rows = (
+        [each.student, neutralised(each.name), *[""] * len(head.columns)] for each in head.students
+    )
+    write_for_people(folder / ANSWERS, (*OWN_COLUMNS, *head.columns), rows)
+
+
+def write_blank_workbook(head: ExamHead, folder: Path) -> None:
+    """The same as a workbook."""
+    rows = ([each.student, each.name, *[""] * len(head.columns)] for each in head.students)
+    write_answer_workbook(folder / ANSWER_WORKBOOK, (*OWN_COLUMNS, *head.columns), rows)
+
+
+def write_head(head: ExamHead, editable: Mapping[str, str] | None, folder: Path) -> None:
+    """exam.json and the notice to instructors; `editable` are digests of files as generated."""
+    stated = None if editable is None else dict(editable)
+    (folder / HEAD).write_bytes(head_json(structs.replace(head, editable=stated)))
+    (folder / NOTICE).write_text(WARNING + "\n", encoding="utf-8")

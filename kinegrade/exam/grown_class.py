@@ -1,0 +1,151 @@
+"""A class that grows: whether a bank and a roster are those of the exam folder to which late
+students are added, and who is late.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinegrade.errors import BankError, TableError, message
+from kinegrade.exam.blueprint import Bank, Blueprint
+from kinegrade.exam.exam_files import source_files
+from kinegrade.exam.folder.contents import HEAD, TEMPLATES
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.kept_exam import student_of
+from kinegrade.exam.roster import Roster, Student, file_names, student_key
+
+_EXPECTED = "the bank and the templates that the exam was generated from"
+_RESTORING = "give those, or write another exam"
+
+
+@dataclass(frozen=True)
+class LateClass:
+    """The late students of an exam; and the class `together`: those who have a paper, then these."""
+
+    late: Roster
+    together: tuple[Student, ...]
+
+
+def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
+    """Raises BankError with every text of a bank that is not the folder's copy of it."""
+    bank = _same_choice(exam, blueprint)
+    sources = source_files(bank)
+    found = {question.template.name for question in bank.questions}
+    faults = [
+        message(str(exam.path / name), "differs from what was given", _EXPECTED, _RESTORING)
+        for name, text in sources.items()
+        if not _holds(exam.path / name, text)
+    ]
+    faults += [
+        message(str(exam.path / TEMPLATES), f"{name} is not in the bank", _EXPECTED, _RESTORING)
+        for name in dict.fromkeys(each.template for each in exam.head.questions)
+        if name not in found
+    ]
+    if faults:
+        raise BankError(*faults)
+
+
+def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
+    """The bank with the templates that the exam has, as far as they are there."""
+    chosen = {each.question: each.template for each in exam.head.questions}
+    questions = tuple(
+        candidate
+        for slot in blueprint.slots
+        for candidate in slot.candidates
+        if candidate.template.name == chosen.get(slot.identifier)
+    )
+    return replace(blueprint.frame, questions=questions)
+
+
+def _holds(file: Path, text: str) -> bool:
+    """Whether that is what stands in a file."""
+    return file.is_file() and file.read_bytes() == text.encode()
+
+
+def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
+    """The late students, with file names beside those of the others.
+
+    Raises TableError where the roster is not that of the exam, where a late student has a paper
+    already, or would need the file name of somebody who has one.
+    """
+    earlier = tuple(map(student_of, exam.head.students))
+    known = {student_key(each.student): each for each in earlier}
+    faults = [*_roster_faults(exam, known, roster), *_known_faults(exam, known, late)]
+    if faults:
+        raise TableError(*faults)
+    _require_names_kept(earlier, late)
+    stems = file_names(each.student for each in (*earlier, *late.students))
+    newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.students)
+    return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
+
+
+def _roster_faults(exam: ExamFolder, known: Mapping[str, Student], roster: Roster) -> Iterator[str]:
+    """How a roster differs from that of an exam, but for its order."""
+    given = {student_key(each.student): each for each in roster.students}
+    for student in (each for key, each in known.items() if key not in given):
+        yield message(
+            roster.file,
+            f'no student "{student.student}"',
+            f"everyone who has a paper in {exam.path}",
+            "add the line",
+        )
+    for key, student in given.items():
+        if key not in known:
+            yield message(
+                _place(roster, student),
+                f'student "{student.student}" has no paper in {exam.path}',
+                "the students of the exam",
+                "list late students in the file of --add alone",
+            )
+        else:
+            yield from _changes(exam, known[key], roster, student)
+
+
+def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[str]:
+    """What of a student stands otherwise in the exam, on whose paper the name is printed."""
+    fields = (("name", given.name, known.name), ("email", given.email, known.email))
+    for field, here, there in fields:
+        if here != there:
+            yield message(
+                _place(roster, given),
+                f'{field} "{here}" of student "{given.student}"',
+                f'"{there}", as in {exam.path / HEAD}',
+                "correct the line",
+            )
+
+
+def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) -> Iterator[str]:
+    for student in late.students:
+        if student_key(student.student) in known:
+            yield message(
+                _place(late, student),
+                f'student "{student.student}" ({student.name}) has a paper in {exam.path} already',
+                "students without one",
+                "delete the line",
+            )
+
+
+def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
+    """Raises TableError where files of students who have a paper would be called otherwise: not
+    every file system tells capitals from small letters.
+    """
+    before = file_names(each.student for each in earlier)
+    after = file_names(each.student for each in (*earlier, *late.students))
+    faults = [
+        message(
+            late.file,
+            f'an id differs from "{student}" in capitals alone, so that their files would be one',
+            "ids that differ in more",
+            "correct the id, or write the exam again with --force and a roster of all",
+        )
+        for student, stem in before.items()
+        if after[student] != stem
+    ]
+    if faults:
+        raise TableError(*faults)
+
+
+def _place(roster: Roster, student: Student) -> str:
+    return f"{roster.file}:{student.line}"
