@@ -22,7 +22,7 @@ _RESTORING = "give those, or write another exam"
 
 @dataclass(frozen=True)
 class LateClass:
-    """The late students of an exam; and the class `together`: those who have a paper, then these."""
+    """The late students of an exam, and the class `together`: who has a paper, then these."""
 
     late: Roster
     together: tuple[Student, ...]
