@@ -42,15 +42,20 @@ def folder(tmp_path: Path) -> Path:
 
 
 def refused(folder: Path, *options: str) -> str:
-    """The one line of a refusal; the exam folder stays as it was, byte for byte."""
+    """The one line of a refusal, as `refusals` gives them."""
+    (line,) = refusals(folder, *options)
+    return line
+
+
+def refusals(folder: Path, *options: str) -> list[str]:
+    """The lines of a refusal; the exam folder stays as it was, byte for byte."""
     before = contents(folder / "EXAM")
     names = sorted(entry.name for entry in folder.iterdir())
     result = generate(folder, "--force", *options)
     assert result.exit_code == 2
     assert contents(folder / "EXAM") == before
     assert sorted(entry.name for entry in folder.iterdir()) == names
-    (line,) = result.stderr.splitlines()
-    return line
+    return result.stderr.splitlines()
 
 
 def test_a_printed_exam_keeps_its_numbers(folder: Path) -> None:
@@ -273,7 +278,7 @@ def test_a_printed_paper_that_the_key_has_lost_is_not_replaced_as_if_it_were_new
         "--new-numbers to replace its papers anyway"
     )
     lost = [f'error: {key}: no line for student "{each}" - {remedy}' for each in "abc"[lines:]]
-    assert refused(folder).splitlines() == lost
+    assert refusals(folder) == lost
 
 
 def test_an_exam_that_does_not_say_who_has_a_paper_is_replaced_on_purpose_only(

@@ -173,7 +173,7 @@ def replaced(file: Path, pattern: str, new: str) -> None:
 def test_a_key_that_says_otherwise_is_refused(changed: Path) -> None:
     replaced(changed / "key.jsonl", r'"decimal": ?"-?\d', '"decimal":"123')
     lines = kinegrade("paper", changed, "s0").stderr.splitlines()
-    assert any('student "s0", q1: ' in line and " by the key, and " in line for line in lines)
+    assert any('student "s0", q1: ' in line and " by the key, but " in line for line in lines)
     assert all(line.startswith("error: ") for line in lines)
 
 
