@@ -114,7 +114,7 @@ def quiz(
     from kinegrade.exam.folder.exam_folder import open_exam
     from kinegrade.exam.quiz import read_quiz
     from kinegrade.exam.quiz_paper import QuizWishes
-    from kinegrade.exam.variants import store_variants
+    from kinegrade.exam.variants import variants_stored
     from kinegrade.processes import executor
 
     expect_folders((exam, "EXAM"))
@@ -128,9 +128,8 @@ def quiz(
         put = read_quiz(
             folder, language, variants=variants, wishes=wishes, workers=workers, progress=progress
         )
-        if variants is not None:
-            store_variants(folder, variants)
-        remarks = writer(put, output, force=force)
+        with variants_stored(folder, variants or 0):
+            remarks = writer(put, output, force=force)
     click.echo(f"{output}: written; it gives the key away, for instructors only", err=True)
     click.echo(
         "marked there, every number is marked alone: only kinegrade grade on its responses gives "

@@ -54,7 +54,7 @@ def read_quiz(
     papers for all students. Raises ExamError where the folder is at fault or has fewer papers; the
     papers raise it too, when their turn comes.
     """
-    exam.require_one_line_each()
+    exam.require_sound_key()
     source = read_quiz_source(exam, language)
     available = len(exam.head.versions) or len(exam.head.students)
     if variants is not None and variants > available:

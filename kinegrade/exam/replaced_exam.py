@@ -27,7 +27,7 @@ UNKNOWN = "the exam that stood there could not be read, so nothing is known of i
 RESTORING = "expected it as kinegrade generate wrote it - restore the exam folder"
 OTHERWISE = "choose another one, or add --new-numbers to replace its papers anyway"
 NAMED = 5  # students that a message names
-MOST_PLACES = 1_000_000  # of a class: what is beyond was never dealt
+MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
 
 
 @dataclass(frozen=True)
@@ -114,15 +114,10 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
 def read_replaced(exam: ExamFolder) -> ReplacedExam:
     """The exam of which everything is known that a replacement may change. Raises ExamError."""
     secret = required_secret(exam)
+    exam.require_sound_key()
     papers = paper_digests(exam)
-    exam.require_one_line_each()
     kept = {line.student: line for line in exam.lines()}
-    for line in kept.values():
-        if line.place is not None and not 0 <= line.place < MOST_PLACES:
-            raise ExamError(
-                f'{exam.key}: student "{one_line(line.student)}" has the place {line.place} - '
-                f"expected one from 0 to {MOST_PLACES - 1} - {RESTORING}"
-            )
+    _require_places(exam, kept)
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
 
 
@@ -137,6 +132,20 @@ def required_secret(exam: ExamFolder) -> ExamSecret:
             f"{RESTORING}"
         )
     return secret
+
+
+def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
+    """Raises ExamError where papers state places that were not dealt to this class, each once."""
+    whose: dict[int, str] = {}
+    for student, line in kept.items():
+        if line.place is None:
+            continue
+        first = whose.setdefault(line.place, student)
+        if first != student or not 0 <= line.place < MOST_PLACES * len(kept):
+            raise ExamError(
+                f'{exam.key}: student "{one_line(student)}" has the place {line.place} - expected '
+                f"one of the class, and no other student's - {RESTORING}"
+            )
 
 
 def settle(

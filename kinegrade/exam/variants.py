@@ -8,7 +8,8 @@ key.jsonl; `kinegrade.lms.responses` recognises by them what a student was asked
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from html import unescape
@@ -36,9 +37,11 @@ _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 Numbers = tuple[str, ...]
 
 
-def store_variants(exam: ExamFolder, count: int) -> None:
-    """Store the first `count` variants of an exam; any further ones already there stay, and none is
-    ever changed.
+@contextmanager
+def variants_stored(exam: ExamFolder, count: int) -> Iterator[None]:
+    """Store the first `count` variants of an exam while a quiz of them is written; where that
+    fails, the exam folder is as it was. Any further ones already there stay, and none is ever
+    changed.
 
     Raises ExamError if those that are stored belong to another key, OutputError if nothing can be
     written there.
@@ -51,8 +54,22 @@ def store_variants(exam: ExamFolder, count: int) -> None:
             "quiz made of them is in use any more, delete the file"
         )
     if len(lines) > len(before):
-        write_file(exam.pool, b"".join(line + b"\n" for line in lines), force=True)
-        exam.pool.chmod(exam.key.stat().st_mode & 0o777)
+        _write(exam, lines)
+    try:
+        yield
+    except BaseException:
+        if len(lines) > len(before):
+            _write(exam, before)
+        raise
+
+
+def _write(exam: ExamFolder, lines: Sequence[bytes]) -> None:
+    """The file of the variants with these lines, none where there are no lines."""
+    if not lines:
+        exam.pool.unlink(missing_ok=True)
+        return
+    write_file(exam.pool, b"".join(line + b"\n" for line in lines), force=True)
+    exam.pool.chmod(exam.key.stat().st_mode & 0o777)
 
 
 def numbers_in(text: str) -> Numbers:

@@ -83,7 +83,7 @@ class _Count:
     losses: dict[str, Counter[str]] = field(default_factory=dict)
     versions: list[str] = field(default_factory=list)
     parameters: list[array[float]] = field(default_factory=list)
-    names: tuple[tuple[str, str], ...] = ()  # parameter names, as on the first paper
+    names: tuple[tuple[str, str], ...] = ()  # of the parameters of all papers so far
 
     def include(
         self, total: StudentTotal, answers: Sequence[MarkedAnswer], paper: PaperRecord, version: str
@@ -92,7 +92,7 @@ class _Count:
         self.answered.append(total)
         self.points.append(array("d", (float(answer.points) for answer in answers)))
         self.versions.append(version)
-        self.names = self.names or tuple(paper.parameters)
+        self.names += tuple(name for name in paper.parameters if name not in self.names)
         self.parameters.append(array("d", (paper.parameters.get(name, nan) for name in self.names)))
         for answer in answers:
             self.verdicts[answer.column][answer.verdict] += 1
@@ -136,9 +136,9 @@ def _open(count: _Count, columns: tuple[str, ...], out_of: list[float]) -> None:
 
 def _closed(count: _Count) -> ClassTally:
     points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
-    numbers = np.array(count.parameters, dtype=np.float64).reshape(
-        len(count.parameters), len(count.names)
-    )
+    numbers = np.full((len(count.parameters), len(count.names)), nan)
+    for row, known in zip(numbers, count.parameters, strict=True):
+        row[: len(known)] = known
     parameters = {name: numbers[:, place] for place, name in enumerate(count.names)}
     return ClassTally(
         count.columns,

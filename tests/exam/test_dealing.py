@@ -113,7 +113,7 @@ def test_other_numbers_give_other_places(tmp_path: Path) -> None:
     raise AssertionError("the places stayed")
 
 
-@pytest.mark.parametrize("place", ['"first"', "true", "1.5", "-1", "1000000"])
+@pytest.mark.parametrize("place", ['"first"', "true", "1.5", "-1", "1000000", "999999", "2"])
 def test_a_place_that_is_none_is_refused(tmp_path: Path, place: str) -> None:
     write(tmp_path, CLASS)
     assert generate(tmp_path, "EXAM").exit_code == 0

@@ -316,7 +316,7 @@ def test_papers_are_counted_for_a_progress_bar(small_class: Path) -> None:
         (
             "exam.json",
             b'{"format": 3}',
-            r"exam.json:1: format: 3 - expected 1 or 2, the only ones this kinegrade reads - restore",
+            r"exam.json:1: format: 3 - expected 1 or 2, the only ones this kinegrade reads - use a",
         ),
         (
             "exam.json",

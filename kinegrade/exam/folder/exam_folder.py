@@ -16,13 +16,12 @@ from typing import TYPE_CHECKING
 from kinegrade.errors import ExamError, message
 from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, TEMPLATES
 from kinegrade.exam.folder.exact_keys import key_line
-from kinegrade.exam.folder.faults import broken, decoding, unreadable
+from kinegrade.exam.folder.faults import decoding, unreadable
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.key_decoding import PaperDecoder
-from kinegrade.exam.folder.key_index import KeyIndex, index_of, owners_of
+from kinegrade.exam.folder.key_index import KeyIndex, index_of
 from kinegrade.exam.folder.key_stream import papers_in_roster_order
 from kinegrade.exam.folder.keys import Ask, Exam, Examinee, Paper, questions
-from kinegrade.exam.folder.ownership import ownership_faults
 from kinegrade.exam.folder.printed_orders import printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.language import Language
@@ -140,11 +139,10 @@ class ExamFolder:
         """The keys of all papers, in the order of the file. Raises ExamError."""
         return (self.read_line(*line) for line in self.texts())
 
-    def require_one_line_each(self) -> None:
-        """Raises ExamError where the key has not one line for each candidate, and no others."""
-        faults = [*ownership_faults(owners_of(self.key), self.head.candidates)]
-        if faults:
-            raise broken(self.key, faults)
+    def require_sound_key(self) -> None:
+        """Raises ExamError with all faults of the key."""
+        for _ in self.papers():
+            pass
 
     def read_line(self, number: int, text: bytes) -> KeyLine:
         """The key on a line of `texts`. Raises ExamError."""

@@ -28,6 +28,7 @@ from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # the one that this version writes
 FORMATS = (1, FORMAT)  # those that it reads
+_NEWER = "use a kinegrade at least as new as the one that made the folder"
 _MOST_BYTES = 10**9  # a class of any size
 _HEAD_FILE = FileKind("an exam folder made by kinegrade generate", ExamError, _MOST_BYTES, REMEDY)
 _IDENTIFIER = re.compile(r"[^\W\d][\w'\u2032-]{0,79}")
@@ -62,7 +63,8 @@ def _format(value: object) -> int:
         if value == known and not isinstance(value, bool):
             return known
     expected = f"{' or '.join(map(str, FORMATS))}, the only ones this kinegrade reads"
-    raise FieldError(found(value), expected)
+    newer = isinstance(value, int) and value > FORMAT
+    raise FieldError(found(value), expected, _NEWER if newer else "")
 
 
 def _language(value: object) -> Language:

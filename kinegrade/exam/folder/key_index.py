@@ -49,28 +49,20 @@ class KeyIndex:
 
 def index_of(path: Path) -> KeyIndex:
     """The index of a file. Raises ExamError, also where a student has several lines."""
-    lines = _lines(path)
+    try:
+        lines = [*_owners(path)]
+    except OSError as fault:
+        raise unreadable(path, fault) from fault
     faults = [*repetitions([student for student, _ in lines])]
     if faults:
         raise broken(path, faults)
     return KeyIndex(path, dict(lines))
 
 
-def owners_of(path: Path) -> list[str]:
-    """The students of the lines of a file, in its order. Raises ExamError."""
-    return [student for student, _ in _lines(path)]
-
-
-def _lines(path: Path) -> list[tuple[str, int]]:
-    """The student of each line that is not empty, and where the line begins. Raises ExamError."""
-    try:
-        return [*_owners(path)]
-    except OSError as fault:
-        raise unreadable(path, fault) from fault
-
-
 def _owners(path: Path) -> Iterator[tuple[str, int]]:
-    """The same, line by line; of a line as `generate` writes it only the beginning is decoded."""
+    """The student of each line that is not empty, and where the line begins; of a
+    line as `generate` writes it only the beginning is decoded.
+    """
     begin = 0
     with path.open("rb") as stream:
         for number, line in enumerate(stream, 1):

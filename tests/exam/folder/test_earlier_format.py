@@ -139,6 +139,6 @@ def test_a_format_that_is_not_known_is_refused_by_every_command(
     assert refused.exit_code == 2
     assert refused.stderr == (
         f"error: {head}:1: format: 3 - expected 1 or 2, the only ones this kinegrade reads - "
-        "restore the exam folder as it was generated\n"
+        "use a kinegrade at least as new as the one that made the folder\n"
     )
     assert not (tmp_path / "OUT").exists()

@@ -8,11 +8,12 @@ import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.problem.crank import crank_text
-from tests.small_class import kinegrade
+from tests.small_class import contents, kinegrade
 
 BANK = """title = "T"
 course = "C"
@@ -109,3 +110,55 @@ def test_lines_in_another_order_are_taken(place: Path, command: str) -> None:
     key.write_text("\n".join(reversed(lines)) + "\n", encoding="utf-8")
     result = kinegrade(*commands(place)[command])
     assert result.exit_code < 2, result.stderr
+
+
+def edit_unit(line: dict[str, Any]) -> None:
+    line["questions"][0]["asks"]["v_x"]["unit"] = "kg"
+
+
+def remove_question(line: dict[str, Any]) -> None:
+    line["questions"] = []
+
+
+@pytest.mark.parametrize("command", WHOLE_CLASS)
+@pytest.mark.parametrize(
+    ("edit", "said"),
+    [
+        (edit_unit, "q1.v_x: unit or points differ from exam.json - expected the same"),
+        (remove_question, "the asks differ from exam.json in q1.v_x - expected the same"),
+    ],
+)
+def test_asks_that_are_not_those_of_the_exam_are_refused(
+    place: Path, command: str, edit: Callable[[dict[str, Any]], None], said: str
+) -> None:
+    rewrite_first(place, edit)
+    result = kinegrade(*commands(place)[command])
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    assert f'/key.jsonl: line 1: student "1": {said} - {RESTORE}' in line
+    assert not (place / "OUT").exists()
+
+
+def test_a_paper_without_its_numbers_is_reported_with_the_others(place: Path) -> None:
+    rewrite_first(place, lambda line: line["questions"][0].update(parameters={}))
+    result = kinegrade(*commands(place)["report"])
+    assert result.exit_code == 0, result.stderr
+    assert (place / "OUT").exists()
+
+
+def test_a_pool_that_cannot_be_written_leaves_the_exam_as_it_was(place: Path) -> None:
+    (place / "OUT").write_text("mine", encoding="utf-8")
+    before = contents(place / "EXAM")
+    assert kinegrade(*commands(place)["pool"]).exit_code == 2
+    assert contents(place / "EXAM") == before
+    assert kinegrade(*commands(place)["pool"], "--force").exit_code < 2
+    assert (place / "EXAM" / "variants.jsonl").exists()
+
+
+def rewrite_first(place: Path, edit: Callable[[dict[str, Any]], None]) -> None:
+    """Another first line of the key."""
+    key = place / "EXAM" / "key.jsonl"
+    first, *others = key.read_text(encoding="utf-8").splitlines()
+    line = json.loads(first)
+    edit(line)
+    key.write_text("\n".join([json.dumps(line), *others]) + "\n", encoding="utf-8")
