@@ -18,14 +18,14 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import chain, islice
 from multiprocessing import active_children, get_context
 from typing import Generic, Literal, ParamSpec, TypeVar
 
 from kinegrade.errors import WorkerError
 from kinegrade.temporary import clear_temporary_folders
-from kinegrade.worker_process import begin_work
+from kinegrade.worker_process import DEFERRED, begin_work, do_task
 
 Start = Literal["fork", "spawn"]
 
@@ -164,9 +164,9 @@ class _OtherProcesses(Executor):
     def submit(
         self, task: Callable[_Given, _Result], /, *given: _Given.args, **named: _Given.kwargs
     ) -> Future[_Result]:
-        """Hand out a task. Ctrl-C does not reach a process started for it before it is set up."""
-        with _interruption_deferred():
-            return self._pool.submit(task, *given, **named)
+        """Hand out a task. No signal reaches a process started for it before it is set up."""
+        with _signals_deferred():
+            return self._pool.submit(do_task, partial(task, *given, **named))
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Let the processes end when their tasks are done."""
@@ -195,12 +195,12 @@ def _alone() -> bool:
 
 
 @contextmanager
-def _interruption_deferred() -> Iterator[None]:
-    """Ctrl-C waits for the end of the block, where the system can do that."""
+def _signals_deferred() -> Iterator[None]:
+    """Ctrl-C and SIGTERM wait for the end of the block, where the system can do that."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, DEFERRED)
     try:
         yield
     finally:

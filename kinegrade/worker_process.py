@@ -9,15 +9,23 @@ from __future__ import annotations
 import gc
 import os
 import signal
-import sys
 import threading
 import time
+from collections.abc import Callable
 from multiprocessing import connection, parent_process
 from types import FrameType
+from typing import TypeVar
 
 from kinegrade.garbage_collection import NEW_OBJECTS
 
+DEFERRED = (signal.SIGINT, signal.SIGTERM)  # while a process starts, until it is set up
 PATIENCE = 1.0  # seconds to stop a typesetter and to remove files
+
+_Result = TypeVar("_Result")
+
+
+class _LeaveError(BaseException):
+    """This process shall end. No `Exception`, or code that survives faults would survive it."""
 
 
 def begin_work() -> None:
@@ -26,10 +34,23 @@ def begin_work() -> None:
     """
     gc.set_threshold(NEW_OBJECTS)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _leave)
-    if hasattr(signal, "pthread_sigmask"):  # it was started with interruptions deferred
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # outside a task there is nothing to clear away
+    if hasattr(signal, "pthread_sigmask"):  # it was started with signals deferred
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, DEFERRED)
     threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def do_task(task: Callable[[], _Result]) -> _Result:
+    """What a task gives. SIGTERM meanwhile ends this process when the task has cleared away; were
+    it a result, it would end the process that waits for it.
+    """
+    signal.signal(signal.SIGTERM, _leave)
+    try:
+        return task()
+    except _LeaveError:
+        os._exit(128 + signal.SIGTERM)
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _end_with_parent() -> None:
@@ -48,5 +69,5 @@ def _end_with_parent() -> None:
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
-    """Remove unfinished output before leaving."""
-    sys.exit(128 + number)
+    """Clear away on the way out what was begun."""
+    raise _LeaveError

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from multiprocessing import active_children
 from pathlib import Path
@@ -40,6 +40,13 @@ def refuse(number: int) -> int:
 def kill_this_process(number: int) -> int:
     """Ends the process that does this task, without a word."""
     os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def end_this_process(number: int) -> int:
+    """Ends the process that does this task, as `kill` does where no signal is named."""
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(60)
     return number
 
 
@@ -120,13 +127,16 @@ def test_what_a_task_raises_is_raised_with_all_its_problems(jobs: int, start: St
     assert not active_children()
 
 
+@pytest.mark.parametrize("end", [kill_this_process, end_this_process])
 @pytest.mark.parametrize("start", ["fork", "spawn"])
-def test_a_process_ended_from_outside_is_one_line_that_names_the_command(start: Start) -> None:
+def test_a_process_ended_from_outside_is_one_line_that_names_the_command(
+    start: Start, end: Callable[[int], int]
+) -> None:
     with (
         pytest.raises(WorkerError) as raised,
         executor(2, "check", start) as workers,
     ):
-        list(mapped(workers, kill_this_process, range(9), 4))
+        list(mapped(workers, end, range(9), 4))
     assert raised.value.problems == (
         "check: a process was ended from outside - expected room in memory for all of them - "
         "use fewer: --jobs 1",
@@ -238,3 +248,24 @@ def test_what_generate_loads_and_a_press_at_rest_start_no_thread() -> None:
         [sys.executable, "-c", program], check=True, capture_output=True, env=environment
     )
     assert answer.stdout.split() == [b"1"]
+
+
+ENDED_AT_ITS_START = """
+import os
+import signal
+
+signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])
+os.kill(os.getpid(), signal.SIGTERM)
+
+from kinegrade.worker_process import begin_work
+
+begin_work()
+print("at work")
+"""
+
+
+@linux
+def test_a_process_that_is_ended_while_it_starts_says_nothing() -> None:
+    command = [sys.executable, "-c", ENDED_AT_ITS_START]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (ended.stdout, ended.stderr, ended.returncode) == ("", "", -signal.SIGTERM)
