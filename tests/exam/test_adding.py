@@ -417,6 +417,14 @@ def test_a_key_that_says_otherwise_is_refused(folder: Path) -> None:
     key = folder / "EXAM" / "key.jsonl"
     text = key.read_text(encoding="utf-8")
     key.write_text(re.sub(r'"decimal": ?"', '"decimal": "123', text, count=1), encoding="utf-8")
+    (line,) = refused(folder)
+    assert "decimal, value state different numbers - expected the same one" in line
+
+
+def test_a_key_of_other_tolerances_is_refused(folder: Path) -> None:
+    key = folder / "EXAM" / "key.jsonl"
+    text = key.read_text(encoding="utf-8")
+    key.write_text(re.sub(r'"relative": ?0.01', '"relative": 0.02', text, count=1), "utf-8")
     assert all('student "s0", q1: ' in line for line in refused(folder))
 
 
